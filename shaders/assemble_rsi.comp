@@ -12,8 +12,8 @@
 // Blocks of 9 numbers, column after column; row r begins at block starts[r] + r.
 layout(std430, binding = 5) writeonly buffer Blocks { real blocks[]; };
 
-// Inverse of the symmetric matrix J / S, where it is regular, over S; else the pseudo-inverse of a
-// ring on a line, which has the eigenvalue 0 along the line and S across it.
+// Returns the inverse of J = S I - C (the local J is J / S). For a ring on a line, J is singular,
+// with the eigenvalue 0 along the line and S across it, and this returns the pseudo-inverse.
 real3x3 inverse_of_J(real3x3 C, real S) {
   const real3x3 J = real3x3(1) - C / S;
   const real3 u = cross(J[1], J[2]);
@@ -43,8 +43,8 @@ void write_block(uint block, real3 scaled_delta, real3x3 rotation, real3 x, real
   blocks[at + 8] = c.z - laplacian_entry;
 }
 
-// Precise, for a compiler (NVIDIA's) takes `center` and `here` together first where it may: far from
-// the origin that rounds away most of the difference.
+// Precise, because a compiler (NVIDIA's) may otherwise add `center` and `here` first. Far from the
+// origin, that rounds away most of the difference.
 real3 from_center(Place here, uint neighbour, real3 center) {
   precise real3 x = difference(here, place_of(neighbour)) - center;
   return x;

@@ -14,7 +14,7 @@ layout(std430, binding = 5) writeonly buffer Blocks { real blocks[]; };
 layout(std430, binding = 6) readonly buffer RowWeights { real row_weights[]; };
 layout(std430, binding = 7) readonly buffer Stiffness { real stiffness[]; };
 
-// F^-1 of the lower Cholesky factor of K. A pivot of next to nothing, as a ring on a line has,
+// Returns F^-1 for the lower Cholesky factor F of K. A pivot of almost 0, as for a collinear ring,
 // leaves a row of zeros.
 real3x3 inverse_cholesky_factor(real3x3 K) {
   const real least = kCollinearShare * (K[0][0] + K[1][1] + K[2][2]);
@@ -41,7 +41,7 @@ real3x3 inverse_cholesky_factor(real3x3 K) {
   return inverse;
 }
 
-// M [v]x.
+// Writes M [v]x.
 void write_block(uint block, real3x3 M, real3 v) {
   const real3 a = M[1] * v.z - M[2] * v.y;
   const real3 b = M[2] * v.x - M[0] * v.z;

@@ -20,7 +20,7 @@ layout(std430, binding = 2) readonly buffer Rests { vec4 rests[]; };
 // Per group and axis, one entry for each vertex of the range: four columns of that axis. Neighbours
 // in a work group read neighbours in memory.
 layout(std430, binding = 3) readonly buffer Basis { vec4 basis[]; };
-// vec4 per vertex; w stays.
+// A vec4 per vertex, whose w stays unchanged.
 layout(std430, binding = 4) writeonly buffer Positions { float positions[]; };
 
 layout(push_constant) uniform Push { uint vertex_count; };

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// target = source, for the benchmark: what a kernel that only moves bytes reaches.
+// target = source. The benchmark measures the rate of a kernel that only moves bytes.
 
 #include "invocation.glsl"
 

@@ -8,17 +8,17 @@
 #include "place.glsl"
 #include "rotation.glsl"
 
-// Of all rows, from fit_rotations.
+// For all rows, from fit_rotations.
 layout(std430, binding = 1) readonly buffer Residuals { real residuals[]; };
 layout(std430, binding = 2) readonly buffer Turns { real turns[]; };
-// Of the range.
+// For the range.
 layout(std430, binding = 3) readonly buffer Unknowns { uint unknowns[]; };  // or kNone
 layout(std430, binding = 4) readonly buffer Starts { uint starts[]; };
 layout(std430, binding = 5) readonly buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = 6) readonly buffer Edges { real edges[]; };
 layout(std430, binding = 7) readonly buffer ReverseWeights { real reverse_weights[]; };
 layout(std430, binding = 8) readonly buffer Stiffness { real stiffness[]; };
-// Of all rows: S_i - I as xx, yy, zz, yz, xz, xy.
+// For all rows: S_i - I as xx, yy, zz, yz, xz, xy.
 layout(std430, binding = 10) readonly buffer Stretch {
   real stretch[];
 };
@@ -48,7 +48,8 @@ void main() {
     if (j < all_rows) sum -= reverse_weights[k] * residual_of(j);
   }
   if (has(kStiffness)) {
-    // Edges go from the row to its neighbours: both signs of the gradient's terms turn.
+    // Edges go from the row to its neighbours, against the sense of the contract; both signs
+    // cancel.
     const real4 own = turn_of(row);
     const Place here = place_of(row);
     for (uint k = starts[r]; k < starts[r + 1]; ++k) {

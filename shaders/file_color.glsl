@@ -1,5 +1,5 @@
-// Looks up the images of a mesh's file, with their mip levels (render/mip_levels.h). They are
-// filtered in linear light, bilinear in a level and linear between two, and repeat.
+// Looks up the images of a mesh's file, with their mip levels (render/mip_levels.h). Filtering is
+// trilinear in linear light, and images repeat.
 
 layout(std430, binding = 9) readonly buffer Images { uint image_words[]; };
 
@@ -13,7 +13,7 @@ vec3 image_texel(uint place) {
               uintBitsToFloat(image_words[(word >> 16) & 255u]));
 }
 
-// `place` in [0, 1], in a level of `size` pixels, the first of which is in word `first`.
+// Returns the colour at `place` in [0, 1] of a level of `size` pixels, which begin at word `first`.
 vec3 level_color(uint first, ivec2 size, vec2 place) {
   const vec2 middle = place * vec2(size) - 0.5;  // relative to the middle of the first pixel
   const vec2 cell = floor(middle);
@@ -31,8 +31,8 @@ vec3 level_color(uint first, ivec2 size, vec2 place) {
              share.y);
 }
 
-// Linear light of image number `image` at `place`, which changes by `across` and `down` from a
-// pixel to the next.
+// Returns the linear light of image number `image` at `place`, which changes by `across` and `down`
+// from one pixel to the next.
 vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
   const uint record = kLinearWords + kWordsPerImage * image;
   const ivec2 size = ivec2(image_words[record], image_words[record + 1]);
@@ -41,7 +41,7 @@ vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
   const vec2 texels_across = across * vec2(size);
   const vec2 texels_down = down * vec2(size);
   const float texels = max(dot(texels_across, texels_across), dot(texels_down, texels_down));
-  // What is not a number, as beyond the rim of a triangle, is 0.
+  // NaN, as beyond the rim of a triangle, gives 0.
   const float level = texels > 1.0 ? min(0.5 * log2(texels), float(levels - 1)) : 0.0;
   const uint fine = uint(level);
   const float share = level - float(fine);

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// T_i of each row from rest to rest + displacement, and what of the energy it leaves (twin:
-// kernels/fit_rotations.cpp). One invocation per row of a range.
+// Fits T_i of each row from rest to rest + displacement, and computes the energy that remains
+// (twin: kernels/fit_rotations.cpp). One invocation per row of a range.
 
 #include "invocation.glsl"
 #include "place.glsl"
@@ -14,14 +14,15 @@ layout(std430, binding = 2) readonly buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = 3) readonly buffer Edges { real edges[]; };  // x, y, z of v_j - v_i
 layout(std430, binding = 4) readonly buffer Weights { real weights[]; };
 layout(std430, binding = 5) readonly buffer Stiffness { real stiffness[]; };
-// Of all rows: om_i, and S_i - I as xx, yy, zz, yz, xz, xy.
+// For all rows: om_i, and S_i - I as xx, yy, zz, yz, xz, xy.
 layout(std430, binding = 6) readonly buffer RowWeights {
   real row_weights[];
 };
 layout(std430, binding = 10) readonly buffer Stretch {
   real stretch[];
 };
-// Of all rows: R_i as a quaternion, om_i (L(v')_i - T_i delta_i), what the row adds to the energy.
+// For all rows: R_i as a quaternion, om_i (L(v')_i - T_i delta_i), and the row's part of the
+// energy.
 layout(std430, binding = 7) writeonly buffer Turns { real turns[]; };
 layout(std430, binding = 8) writeonly buffer Residuals { real residuals[]; };
 layout(std430, binding = 9) writeonly buffer Energies { real energies[]; };

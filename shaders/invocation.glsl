@@ -1,4 +1,5 @@
-// Work groups of the size that the host chooses, in rows where one row of them would be too long.
+// The host chooses the size of work groups. If one row of them would be too long, they form several
+// rows.
 
 layout(local_size_x_id = 0) in;
 

@@ -1,5 +1,6 @@
-// A batch of rows, their one-rings, and where those lie on a source surface (vulkan/mapped_batch.h).
-// Row r is vertex first_row + r, with the neighbours of entries [starts[r], starts[r + 1]).
+// A batch of rows, their one-rings, and the points of these on a source surface
+// (vulkan/mapped_batch.h). Row r is vertex first_row + r, with the neighbours of entries
+// [starts[r], starts[r + 1]).
 
 #include "place.glsl"
 
@@ -12,17 +13,17 @@ layout(std430, binding = 4) readonly buffer Neighbours { uint neighbours[]; };
 layout(push_constant) uniform Push {
   uint row_count;
   uint first_row;
-  uint flag;  // the kernel's own, 0 where it has none
+  uint flag;  // meaning depends on the kernel; 0 if unused
 };
 
 bool is_nowhere(uint v) {
   return point_weights[3 * v] == 0 && point_weights[3 * v + 1] == 0 && point_weights[3 * v + 2] == 0;
 }
 
-// A place near the point where v lies.
+// Returns a place near the point of v.
 Place anchor_of(uint v) { return place_of(corners[3 * v]); }
 
-// The value at the point where v lies, less `anchor`. Twin: kernels/mapped_ring.h.
+// Returns the value at the point of v, minus `anchor`. Twin: kernels/mapped_ring.h.
 real3 offset_from(Place anchor, uint v) {
   real3 offset = real3(0);
   for (uint c = 3 * v; c < 3 * v + 3; ++c) {

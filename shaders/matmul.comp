@@ -1,10 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// C = A B of square row-major matrices, for the benchmark: the rate of multiplications and additions
-// that a device reaches. The size is a multiple of kTile. A work group makes a tile of C from strips
-// of A and B that it shares, an invocation kOwn x kOwn numbers of it in registers, so that
-// arithmetic and not memory is the limit.
+// C = A B of square row-major matrices. The benchmark measures the rate of multiplications and
+// additions that a device reaches. The size must be a multiple of kTile. A work group computes a
+// tile of C from shared strips of A and B, and an invocation kOwn x kOwn numbers of it in
+// registers, so that arithmetic and not memory is the limit.
 
 layout(local_size_x_id = 0) in;
 

@@ -1,8 +1,8 @@
-// Vectors of vertices, positions or displacements, whose differences along edges count (binding 0).
+// Positions or displacements of vertices, whose differences along edges kernels need (binding 0).
 
 #include "precision.glsl"
 
-// Per vertex: x, y, z in float64, or x, y, z in float32 and what that rounded off.
+// Per vertex: x, y, z in float64, or x, y, z in float32 and their rounding errors.
 layout(std430, binding = 0) readonly buffer Places { real places[]; };
 
 #ifdef LAPWING_FLOAT64
@@ -13,7 +13,7 @@ Place place_of(uint v) {
   return Place(dvec3(places[3 * v], places[3 * v + 1], places[3 * v + 2]));
 }
 dvec3 value_of(Place place) { return place.value; }
-// Precise, as what is subtracted from it next has to be.
+// Precise, so that the compiler does not merge it with a subtraction that follows.
 dvec3 difference(Place from, Place to) {
   precise dvec3 edge = to.value - from.value;
   return edge;

@@ -14,7 +14,7 @@ layout(location = 0) out vec2 from_middle;  // 1 at the rim of the disk in the s
 // Corner of the square for each of its six vertices; bit 0 is right, bit 1 is bottom.
 const uint kCorners[6] = uint[](0, 1, 2, 2, 1, 3);
 
-// Of the depth, by which a point on the surface stands before it.
+// Offset in depth that draws a point on the surface in front of it.
 const float kNearer = 0.002;
 
 void main() {

@@ -1,4 +1,4 @@
-// One source in two precisions: LAPWING_FLOAT64 chooses.
+// One source in two precisions, selected by LAPWING_FLOAT64.
 
 #ifdef LAPWING_FLOAT64
 #define real double

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// R_i from the source's frame to the target's, times the ratio of edge lengths (twin:
+// Computes R_i from the source's frame to the target's, times the ratio of edge lengths (twin:
 // kernels/rotate_frames.cpp). One invocation per row.
 
 #include "invocation.glsl"
@@ -50,12 +50,12 @@ real3x3 frame_of(real3 normal) {
                  real3(b, s + normal.y * normal.y * a, -normal.y), normal);
 }
 
-// Cosine and sine, times a common length, and that length, of the turn about the third axis that
-// maximizes trace(turn' H).
+// Returns cosine and sine, times a common length, of the turn about the third axis that maximizes
+// trace(turn' H), and that length.
 real3 plane_turn(real3x3 H) {
   const real cosine = H[0][0] + H[1][1];
   const real sine = H[0][1] - H[1][0];
-  // Squares of the numbers of a small mesh may be too small.
+  // Squares of the numbers of a small mesh may underflow.
   const real larger = max(abs(cosine), abs(sine));
   if (!(larger > 0)) return real3(0);
   const real c = cosine / larger;
@@ -68,7 +68,7 @@ real3x3 turn_of_frames(real3 source_normal, real3 target_normal, real3x3 moment,
   const real3x3 source = frame_of(source_normal);
   const real3x3 target = frame_of(target_normal);
   real3 t = plane_turn(transpose(target) * moment * source);
-  // The axes of space in place of edges: the smallest rotation.
+  // The axes of space replace the edges, which gives the smallest rotation.
   if (t.z <= kRoundingShare * spread) t = plane_turn(transpose(target) * source);
   const real c = t.z > 0 ? t.x / t.z : real(1);
   const real s = t.z > 0 ? t.y / t.z : real(0);

@@ -15,7 +15,7 @@ real4x4 quaternion_form(real3x3 H) {
                  a03, a13, a23, H[2][2] - H[0][0] - H[1][1]);
 }
 
-// The smallest rotation that carries the line of a matrix of rank one.
+// Returns the smallest rotation that carries the line of a matrix of rank one.
 real4 rotation_of_line(real3x3 H) {
   int widest = 0;
   for (int k = 1; k < 3; ++k) {
@@ -25,12 +25,13 @@ real4 rotation_of_line(real3x3 H) {
   const real3 from = normalize(real3(dot(H[0], to), dot(H[1], to), dot(H[2], to)));
   const real4 q = real4(1 + dot(from, to), cross(from, to));
   if (dot(q, q) > kRankOneShare) return normalize(q);
-  // Half a turn about any axis across the line.
+  // Half a turn about any axis perpendicular to the line.
   const real3 other = abs(from.x) < real(0.5) ? real3(1, 0, 0) : real3(0, 1, 0);
   return real4(real(0), normalize(cross(from, other)));
 }
 
-// The eigenvector of the largest eigenvalue, by Jacobi's rotations: slow, but good for any gap.
+// Returns the eigenvector of the largest eigenvalue by Jacobi rotations: slow, but good for any
+// gap.
 real4 rotation_by_jacobi(real4x4 N) {
   const int kSweeps = 8;
   real4x4 V = real4x4(1);
@@ -81,7 +82,7 @@ real determinant_of(real4x4 A, int row, int column) {
 
 real4 nearest_rotation(real3x3 given) {
   const real4 identity = real4(1, 0, 0, 0);
-  // Twice, since squares of the numbers of a small mesh may be too small.
+  // Scaled twice, because squares of the numbers of a small mesh may underflow.
   const real3 largest_of_rows = max(max(abs(given[0]), abs(given[1])), abs(given[2]));
   const real largest_entry = max(max(largest_of_rows.x, largest_of_rows.y), largest_of_rows.z);
   if (!(largest_entry > 0) || isinf(float(largest_entry))) return identity;
@@ -94,9 +95,9 @@ real4 nearest_rotation(real3x3 given) {
   const real cofactors = dot(u, u) + dot(v, v) + dot(w, w);
   if (cofactors <= kRankOneShare * kRankOneShare) return rotation_of_line(H);
 
-  // Newton's method goes down to the largest root of the characteristic polynomial.
-  // As kMostNewtonSteps of the twin: where two roots are close, as a ring that is nearly a line has
-  // them, every step halves the way, and 20 of them lead to kSmallestGap.
+  // Newton's method descends to the largest root of the characteristic polynomial. kMostSteps is
+  // kMostNewtonSteps of the twin: if two roots are close, as for an almost collinear ring, every
+  // step halves the distance, and 20 steps lead to kSmallestGap.
   const int kMostSteps = 40;
   const real b = -8 * dot(H[0], u);
   const real c = 1 - 4 * cofactors;
@@ -129,12 +130,12 @@ real4 nearest_rotation(real3x3 given) {
   return normalize(q);
 }
 
-// T(q) v for a quaternion of any length: its square times the rotation.
+// Returns |q|^2 R(q) v for a quaternion of any length.
 real3 turn(real4 q, real3 v) {
   return (q.x * q.x - dot(q.yzw, q.yzw)) * v + 2 * dot(q.yzw, v) * q.yzw + 2 * q.x * cross(q.yzw, v);
 }
 
-// T(q) v - v, without the digits that the difference of the two would lose.
+// Returns turn(q, v) - v without the loss of digits in the difference.
 real3 turn_change(real4 q, real3 v) {
   return (q.x * q.x - dot(q.yzw, q.yzw) - 1) * v + 2 * dot(q.yzw, v) * q.yzw +
          2 * q.x * cross(q.yzw, v);

@@ -1,4 +1,4 @@
-// What the kernels fit_rotations and energy_gradient share. Included after Edges and Stretch are
+// Shared by the kernels fit_rotations and energy_gradient. Included after Edges and Stretch are
 // declared.
 
 layout(push_constant) uniform Push {
@@ -17,7 +17,7 @@ real3 edge_of(uint entry) {
   return real3(edges[3 * entry], edges[3 * entry + 1], edges[3 * entry + 2]);
 }
 
-// S - I of a row, which keeps the digits of small stretches.
+// Returns S - I of a row, which keeps the digits of small stretches.
 real3x3 stretch_of(uint row) {
   const real xx = stretch[6 * row];
   const real yy = stretch[6 * row + 1];
@@ -28,7 +28,7 @@ real3x3 stretch_of(uint row) {
   return real3x3(xx, xy, xz, xy, yy, yz, xz, yz, zz);
 }
 
-// (T - I) e of a row, T = R(q) S.
+// Returns (T - I) e of a row, with T = R(q) S.
 real3 transform_change(uint row, real4 q, real3 e) {
   if (!has(kStretch)) return turn_change(q, e);
   const real3 f = stretch_of(row) * e;

@@ -22,7 +22,7 @@ layout(location = 5) in vec3 file_value;
 
 layout(location = 0) out vec4 written;
 
-// sRGB.
+// In sRGB.
 const vec3 kClay = vec3(0.77, 0.73, 0.68);
 const vec3 kClassColors[4] =
     vec3[](vec3(0.76, 0.76, 0.76), vec3(0.64, 0.75, 0.88), vec3(0.80, 0.20, 0.17),
@@ -30,15 +30,15 @@ const vec3 kClassColors[4] =
 const vec3 kNoNumber = vec3(0.55, 0.55, 0.55);
 const vec3 kBackTint = vec3(0.62, 0.55, 0.60);  // multiplies the front's colour
 const vec3 kLine = vec3(0.10, 0.11, 0.13);
-const float kTint = 0.65;      // how much of a class shows over the file's colours
+const float kTint = 0.65;      // share of a class's colour over the file's colours
 const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
-const float kExposure = 0.85;  // of those: white that faces the key light is just white
+const float kExposure = 0.85;  // of those colours: white that faces the key light is just white
 
 const int kColorMapEntries = 256;  // per map; render/renderer.cpp
 
-// What the file says; clay where it says nothing.
+// Returns the file's colour, or clay if it has none.
 vec3 file_color() {
-  // Outside of all branches, where neighbours have them, too.
+  // Outside of all branches, so that neighbouring pixels have derivatives too.
   const vec2 across = dFdx(file_value.xy);
   const vec2 down = dFdy(file_value.xy);
   const uint kind = file_source >> 24;
@@ -48,9 +48,9 @@ vec3 file_color() {
   return kind == kSourceColor ? kExposure * file_value : linear_of(kClay);
 }
 
-// Each pixel has the colour of the class with the largest weight; the border is a pixel wide. Over
-// colours of the file, the first class leaves those as they are. Of what is under the others it shows
-// how light that is: a red belt is to be seen on red skin, too.
+// Each pixel has the colour of the class with the largest weight. Borders are one pixel wide. The
+// first class shows the file's colours, if there are any. The others blend in only the luminance of
+// these, so that a red belt is visible on red skin.
 vec3 class_color() {
   const vec3 base = has(kFileColor) ? file_color() : linear_of(kClassColors[0]);
   const float tint = has(kFileColor) ? kTint : 1.0;
@@ -86,8 +86,8 @@ vec3 surface_color() {
   return linear_of(kClay) * tint;
 }
 
-// How much the surface bends outwards (positive) or inwards over a few points: hollows darker and
-// ridges lighter make detail legible that the lights alone flatten. In [-1, 1].
+// Returns how much the surface bends outwards (positive) or inwards over a few points, in [-1, 1].
+// Darker hollows and lighter ridges show detail that the lights alone flatten.
 float bend(vec3 normal) {
   const float pixels = 6.0 * pixels_per_point;
   const vec3 px = dFdx(view_position);
@@ -118,14 +118,14 @@ vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
   return albedo * light * relief + 0.05 * gloss + 0.20 * rim * vec3(0.85, 0.93, 1.0);
 }
 
-// How much of the pixel shown edges cover. Where triangles are only few points high, lines fade, so
-// that a dense mesh does not turn black.
+// Returns the share of the pixel that shown edges cover. If triangles are only a few points high,
+// lines fade, so that a dense mesh does not turn black.
 float line_coverage() {
   const vec3 gradient = sqrt(dFdx(barycentric) * dFdx(barycentric) +
                              dFdy(barycentric) * dFdy(barycentric));
   const vec3 height = 1.0 / max(gradient, vec3(1e-6));  // of the triangle over each edge, in pixels
   const vec3 pixels = barycentric * height;
-  const float width = pixels_per_point;  // of a point
+  const float width = pixels_per_point;  // one point
   const vec3 covered = clamp(0.5 * width + 0.5 - pixels, 0.0, 1.0) *
                        clamp(height / (6.0 * width), 0.25, 1.0);
   // Edge e joins corners e and e + 1: the weight of the third corner is 0 on it.

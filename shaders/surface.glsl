@@ -1,4 +1,4 @@
-// What the stages of the surface pipeline share with render/renderer.cpp.
+// Shared by the stages of the surface pipeline and render/renderer.cpp.
 layout(push_constant) uniform Push {
   mat4 clip_from_surface;
   vec4 view_from_surface[3];  // rows
@@ -17,16 +17,16 @@ const uint kOrthographic = 32;
 const uint kCarriedColor = 64;
 const uint kFileColor = 128;
 
-// Highest byte of what colours a corner by the file; render/corner_colors.h.
+// Highest byte of the source of a corner's colour (render/corner_colors.h).
 const uint kSourceColor = 1;
 const uint kSourceImage = 2;
 
-// What a pipeline made for some flags alone has them from: what the others say is left out of it,
-// which a branch on a number that is pushed is not on a software device.
+// A pipeline for fixed flags takes them from here, so that the code for other flags is left out. On
+// a software device, a branch on a push constant would keep it.
 layout(constant_id = 1) const uint fixed_flags = 0;
 layout(constant_id = 2) const bool flags_are_fixed = false;
 
-// Whether gl_VertexIndex is a vertex, whose normal is that of all its corners, or a corner.
+// Whether gl_VertexIndex is a vertex, with one normal for all its corners, or a corner.
 layout(constant_id = 3) const bool by_vertex = false;
 
 bool has(uint flag) { return ((flags_are_fixed ? fixed_flags : flags) & flag) != 0; }

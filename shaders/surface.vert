@@ -16,16 +16,16 @@ layout(std430, binding = 5) readonly buffer Edges { uint edges[]; };
 layout(std430, binding = 7) readonly buffer CornerSources { uint corner_sources[]; };
 layout(std430, binding = 8) readonly buffer CornerPlaces { vec2 corner_places[]; };
 
-// A software device writes and reads whole locations: they are few, and full.
+// A software device writes and reads whole locations, so these are few and full.
 layout(location = 0) out vec3 view_position;
 layout(location = 0, component = 3) out float scalar;  // in [0, 1] over the colour map's range
 layout(location = 1) out vec3 view_normal;
-layout(location = 1, component = 3) out float held;  // a handle's share of the vertex besides
+layout(location = 1, component = 3) out float held;  // handle weight of a graded vertex
 layout(location = 2) out vec3 barycentric;
 layout(location = 3) out vec4 class_weights;  // outside, ROI, belt, handle
 layout(location = 4) flat out uint shown_edges;
-// What the file says: the source, alike at the corners of a triangle but for their colours, and with
-// it the colour in linear light or the place in an image.
+// The source of the file's colour, with the colour in linear light or the place in an image. Except
+// for colours, the corners of a triangle have the same source.
 layout(location = 4, component = 1) flat out uint file_source;
 layout(location = 5) out vec3 file_value;
 
@@ -34,8 +34,8 @@ vec3 rotate_to_view(vec3 v) {
               dot(view_from_surface[2].xyz, v));
 }
 
-// The vertex normal, but the triangle's own where the two disagree, as at the edges of a machined
-// part, or where there is no vertex normal.
+// Returns the vertex normal. If it differs much from the triangle's normal, as at the edges of a
+// machined part, or if there is none, returns the triangle's normal.
 vec3 corner_normal(vec3 vertex_normal, uint first) {
   const vec3 a = positions[corners[first]].xyz;
   const vec3 across = cross(positions[corners[first + 1]].xyz - a,

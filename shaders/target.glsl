@@ -2,8 +2,8 @@
 
 #include "srgb.glsl"
 
-// Whether the target takes colours encoded, by the shader; else it encodes linear light itself. A
-// software device does that for every sample of a pixel.
+// Whether the shader encodes colours for the target. Otherwise, the target encodes linear light
+// itself, which a software device does for every sample of a pixel.
 layout(constant_id = 0) const bool shaders_encode = false;
 
 vec3 of_linear(vec3 light) {

@@ -4,23 +4,23 @@
 #include "srgb.glsl"
 #include "ui.glsl"
 
-// The font's picture, four opacities a word, or one in colours, a pixel a word (red in the lowest
-// byte, in sRGB; opacity in the highest); rows from the top.
+// The font atlas, with four opacities per word, or an image in colours, with one pixel per word
+// (red in the lowest byte, in sRGB; opacity in the highest). Rows from the top.
 layout(std430, binding = 2) readonly buffer Atlas { uint atlas[]; };
 
-// Whether the picture is one in colours. Each kind has a pipeline of its own: on a software device
-// the branch that is not taken would cost as much as the other.
+// Whether the atlas is an image in colours. Each kind has a separate pipeline: on a software
+// device, a branch that is not taken costs as much as the other.
 layout(constant_id = 0) const bool colored = false;
 
-// Of the coverage of black letters; chosen by eye, beside the same letters in white on black.
+// Exponent for the coverage of black letters, chosen by eye to match white letters on black.
 const float kDarkTextExponent = 0.6;
 
 layout(location = 0) in vec2 atlas_place;
 layout(location = 1) in vec4 color;
 layout(location = 0) out vec4 written;
 
-// Colours are in linear light, multiplied by their opacity, so that nothing seeps in from pixels
-// that are clear.
+// Returns a colour in linear light, multiplied by its opacity, so that clear pixels do not bleed
+// in.
 vec4 color_of(ivec2 texel) {
   const ivec2 inside = clamp(texel, ivec2(0), ivec2(atlas_size) - 1);
   const uint at = uint(inside.y) * atlas_size.x + uint(inside.x);
@@ -39,7 +39,7 @@ void main() {
   const vec4 bottom = mix(color_of(first + ivec2(0, 1)), color_of(first + ivec2(1, 1)), part.x);
   const vec4 there = mix(top, bottom, part.y);
   if (!colored && there.a < 1.0) {
-    // In linear light dark letters on a bright ground come out thin: they cover more.
+    // In linear light, dark letters on a bright ground look thin, so they get more coverage.
     const float brightness = dot(color.rgb, vec3(0.2126, 0.7152, 0.0722));
     const float coverage = pow(there.a, mix(kDarkTextExponent, 1.0, sqrt(brightness)));
     written = vec4(color.rgb, color.a * coverage);

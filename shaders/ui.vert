@@ -7,7 +7,7 @@
 #include "ui.glsl"
 
 layout(std430, binding = 0) readonly buffer Corners { uint corners[]; };
-// Five words each: position in pixels, place in the font's picture, colour in sRGB.
+// Five words each: position in pixels, place in the atlas, colour in sRGB.
 layout(std430, binding = 1) readonly buffer Vertices { uint words[]; };
 
 layout(location = 0) out vec2 atlas_place;

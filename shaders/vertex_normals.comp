@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Unit area-weighted normals (twin: kernels/vertex_normals.cpp) of the vertices `which`; zero where
-// no triangle around has area. One invocation per vertex.
+// Unit area-weighted normals (twin: kernels/vertex_normals.cpp) of the vertices `which`; zero if no
+// triangle around the vertex has area. One invocation per vertex.
 
 #include "invocation.glsl"
 
@@ -12,7 +12,7 @@ layout(std430, binding = 0) readonly buffer Which { uint which[]; };
 layout(std430, binding = 1) readonly buffer FanStarts { uint fan_starts[]; };
 layout(std430, binding = 2) readonly buffer FanCorners { uint fan_corners[]; };
 layout(std430, binding = 3) readonly buffer Positions { vec4 positions[]; };
-// vec4 per vertex; w stays.
+// A vec4 per vertex, whose w stays unchanged.
 layout(std430, binding = 4) writeonly buffer Normals { float normals[]; };
 
 layout(push_constant) uniform Push { uint vertex_count; };

@@ -109,6 +109,9 @@ TEST(Certificate, WarnsOfWhatIsNotSettledFlippedOrFarTooLong) {
               ::testing::ElementsAre(HasSubstr("not settled after 200 iterations"),
                                      HasSubstr("2 triangles are flipped, the first 7"),
                                      HasSubstr("from vertex 3 to 8 became 3.5 times as long")));
+  EXPECT_THAT(warnings_of(c)[0], HasSubstr("Raise \"max_iterations\""));
+  c.lacks_hessian = true;
+  EXPECT_THAT(warnings_of(c)[0], HasSubstr("memory"));
   c.largest_edge_stretch = 1.9;
   EXPECT_EQ(warnings_of(c).size(), 2U);
 }

@@ -1,8 +1,8 @@
-# What parallel-shards and slurm-shards read from their command line, which is
+# Parses the command line of parallel-shards and slurm-shards, which is
 #   SCRIPT N [options of the scheduler] -- JOBS.jsonl -o DIR [options of lapwing batch]
 # read_command_line SCRIPT ARGUMENTS... sets `shards` (N), `options` and `batch` (the arrays before
-# and after "--") and `lapwing` (the program: $LAPWING, else the one of PATH), or prints the comment
-# that SCRIPT opens with (--help), or says what is wrong and exits with 2.
+# and after "--") and `lapwing` (the program: $LAPWING, or lapwing from PATH). For --help it prints
+# the opening comment of SCRIPT. On an error it prints a message and exits with 2.
 
 wrong_usage() {
   echo "$1 (--help says how)" >&2

@@ -12,7 +12,7 @@ namespace {
 
 using namespace lapwing::bench;
 
-// Closer looks at one thing each, with options of their own.
+// The options of the studies: subcommands that measure one thing in detail.
 struct Studies {
   int repeats = 7;
   SolveBench solve;
@@ -28,7 +28,7 @@ struct Studies {
 #endif
 };
 
-// What is parsed goes into `studies`, which must outlive the parsing.
+// Adds the subcommands. Parsing writes to `studies`, which must outlive it.
 void add_studies(CLI::App& app, Studies& studies) {
   const auto add_repeats = [&](CLI::App* study) {
     study

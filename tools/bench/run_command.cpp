@@ -18,7 +18,7 @@
 namespace lapwing::bench {
 namespace {
 
-// A minute on two cores, peers included.
+// A quick run takes a minute on two cores, peers included.
 constexpr std::size_t kQuickMost = 30'000;
 constexpr std::size_t kQuickLeast = 9'900;
 constexpr std::size_t kQuickMostForEigen = 9'900;
@@ -33,7 +33,7 @@ std::optional<std::regex> as_regex(const std::string& text) {
   }
 }
 
-// On one processor there is one thread, and counts do not depend on how many the machine has.
+// Keeps the process on one processor, so that counts do not depend on the machine's threads.
 void use_one_processor() {
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
@@ -106,7 +106,7 @@ void RunCommand::run(const std::string& command_line) const {
     settings.repeats.least = repeats_;
     settings.repeats.most = std::max(settings.repeats.most, repeats_);
   }
-  // Before minutes of measuring: a typing error in a path should not cost them.
+  // Check first: a typing error in the path must not cost minutes of measuring.
   if (!json_.empty()) require_writable(json_);
   const auto sign = [&command_line](Report& report) {
     report.date = now_utc();
@@ -114,7 +114,7 @@ void RunCommand::run(const std::string& command_line) const {
     report.command = command_line;
     report.host = this_host();
   };
-  // After each mesh: half an hour of measuring is not lost to what stops the rest.
+  // Write after each mesh, so that a failure does not lose half an hour of measuring.
   Report report = run_benchmark(settings, [&](Report so_far) {
     if (json_.empty() || so_far.measurements.empty()) return;
     sign(so_far);

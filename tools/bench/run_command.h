@@ -9,13 +9,13 @@ class App;
 
 namespace lapwing::bench {
 
-/// Declares the options of a run of the whole benchmark on `app`. What they ask for is done by
-/// `run_command` after parsing.
+/// The command that runs the whole benchmark. Adds its options to `app`; call `run` after parsing.
 class RunCommand {
  public:
   explicit RunCommand(CLI::App& app);
 
-  /// Measures, prints and writes.
+  /// Measures, prints the table and writes the report, or only shows a saved report (--show).
+  /// Throws InputError if no row matches --filter and --vertices.
   void run(const std::string& command_line) const;
 
  private:

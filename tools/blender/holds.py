@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how long the add-on holds Blender's window at once, at about 100,000 vertices.
+"""Measures how long the add-on blocks Blender's window at a time, at about 100,000 vertices.
 
     LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 480x360x24" \
       blender --factory-startup --window-geometry 0 0 480 360 --python-exit-code 1 \
       --python tools/blender/holds.py -- MODULE [SIDE]
 
 MODULE is the folder of the Python module `lapwing`, SIDE the number of cells along a bumpy square
-sheet (316). An edit is started, moved, settled and applied, and a coat and a peel are made; printed
-are the longest
+sheet (316). The script starts, moves, settles and applies an edit, and makes a coat and a peel. For
+each phase it prints the longest
 
-    call      of the add-on by Blender on its main thread: a slice of reading, a tick, writing a result
-    lock      time for which another thread waited for Python's lock, as the main thread may have to
-    machine   time for which a process that does nothing waited for a processor: noise in both
+    call      of the add-on on Blender's main thread: a slice of reading, a tick, writing a result
+    lock      wait of another thread for Python's lock, which may also block the main thread
+    machine   wait of an idle process for a processor: the noise in both
 
-during each. What Blender draws is in none of them.
+None of them includes Blender's drawing.
 """
 
 import os
@@ -75,7 +75,7 @@ def watch_lock():
         last = now
 
 
-#: Prints each of its naps that took a millisecond more than it should.
+#: Prints the duration of each sleep that took a millisecond too long.
 NAPS = """
 import time
 last = time.perf_counter()

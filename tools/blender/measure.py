@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times a live response of the add-on beside Blender's Laplacian Deform modifier, in one Blender.
+"""Compares the live response of the add-on with Blender's Laplacian Deform modifier.
 
     blender -b --factory-startup --python tools/blender/measure.py -- [--engine PATH] [SIDE...]
 
-A SIDE is the number of cells along a bumpy square sheet; by default those of about 26,000 and
-100,000 vertices. Both hold the outer tenth of the sheet and move its middle by one Empty: the
-modifier by a Hook before it, the add-on by a handle. What is printed are medians:
+A SIDE is the number of cells along a bumpy square sheet; the defaults give about 26,000 and 100,000
+vertices. Both hold the outer tenth of the sheet and move its middle by one Empty: the modifier by a
+Hook before it, the add-on by a handle. Prints medians:
 
     bind      until the first frame can be shown
-    response  the Empty has moved: from there to the new coordinates in the mesh. The modifier's is
-              its own share of a frame: a frame with it less a frame with the Hook alone
-    frame     the same with all that Blender does for a frame without drawing it, for both
+    response  from the moved Empty to the new coordinates in the mesh. For the modifier, a frame
+              with it minus a frame with the Hook alone
+    frame     the same with all of Blender's work for a frame except drawing, for both
     settled   from there to the surface of least energy, for which the modifier has no counterpart
 """
 
@@ -56,12 +56,12 @@ def group(obj, name, mask):
 
 
 def place(k):
-    """Where the Empty is in frame k: a way and a turn that no two frames share."""
+    """Returns the Empty's matrix in frame k. No two frames have the same motion."""
     return Matrix.Translation((0.0, 0.0, 0.1 + 0.01 * k)) @ Matrix.Rotation(0.02 * k, 4, "X")
 
 
 def frames(empty, act):
-    """The median of a frame: the Empty is moved, then `act` is timed."""
+    """Returns the median time of `act` after the Empty has moved."""
     times = []
     for k in range(FRAMES):
         empty.matrix_world = place(k)
@@ -158,7 +158,7 @@ def main():
         del arguments[at:at + 2]
     import lapwing_blender
 
-    lapwing_blender.register()  # from the folder of this file, and installed nowhere
+    lapwing_blender.register()  # from the folder of this file, not installed
     if engine:
         sys.path.insert(0, engine)
     for side in [int(a) for a in arguments] or [161, 316]:

@@ -5,8 +5,8 @@
       blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
       --python tools/blender/pictures.py -- MODULE MESH FOLDER
 
-MODULE is the folder of the Python module `lapwing`, MESH the scan of an armadillo
-(build/models/cgal/meshes/armadillo.off), whose arm is raised.
+MODULE is the folder of the Python module `lapwing`. MESH is the scan of an armadillo
+(build/models/cgal/meshes/armadillo.off). The script raises its arm.
 """
 
 import math
@@ -25,8 +25,8 @@ sys.path[:0] = [HERE, os.path.abspath(MODULE)]
 #: As in tools/recipes/raise-arm.json.
 ARM = {"disk": {"center": 969, "radius": 72}}
 HAND = {"disk": {"center": 969, "radius": 27}}
-#: Where the add-on's tab is in a window of 1280 x 800; Blender 3.4 has no call to choose it. Then where
-#: its other two panels are, that are closed at first.
+#: Position of the add-on's tab in a window of 1280 x 800; Blender 3.4 has no call to choose it.
+#: Then the positions of its other two panels, which are closed at first.
 TAB = (1044, 548)
 RECIPE_PANEL, DETAIL_PANEL = (900, 220), (900, 248)
 STEPS = 3

@@ -19,11 +19,11 @@ volatile std::sig_atomic_t caught = 0;
 
 void on_signal(int signal) {
   caught = signal;
-  // A second one ends the program at once.
+  // A second signal ends the program at once.
   std::signal(signal, SIG_DFL);
 }
 
-// "2/8".
+// Parses text such as "2/8".
 Shard shard_of(const std::string& text) {
   Shard shard;
   char beyond = 0;
@@ -52,7 +52,7 @@ void BatchOptions::run() {
   }
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  // A file that may not grow is an error to report, not the end.
+  // Exceeding the file size limit is an error to report, not the end of the program.
   std::signal(SIGXFSZ, SIG_IGN);
   BatchDisplay display(quiet);
   BatchCount count;

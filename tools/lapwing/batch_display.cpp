@@ -25,7 +25,8 @@ std::string words_of_time(double seconds) {
 
 BatchDisplay::BatchDisplay(bool quiet) : quiet_(quiet), terminal_(isatty(2) != 0) {}
 
-// "312 of 1000 done, 2 failed, 31.4 edits/s, 0:00:22 left". The rate is that of this run.
+// Returns text such as "312 of 1000 done, 2 failed, 31.4 edits/s, 0:00:22 left". The rate is that
+// of this run.
 std::string BatchDisplay::words_of(const BatchCount& count) const {
   const double seconds = since_begin_.elapsed_ms() / 1e3;
   const auto done = static_cast<double>(count.done - count.before);
@@ -50,7 +51,7 @@ void BatchDisplay::show(const BatchCount& count) {
     return;
   }
   constexpr std::size_t kWidth = 30;
-  // Of a shard without jobs none are left.
+  // A shard may have no jobs.
   const std::size_t jobs = std::max<std::size_t>(count.jobs, 1);
   std::string bar(kWidth * (count.done + count.failed) / jobs, '#');
   bar.resize(kWidth, '.');

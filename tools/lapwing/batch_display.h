@@ -7,14 +7,14 @@
 
 namespace lapwing::cli {
 
-/// Shows on standard error how far a batch is, with its rate and the time left: a bar that renews
-/// itself on a terminal, a line every ten seconds elsewhere, nothing when quiet.
+/// Shows the progress of a batch on standard error, with its rate and the time left: a progress bar
+/// on a terminal, otherwise a line every ten seconds. Shows nothing if `quiet`.
 class BatchDisplay {
  public:
   explicit BatchDisplay(bool quiet);
 
   void show(const BatchCount& count);
-  /// The last line, and where to look for what failed.
+  /// Prints the last line, and names the file with the failures.
   void finish(const BatchCount& count, const std::filesystem::path& folder);
 
  private:
@@ -23,7 +23,7 @@ class BatchDisplay {
   bool quiet_;
   bool terminal_;
   Stopwatch since_begin_;
-  double shown_ms_ = 0.0;  ///< when, after the beginning
+  double shown_ms_ = 0.0;  ///< time of the last display, from the beginning
 };
 
 }  // namespace lapwing::cli

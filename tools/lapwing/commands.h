@@ -4,10 +4,10 @@
 
 namespace lapwing::cli {
 
-/// Each adds one subcommand to `app` and runs it when it was chosen; errors leave as exceptions.
+/// Each adds a subcommand to `app` and runs it if it was chosen. Errors leave as exceptions.
 void add_run(CLI::App& app);
 void add_batch(CLI::App& app);
-/// One command per operation of a recipe: "deform", "coat", ...
+/// Adds one command per operation of a recipe: "deform", "coat", ...
 void add_steps(CLI::App& app);
 void add_keys(CLI::App& app);
 void add_peel(CLI::App& app);
@@ -22,7 +22,7 @@ void add_shape(CLI::App& app);
 void add_subdivide(CLI::App& app);
 void add_remesh(CLI::App& app);
 
-/// Thrown by a command that did its work and still has something to tell the shell.
+/// Thrown by a command that has finished, to set the exit code.
 struct ExitWith {
   int code;
 };

@@ -31,7 +31,7 @@ VertexSet all_vertices(const Mesh& mesh) {
   return all;
 }
 
-// What keeps a piece from being one that `lapwing transplant` joins without being told more.
+// Notes everything that prevents `lapwing transplant` from joining a piece without further options.
 void note_oddities(const Mesh& mesh, const std::string& path) {
   const DiskReport report = report_disk(region_triangles(all_vertices(mesh), mesh.topology()));
   const auto note = [&](const std::string& text) { cli::note(path + " " + text); };
@@ -55,7 +55,7 @@ void describe_piece(const CutPiece& piece, const std::string& path, bool quiet) 
   try {
     loops = boundary_loops(topology.triangles, path);
   } catch (const InputError&) {
-    return;  // told already
+    return;  // reported above
   }
   for (std::size_t k = 0; k < loops.size(); ++k) {
     std::printf("  loop %zu: %s\n", k, loop_text(loops[k], piece.mesh.positions).c_str());
@@ -70,7 +70,7 @@ void cut(const CutArguments& a) {
   const Mesh mesh = read_mesh(a.mesh);
   const VertexSet region = resolve(region_spec("--region", a.region), mesh);
   const CutPiece part = cut_out(mesh, region, "--region");
-  // Both or none are written.
+  // Both files are written, or neither.
   CutPiece rest;
   if (!a.rest.empty()) rest = cut_away(mesh, region, "--region");
   FileReplacements written;

@@ -18,14 +18,14 @@ constexpr double kPinRadius = 6.0;
 constexpr double kSpotRadius = 3.0;
 constexpr PictureColor kRed{220, 30, 30};
 
-// How much of each pixel a layer of ink covers. Ink on ink covers no more, so that lines do not
-// darken where they meet.
+// The coverage of each pixel by a layer of ink. Overlapping ink covers no more, so that lines do
+// not darken where they meet.
 class Ink {
  public:
   explicit Ink(std::uint32_t size) : size_(size), coverage_(std::size_t{size} * size, 0.0F) {}
 
   void line(const Vector2d& a, const Vector2d& b, double width) {
-    // A line thinner than a pixel is a paler one of one pixel.
+    // A line thinner than a pixel is drawn one pixel wide, but paler.
     const double drawn = std::max(width, 1.0);
     const double strength = width / drawn;
     const double reach = 0.5 * drawn + 0.5;
@@ -63,7 +63,7 @@ class Ink {
     });
   }
 
-  // Onto the image, and off this.
+  // Draws the ink on the image and clears it.
   void print(const PictureColor& color, Image& image) {
     for (std::size_t k = 0; k < coverage_.size(); ++k) {
       for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -85,13 +85,13 @@ class Ink {
     for (int y = pixel(low); y <= pixel(high); ++y) row(y);
   }
 
-  // The pixels of one row that the segment passes within `reach`.
+  // Returns the range of pixels in one row that are within `reach` of the segment.
   std::array<int, 2> columns(const Vector2d& a, const Vector2d& b, double y, double reach) const {
     double low = std::min(a.x(), b.x());
     double high = std::max(a.x(), b.x());
     const double rise = b.y() - a.y();
     if (std::abs(rise) > 2.0 * reach) {
-      // Within the band of rows around y that the line's width spans.
+      // Clip the segment to the band of rows around y that the width of the line spans.
       const double at_first = a.x() + (b.x() - a.x()) * ((y - 2.0 * reach - a.y()) / rise);
       const double at_last = a.x() + (b.x() - a.x()) * ((y + 2.0 * reach - a.y()) / rise);
       low = std::max(low, std::min(at_first, at_last));
@@ -109,7 +109,7 @@ class Ink {
   std::vector<float> coverage_;
 };
 
-// From the domain to pixels; up stays up.
+// Maps points of the domain to pixels, with v upward.
 std::vector<Vector2d> to_pixels(Domain domain, std::span<const Vector2d> points, double size) {
   const double margin = kMargin * size;
   const double extent = size - 2.0 * margin;
@@ -135,7 +135,7 @@ void draw_layer(const DomainLayer& layer, std::span<const Vector2d> pixels, Ink&
   const double width =
       std::clamp(kLinePerEdge * mean_edge(layer.triangles, pixels), kThinnestLine, kThickestLine);
   for (const Triangle& t : layer.triangles) {
-    // Inner edges from one of their sides, boundary edges below.
+    // Draw each inner edge once; boundary edges follow below.
     for (std::size_t k = 0; k < 3; ++k) {
       if (t[k] < t[(k + 1) % 3]) ink.line(pixels[t[k]], pixels[t[(k + 1) % 3]], width);
     }

@@ -177,7 +177,7 @@ void EditOutput::require_places(const Recipe& recipe, const std::filesystem::pat
 void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_file,
                      const std::filesystem::path& recipe_path) const {
   if (!sandbox.empty()) require_inside(recipe, sandbox);
-  // What is wrong with the options is told before the work, not after.
+  // Report invalid options before the work.
   picture.request();
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   require_place_for_motion(target);
@@ -220,8 +220,8 @@ std::string EditOutput::add_pictures(const RunResult& result,
                                      FileReplacements& files, ProgressDisplay& display) const {
   Pictures pictures;
   try {
-    // An edit on the processor has no device to draw on, or has lost it, as was said: one is opened
-    // for the picture alone.
+    // An edit on the processor has no device, or has lost it. Then a device is opened for the
+    // picture.
     const bool has_failed = !used.kernels->device().took_over.empty();
     const std::string changed = draw_on_any_device(
         has_failed ? nullptr : used.context,

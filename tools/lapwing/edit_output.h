@@ -12,7 +12,7 @@
 
 namespace lapwing::cli {
 
-/// What `run` and `deform` do with a recipe, and where the results go.
+/// Options and output of `run` and of the step commands.
 struct EditOutput {
   std::string save;
   std::string report;
@@ -25,24 +25,24 @@ struct EditOutput {
   std::string frames = "auto";
   bool strict = false;
   bool quiet = false;
-  std::string sandbox;  ///< the folder that the recipe must not leave; empty: it may
+  std::string sandbox;  ///< the only folder that the recipe may use; empty: any
   PictureOptions picture;
 
   void add_to(CLI::App& command);
-  /// Runs `recipe` and writes what was asked for, and the recipe itself to `recipe_path` unless
-  /// that is empty: all of it or nothing, but for pictures that no device can draw: then all the
-  /// rest, and exit code 5. Prints progress, stages and certificate. `recipe_file` is where the
-  /// recipe was read, if it was.
+  /// Runs `recipe` and writes the requested files, and the recipe itself to `recipe_path` unless
+  /// that is empty. Writes all of them or none, except that if no device can draw the pictures, the
+  /// others are written with exit code 5. Prints progress, stages and certificate. `recipe_file` is
+  /// the file of the recipe, if there is one.
   void run(const Recipe& recipe, const std::filesystem::path& recipe_file,
            const std::filesystem::path& recipe_path) const;
 
  private:
-  // The vertex motion is asked for before there is any.
+  // Checks before the run that the target can hold the vertex motion.
   void require_place_for_motion(const std::filesystem::path& target) const;
   void require_places(const Recipe& recipe, const std::filesystem::path& target,
                       const std::filesystem::path& recipe_file,
                       const std::filesystem::path& recipe_path) const;
-  // PNGs; empty for those that were not asked for.
+  // PNG files; empty if not requested.
   struct Pictures {
     std::string before;
     std::string after;
@@ -50,7 +50,7 @@ struct EditOutput {
   };
   Pictures draw(const RunResult& result, const std::filesystem::path& mesh_file,
                 const std::shared_ptr<gpu::Context>& context) const;
-  // Empty where they were drawn; else why not.
+  // Returns why the pictures could not be drawn, or an empty string.
   std::string add_pictures(const RunResult& result, const std::filesystem::path& mesh_file,
                            const Device& device, FileReplacements& files,
                            ProgressDisplay& display) const;

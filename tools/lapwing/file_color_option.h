@@ -9,12 +9,12 @@
 
 namespace lapwing::cli {
 
-// What --color takes beside what a mesh differs by (pose_colors.h).
+// Values of --color in addition to those of pose_colors.h.
 inline const std::string kFileColor = "file";    ///< the colours of the mesh's file
 inline const std::string kPlainColor = "plain";  ///< clay
 
-/// Colours `paint`, of the triangles of `mesh`, by what its file at `path` says, where that says
-/// something. Returns what could not be read, and what to do.
+/// Colours `paint`, of the triangles of `mesh`, with the colours of its file at `path`, if there
+/// are any. Returns what could not be read, and the remedy.
 std::vector<std::string> color_by_file(const Mesh& mesh, const std::filesystem::path& path,
                                        SurfacePaint& paint, RenderOptions& options);
 

@@ -32,7 +32,8 @@ CLI::Validator in(const Range& range, bool whole) {
           ""};
 }
 
-// The numbers of a vertex property of the mesh, which `lapwing peel` and other programs write.
+// Returns the numbers of a vertex property of the mesh, which `lapwing peel` and other programs
+// write.
 std::vector<double> property(const std::string& flag, const std::string& mesh,
                              const std::string& name) {
   for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {
@@ -319,7 +320,7 @@ void FlagVisitor::weight(const StepKey& key, MixWeight&) {
 
 void FlagVisitor::file(const StepKey& key, std::filesystem::path&) {
   auto path = std::make_shared<std::string>();
-  // What an item of a list is called is the flag of its file.
+  // The name of a list item is the flag of its file.
   command_.add_option(prefix_.empty() ? flag(key) : "--" + prefix_, *path, help_of(key));
   draft_->at_end.emplace_back([path, place = place_of(key)](Json& step, const StepFlags& flags) {
     if (!path->empty()) step[place] = flags.from_recipe(*path);

@@ -12,7 +12,7 @@
 
 namespace lapwing::cli {
 
-/// Makes the flags of a command of a step's keys; they write `draft` when they are given.
+/// Adds flags to a command for the keys of a step. Flags that are given write to `draft`.
 class FlagVisitor final : public KeyVisitor {
  public:
   FlagVisitor(CLI::App& command, std::shared_ptr<StepDraft> draft)
@@ -52,14 +52,14 @@ class FlagVisitor final : public KeyVisitor {
 
   // An object that is optional as a whole.
   struct Scope {
-    CLI::Option* off = nullptr;          // the flag that says there is none
-    std::vector<CLI::Option*> required;  // without which the others mean nothing
+    CLI::Option* off = nullptr;          // the flag that disables the object
+    std::vector<CLI::Option*> required;  // which the others need
     std::vector<CLI::Option*> others;
   };
 
   std::string flag(const StepKey& key) const;
   Place place_of(const StepKey& key) const { return path_ / std::string(key.name); }
-  // Gives `option` what all of them have; `fallback` is what holds without it.
+  // Sets the properties that all options share; `fallback` is the default shown in help.
   CLI::Option* finish(const StepKey& key, CLI::Option* option, const std::string& fallback = "");
   void add_number(const StepKey& key, const Range& range, bool whole, const std::string& fallback);
   void add_region(const StepKey& key, const std::string& help, const std::string& fallback);

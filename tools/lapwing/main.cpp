@@ -22,8 +22,7 @@ namespace {
 
 constexpr const char* kOutOfMemory = "out of memory; choose a smaller region of interest";
 
-// Help goes to standard output as it is, and what was wrong with the arguments, which may be names
-// of files, to standard error line by line.
+// Prints help to standard output, and errors to standard error line by line, as printable text.
 int exit_of(CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream complaint;
   if (app.exit(error, std::cout, complaint) == 0) return kDone;
@@ -69,8 +68,8 @@ int run(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// Destructors of libraries take memory, too, and an exception there is the end: with a word about
-// why, and without a core file.
+// Destructors of libraries may run out of memory, which ends the program. Exits with a message and
+// without a core file.
 [[noreturn]] void on_terminate() {
   try {
     if (const auto exception = std::current_exception()) std::rethrow_exception(exception);
@@ -82,7 +81,7 @@ int run(CLI::App& app, int argc, char** argv) {
   std::abort();
 }
 
-// What was printed and did not arrive, on a full disk say, is a failure like any other.
+// Output that was lost, for instance on a full disk, is a failure.
 int with_output(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
   say(std::string("cannot write to standard output: ") + std::strerror(errno) +

@@ -7,14 +7,14 @@
 
 namespace lapwing::cli {
 
-/// Prints a line to standard error, after "lapwing: ", that any terminal can show (printable).
+/// Prints "lapwing: " and a line to standard error, as printable text (printable).
 void say(const std::string& line);
-void note(const std::string& text);  ///< likewise, after "lapwing: note: "
+void note(const std::string& text);  ///< the same with "lapwing: note: "
 
-/// Prints to standard error what a file could not carry and what else to look after.
+/// Prints the report of a written file to standard error.
 void print_notes(const WriteReport& report);
 
-/// A name of a file or of anything in it, for standard output.
+/// Returns a file name, or a name inside a file, as printable text for standard output.
 std::string shown(const std::filesystem::path& name);
 
 }  // namespace lapwing::cli

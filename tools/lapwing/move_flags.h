@@ -8,7 +8,7 @@
 
 namespace lapwing::cli {
 
-/// The flags that say how something moves, as a recipe's move.
+/// Flags for the move of a handle or part, with the keys of a recipe's move.
 struct MoveFlags {
   std::vector<double> translate;
   std::vector<double> rotate;
@@ -16,7 +16,7 @@ struct MoveFlags {
   std::vector<double> matrix;
   std::vector<double> scale;
 
-  /// `what` moves, about `pivot` where none is given: "the handle", "its centroid".
+  /// `what` names what moves, and `default_pivot` its pivot: "the handle", "its centroid".
   void add_to(CLI::App& command, const std::string& what, const std::string& default_pivot);
   bool are_given() const;
   nlohmann::ordered_json json() const;

@@ -6,20 +6,20 @@
 
 namespace lapwing::cli {
 
-/// The files that a command reads and is to write, looked at before its work: a place that takes no
-/// file, or one file for two purposes, is told at once and not when the work is done.
+/// Checks the input and output files of a command before its work. An unwritable path, or one file
+/// for two purposes, is an error at once.
 class OutputFiles {
  public:
-  /// `name` is what messages call it, as the flag or argument that names it. Empty paths are none.
-  /// A mesh that is written may go over one that is `replaced`.
+  /// `name` is the flag or argument of the file, for messages. Empty paths are ignored. An output
+  /// mesh may replace an input with `replaced`.
   void reads(const std::string& name, const std::filesystem::path& path, bool replaced = false);
-  /// Throws CLI::ValidationError where `path` is read, or another output goes there, and IoError
-  /// where no file can be put.
+  /// Throws CLI::ValidationError if `path` is an input or another output, and IoError if no file
+  /// can be written there.
   void writes(const std::string& name, const std::filesystem::path& path);
-  /// The same for a mesh, which may go over the mesh that it was made from. Throws InputError for
-  /// an extension that is no mesh's.
+  /// The same for a mesh, which may replace the mesh that it was made from. Throws InputError for
+  /// an extension that is not a mesh format.
   void writes_mesh(const std::string& name, const std::filesystem::path& path);
-  /// The same for a picture, whose name ends in .png.
+  /// The same for a picture, whose name must end in .png.
   void writes_picture(const std::string& name, const std::filesystem::path& path);
 
  private:

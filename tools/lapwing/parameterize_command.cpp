@@ -56,7 +56,7 @@ void print(const Parameterized& result) {
   }
 }
 
-// The bytes of the picture.
+// Returns the bytes of the picture.
 std::string draw(const Parameterized& result, const ParameterizeArguments& arguments) {
   DomainLayer layer;
   layer.triangles = result.patch.triangles;

@@ -28,7 +28,7 @@ struct PartsArguments {
   bool no_pictures = false;
 };
 
-// Draws the pictures beside parts, on a device that is looked for when the first one is needed.
+// Draws the pictures of parts. Opens the device for the first picture that is needed.
 class Thumbnails {
  public:
   explicit Thumbnails(const PartsArguments& arguments)

@@ -52,7 +52,7 @@ void peel_mesh(const PeelArguments& a) {
   const PeelRequest request = request_of(a);
   const Peeled peeled = peel(mesh, request);
   print_notes(write_mesh(carrying(a.coating, mesh, request, peeled), a.output));
-  // Its warning is that nothing moved, which this line says too.
+  // The only warning says that nothing moved, as does this line.
   std::printf("%s: %zu of %zu vertices smoothed; coating %.3g in the mean, %.3g at most\n",
               shown(a.output).c_str(), peeled.moved.size(), mesh.vertex_count(),
               peeled.mean_coating, peeled.largest_coating);

@@ -13,7 +13,7 @@ namespace lapwing::cli {
 struct PictureOptions {
   std::string size = "1280x960";
   std::string view = "three-quarter";
-  std::vector<double> from;  ///< direction to the eye, in place of a named view
+  std::vector<double> from;  ///< direction to the eye, instead of a named view
   std::string up = "y";
   std::string background = "gradient";
   bool orthographic = false;
@@ -21,7 +21,7 @@ struct PictureOptions {
   bool flat = false;
 
   void add_to(CLI::App& command);
-  /// What they say. Throws CLI::ValidationError for a size or direction that is none.
+  /// Returns the request. Throws CLI::ValidationError for an invalid size or direction.
   PictureRequest request() const;
 };
 

@@ -9,14 +9,14 @@
 
 namespace lapwing::cli {
 
-/// What a picture can show of how a pose differs from its rest pose, as written after --color:
-/// displacement, rotation, detail (of uniform Laplacians) and stretch.
+/// Values of --color that compare a pose with its rest pose: displacement, rotation, detail (of
+/// uniform Laplacians) and stretch.
 const std::vector<std::string>& pose_colors();
 
-/// Colours `paint` by how `mesh` differs from its vertices at `rest`: by `measure`, one of
-/// `pose_colors()`, and sets range and legend to match. The range begins at 0 and leaves outliers
-/// out. Vertices that are where they were with their rings have no colour. Seams that are closed in
-/// both poses are none.
+/// Colours `paint` by the difference between `mesh` and its vertices at `rest`. `measure` is one of
+/// `pose_colors()`; range and legend are set to match. The range begins at 0 and excludes outliers.
+/// Vertices whose rings did not move have no colour. Seams that are closed in both poses are
+/// treated as joined.
 void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eigen::Vector3d> rest,
               SurfacePaint& paint, RenderOptions& options);
 

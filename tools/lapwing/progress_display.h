@@ -7,8 +7,8 @@
 
 namespace lapwing::cli {
 
-/// Shows the stages of a long operation on standard error: a bar that renews itself on a terminal,
-/// one line a stage elsewhere, nothing when quiet. An interrupt (Ctrl+C) cancels at the next stage.
+/// Shows the stages of a long operation on standard error: a progress bar on a terminal, otherwise
+/// one line per stage. Shows nothing if `quiet`. An interrupt (Ctrl+C) cancels at the next stage.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(bool quiet);
@@ -16,10 +16,10 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// To hand to the engine; refers to this object.
+  /// Returns the callback for the engine, which refers to this object.
   Progress callback();
 
-  /// A line of its own, above any bar: "step 2 of 3: deform". Nothing when quiet.
+  /// Prints a line above the bar, such as "step 2 of 3: deform". Prints nothing if `quiet`.
   void note(const std::string& text);
 
  private:

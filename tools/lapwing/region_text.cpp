@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
   throw CLI::ValidationError(flag, "cannot read \"" + text + "\"; expected " + expected);
 }
 
-// Numbers between commas, exactly `count` of them unless that is 0.
+// Parses numbers separated by commas. There must be exactly `count` unless that is 0.
 std::vector<Json> numbers(const std::string& flag, const std::string& text, const std::string& list,
                           std::size_t count, const char* expected = kRegionHelp) {
   std::vector<Json> values;

@@ -8,19 +8,19 @@
 
 namespace lapwing::cli {
 
-/// A region as it is written after a flag, as the JSON that a recipe has in its place:
+/// Returns the recipe's JSON for a region written after a flag:
 ///     all | 3,17,256 | disk:VERTEX,RADIUS | near:X,Y,Z,RADIUS | box:X,Y,Z,X,Y,Z | fraction:F
 /// or JSON itself. Throws CLI::ValidationError naming `flag`.
 nlohmann::ordered_json region_json(const std::string& flag, const std::string& text);
 
-/// The same as the recipe reads it.
+/// The same as a RegionSpec.
 RegionSpec region_spec(const std::string& flag, const std::string& text);
 
-/// What the help of such a flag says.
+/// Help text of such a flag.
 inline constexpr const char* kRegionHelp =
     "all | 3,17,256 | disk:VERTEX,RADIUS | near:X,Y,Z,RADIUS | box:X,Y,Z,X,Y,Z | recipe JSON";
 
-/// A mirror likewise: auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z.
+/// The same for a mirror: auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z.
 nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& text);
 
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";

@@ -26,7 +26,7 @@ struct RenderArguments {
   std::string mesh;
   std::string image;
   std::string rest;
-  std::string color;  ///< empty: by what there is
+  std::string color;  ///< empty: chosen by the input
   std::string device = "auto";
   PictureOptions picture;
   TurntableOptions turntable;
@@ -42,7 +42,7 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
   return rest;
 }
 
-// Throws CLI::ValidationError where that does not go with `--rest`.
+// Throws CLI::ValidationError if the colour does not fit `--rest`.
 std::string color_of(const RenderArguments& arguments) {
   const bool has_rest = !arguments.rest.empty();
   if (arguments.color.empty()) return has_rest ? pose_colors().front() : kFileColor;
@@ -70,7 +70,7 @@ void require_places(const RenderArguments& arguments) {
   }
 }
 
-// Returns what the file's colours lack.
+// Returns notes on the file's colours.
 std::vector<std::string> draw(const RenderArguments& arguments, const std::string& color,
                               const Mesh& mesh, const std::optional<Mesh>& rest,
                               const std::shared_ptr<gpu::Context>& context) {
@@ -98,7 +98,7 @@ std::vector<std::string> draw(const RenderArguments& arguments, const std::strin
 void render(const RenderArguments& arguments) {
   require_places(arguments);
   const std::string color = color_of(arguments);
-  arguments.picture.request();  // what is wrong with the options is told before the work
+  arguments.picture.request();  // reports invalid options before the work
   const Mesh mesh = read_mesh(arguments.mesh);
   std::optional<Mesh> rest;
   if (!arguments.rest.empty()) rest = read_rest_pose(arguments.rest, mesh);

@@ -36,7 +36,7 @@ void add_step(CLI::App& app, const Operation& operation) {
 
 void add_steps(CLI::App& app) {
   for (const Operation& operation : operations()) {
-    // `lapwing peel` is add_peel's, which keeps what comes off as well.
+    // add_peel adds `lapwing peel`, which also writes the coating.
     if (operation.name != words_of(static_cast<const PeelRequest*>(nullptr)).name) {
       add_step(app, operation);
     }

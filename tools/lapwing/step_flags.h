@@ -13,27 +13,28 @@ namespace lapwing::cli {
 
 struct StepFlags;
 
-/// A step as flags give it: the keys that were given, and those that a flag has a default of its
-/// own for. Recipes know the other defaults.
+/// A step built from flags: the given keys, and those whose flag has its own default. Other
+/// defaults come from the recipe.
 struct StepDraft {
   nlohmann::ordered_json json;
-  /// What flags gave, and where it goes: written only when the flags are known to fit each other.
+  /// Values of flags with their places. They are written only after all flags are known to fit each
+  /// other.
   std::vector<std::pair<nlohmann::ordered_json::json_pointer, nlohmann::ordered_json>> given;
-  /// What is known only when all flags are: paths from the recipe, what takes several flags.
+  /// Actions that need all flags, such as paths relative to the recipe.
   std::vector<std::function<void(nlohmann::ordered_json&, const StepFlags&)>> at_end;
 };
 
-/// A command that carries out one step given by flags, as the recipe of that one step: one path
-/// from text to edit, and one set of error messages.
+/// A command that runs one step given by flags. It builds a recipe with that step, so that flags
+/// and recipes share one code path and one set of messages.
 struct StepFlags {
   std::string command;  ///< "deform"
   const std::string& mesh;
-  const std::string& recipe;  ///< where to write the edit as a recipe; empty: nowhere
+  const std::string& recipe;  ///< file for the recipe of the edit; empty: none
   const EditOutput& output;
 
-  /// `path`, as it is from here, as it is from the recipe's folder.
+  /// Converts `path` from relative to the current folder to relative to the recipe's folder.
   std::string from_recipe(const std::string& path) const;
-  /// Runs the step, writes what `output` and `recipe` ask for. Throws CLI::RequiredError when
+  /// Runs the step and writes the files of `output` and `recipe`. Throws CLI::RequiredError if
   /// nothing would be written.
   void run(const StepDraft& step) const;
 };

@@ -9,20 +9,19 @@
 
 namespace lapwing::cli {
 
-/// The options of a command that makes pictures from all around.
+/// The options of a turntable.
 struct TurntableOptions {
-  int count = 0;  ///< of the pictures; 0: a single one is wanted
+  int count = 0;  ///< number of pictures; 0: a single picture
   double per_second = 30.0;
 
   void add_to(CLI::App& command);
-  /// Before anything is read: throws what check_frames_name does, and CLI::ValidationError for a
-  /// single picture that is called like a video.
+  /// Call before reading. Throws as check_frames_name does, and CLI::ValidationError if a single
+  /// picture has the name of a video.
   void check(const std::string& output) const;
 };
 
-/// Writes the pictures of `surface` on its way around to `output` (open_frames), and shows how far
-/// that is. An interrupt ends it: numbered pictures stay as far as they are done, of a video
-/// nothing.
+/// Writes the pictures of `surface` along `way` to `output` (open_frames), and shows the progress.
+/// An interrupt leaves the finished numbered pictures, and no video.
 void write_turntable(const std::string& output, const TurntableOptions& turntable,
                      const Turntable& way, Surface& surface, const SurfacePaint& paint,
                      const RenderOptions& options);

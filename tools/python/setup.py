@@ -1,7 +1,7 @@
-"""Has CMake build the extension where the wheel is put together; pyproject.toml says the rest.
+"""Builds the extension of the wheel with CMake; everything else is in pyproject.toml.
 
-LAPWING_BUILD_DIR names a build folder of the project to build in, so that what is built already
-stays; by default it is build/wheel at the project's root.
+LAPWING_BUILD_DIR names the build folder, whose existing build is reused; the default is build/wheel
+at the project's root.
 """
 
 import os

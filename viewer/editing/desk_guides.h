@@ -6,7 +6,7 @@
 
 namespace lapwing::viewer {
 
-/// What comes next of what is open: of a coat, a mix or a transplant, or else of the deform.
+/// Returns the guide for what is open: a coat, mix or transplant, or else the deform.
 Guide guide_of(const LayerDesk& layers, const TransplantDesk& transplant, const Editor& editor);
 
 }  // namespace lapwing::viewer

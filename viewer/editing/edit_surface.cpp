@@ -17,7 +17,7 @@ VertexClass class_of(Part::Role role) {
   return VertexClass::outside;
 }
 
-// Of what is chosen on this side.
+// The classes of the selection on this side.
 std::vector<VertexClass> classes_of(const AppState& state) {
   const EditSelection& selection = state.selection;
   std::vector<VertexClass> classes(state.rest->vertex_count(), VertexClass::outside);

@@ -11,7 +11,7 @@ namespace {
 
 using Role = Part::Role;
 
-// So that between handle and belt something is left to follow.
+// Leaves room for the surface between handle and belt.
 constexpr int kRingsAroundHandle = 6;
 
 bool is_of_pointer(const InputEvent& event) {
@@ -22,7 +22,7 @@ bool contains(const VertexSet& vertices, Index vertex) {
   return std::binary_search(vertices.begin(), vertices.end(), vertex);
 }
 
-// The mesh that was opened, with the triangles of the state that the history begins with.
+// Returns the opened mesh with the triangles of the first state of the history.
 std::shared_ptr<const Mesh> opened_surface(const EditStart& start) {
   const AppState first =
       start.history.last_state([](const AppState& state) { return state.steps.empty(); });
@@ -99,7 +99,7 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (postpones(event, view)) return {true, false};
   if (picks_pivot_ && pick_pivot(event, view)) return {true, true};
   const Projection projection = view.projection();
-  // A lent tool has the keys to itself.
+  // A panel's tool receives all keys.
   const bool keys = !is_of_pointer(event) && row_ != nullptr;
   if (handle_ < handle_count() && (has_gizmo() || tools_.gizmo.is_dragging() || keys)) {
     const GizmoPart before = tools_.gizmo.part();
@@ -128,7 +128,7 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   return handled;
 }
 
-// A handle itself can be taken hold of, beside its gizmo.
+// Drags a handle by its surface, beside its gizmo.
 bool Editor::pull_handle(const InputEvent& event, const ViewFrame& view,
                          const Projection& projection) {
   const bool is_plain = !event.modifiers.control && !event.modifiers.shift && !event.modifiers.alt;
@@ -150,7 +150,7 @@ bool Editor::pull_handle(const InputEvent& event, const ViewFrame& view,
   return false;
 }
 
-// Whoever chooses must see what there is to choose of.
+// The user must see the surface on which a tool chooses.
 void Editor::return_to_triangles_of_state() {
   if (shown_.has_triangles_of_state() || tool_->draws_preview()) return;
   shown_.end_preview();
@@ -166,7 +166,7 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
   ToolAnswer answer = gizmo.handle(
       event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_, pick_still});
   if (gizmo.is_dragging() && !was_dragging) begin_drag();
-  // Then it is of use again: nothing has come in its place.
+  // If the drag was given up, the result of the earlier moves is wanted again.
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
   if (given_up && needs_settling(state())) {
     shown_.follow_from(dragged_from_);
@@ -180,7 +180,7 @@ void Editor::begin_drag() {
   shown_.end_preview();
   shown_.show_before(false);
   pointed_at_.clear();
-  // What settles now is of no use any more, and keeps the exact response from following.
+  // The result under way is outdated, and it delays the exact response.
   session_->cancel_settling();
   live_.reset();
   dragged_from_ = shown_.pose();
@@ -240,16 +240,16 @@ bool Editor::perform(const Command& command, Joining joining) {
   return is_done;
 }
 
-// What is shown of a state that waits for its result does not hang on how one came to it.
+// A state that waits for its result looks the same however the user came to it.
 void Editor::step_through_history(const std::function<void()>& change) {
   if (is_dragging()) return;
   give_up_postponed();
   shown_.follow_from(nullptr);
-  say_("");  // what was said is of the step that goes
+  say_("");  // the last message belongs to the step that is left
   attempt(change);
 }
 
-// What waits was done last.
+// Postponed actions were done last, so undo drops them first.
 void Editor::undo() {
   if (has_postponed() && !is_dragging()) {
     give_up_postponed();
@@ -274,7 +274,7 @@ void Editor::settle() {
   session_->prepare();
 }
 
-// What is shown, a preview of the step perhaps, stays until the result is there.
+// What is shown, perhaps a preview of the step, stays until the result is ready.
 void Editor::carry_out(const Step& step) {
   try {
     session_->carry_out(step);

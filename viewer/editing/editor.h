@@ -16,72 +16,72 @@
 
 namespace lapwing::viewer {
 
-/// An edit to begin with.
+/// The edit with which an Editor starts.
 struct EditStart {
   History history;
   std::shared_ptr<const Mesh> opened;       ///< before any step, to compare with
-  std::optional<MeshStamp> file;            ///< EditSession's
+  std::optional<MeshStamp> file;            ///< as in EditSession
   std::optional<InterruptedEdit> restored;  ///< what the history continues
-  std::filesystem::path journals;           ///< EditSession's
+  std::filesystem::path journals;           ///< as in EditSession
   std::shared_ptr<const FilePaint> colors;  ///< of the file of `opened`; null for none
 };
 
-/// Whether the command makes what has settled the rest shape of what comes then (`apply`).
+/// Returns whether the command makes the settled surface the rest shape first (`apply`).
 bool commits(const Command& command);
 
-/// One mesh being edited in a window: its session, the tool in hand, and what is shown of it.
-/// Events go in; `shown` is what to draw. Panels perform commands and ask for steps. What does not
-/// work is said to `say`, and nothing has changed then.
+/// One mesh being edited in a window: its session, the active tool, and what is shown of it. Events
+/// go in; `shown` is what to draw. Panels perform commands and start steps. Errors are reported to
+/// `say`, without any change.
 class Editor {
  public:
-  /// The worker gets kernels of its own on `context` and
-  /// calls `wake` when it has news.
+  /// The worker makes its kernels on `context` and calls `wake` when it has news.
   Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
          std::function<void()> wake);
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;
 
   struct Handled {
-    bool taken = false;    ///< nobody else should act on the event
-    bool changed = false;  ///< the picture has to be drawn again
+    bool taken = false;    ///< no other receiver should act on the event
+    bool changed = false;  ///< the picture must be drawn again
   };
   Handled handle(const InputEvent& event, const ViewFrame& view);
-  /// A click that no tool took: on a handle it takes hold of that. Says what is there.
+  /// Handles a click that no tool took: selects the handle there, and reports what is there.
   void click(const Eigen::Vector2d& pixel, const ViewFrame& view);
 
-  /// The device was lost: lets all go that was made on it.
+  /// Releases everything on the device, after it was lost.
   void release_device();
-  /// And makes it anew, on `context`, where the edit was. Nothing else may be called
-  /// between.
+  /// Makes it again on `context`. Nothing else may be called in between.
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
-  /// Once a frame, before it is drawn and after the device is done with the last one: takes what
-  /// the worker has, and lets the surface follow the hand.
+  /// Call this once per frame, before drawing and after the device has finished the last frame.
+  /// Takes the worker's results and moves the surface with the hand.
   void update();
 
-  /// Whether what a person does next may have to wait: the last edit still settles, or something
-  /// waits for that already.
+  /// Returns whether the next action may have to wait: the last edit still settles, or an earlier
+  /// action waits for that.
   bool waits() const;
   bool has_postponed() const { return !postponed_.empty(); }
-  /// Does `act` once it has settled, after what waits already. Undo gives up all that waits, and
-  /// nothing else then; so does whatever else goes through the history, on its way.
+  /// Runs `act` once the edit has settled, after the actions that wait already. Undo drops all
+  /// of them and does nothing else. Other moves through the history drop them, too.
   void postpone(std::function<void()> act);
 
-  /// Whether it was carried out. What chooses anew (`commits`) waits until what moved has settled.
+  /// Returns whether the command was carried out. One that commits (`commits`) waits until the last
+  /// edit has settled.
   bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
   void go_to(std::size_t steps);
   void continue_with(History history);
-  void settle();  ///< the moves that have no result yet
-  /// A whole step, beside the window (EditSession's): its result comes by itself.
+  void settle();  ///< computes the result of the moves
+  /// Carries out a whole step in the background (EditSession). `update` takes its result.
   void carry_out(const Step& step);
   void replace_step(std::size_t index, const Step& step);
-  /// Likewise files that follow the surface from the open step on.
+  /// Does the same with files that follow the surface from the open step on.
   void carry_along(const std::vector<std::filesystem::path>& files);
-  /// What a panel does to the session that may throw: said, and shown anew.
+  /// Runs a change of the session, reports an exception, and updates what is shown. Returns whether
+  /// it succeeded.
   bool attempt(const std::function<void()>& change);
-  /// What was done stays and nothing is chosen any more, once what moved has settled.
+  /// Keeps the result and clears the selection, once the last edit has settled.
   void new_edit();
   void select_all();
   void clear();
@@ -89,10 +89,11 @@ class Editor {
   void shrink();
   void invert();
   void remove_handle();
-  /// Mirrors in the plane that the shape has, and says how symmetric it is. A second or less.
+  /// Mirrors in the symmetry plane of the shape and reports how symmetric that is. Takes a second
+  /// or less.
   void mirror_by_shape();
-  /// Handles may not leave the ROI: it takes them in, with some rings around for the surface to
-  /// follow.
+  /// Returns whether handles have vertices outside the ROI. `enlarge_roi` adds them to it, with
+  /// some rings around for the surface to follow.
   bool handles_leave_roi() const;
   void enlarge_roi();
 
@@ -100,21 +101,21 @@ class Editor {
   EditSession& session() { return *session_; }
   const AppState& state() const { return session_->state(); }
 
-  /// The tool in hand.
+  /// The active tool.
   const SceneTool& tool() const { return *tool_; }
   bool has_in_hand(const SceneTool& tool) const { return tool_ == &tool; }
   /// Its row of `tool_rows`; null for a panel's tool.
   const ToolRow* row() const { return row_; }
   void take(const ToolRow& row);
-  /// The tool that the action takes; true if there is one.
+  /// Activates the action's tool. Returns whether it has one.
   bool take(Action action);
-  /// Takes a panel's tool in hand, or gives it back if it is. It must live until then.
+  /// Activates a panel's tool, or deactivates it if it is active. It must live until then.
   void lend(SceneTool& tool);
   void give_back(const SceneTool& tool);
-  /// What the tools choose.
+  /// The part that the tools choose.
   const Part& part() const { return part_; }
   void choose(const Part& part);
-  /// To what usually comes next: from the ROI to a handle, from there to moving it.
+  /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
   void go_on();
 
   PaintTool& paint_tool() { return tools_.paint; }
@@ -124,46 +125,47 @@ class Editor {
   void show_gizmo(GizmoMode mode) { tools_.gizmo.show(mode); }
   const GizmoChoices& gizmo_choices() const { return tools_.gizmo.choices(); }
   void set_gizmo_choices(const GizmoChoices& choices) { tools_.gizmo.set_choices(choices); }
-  /// Say what they come to.
+  /// Report the new setting.
   void take_next_gizmo_axes();
   void toggle_sticking();
-  /// The next click on the surface says what the handle turns about; Escape leaves it as it is.
+  /// Lets the next click on the surface set the pivot of the handle. Escape cancels this.
   void begin_picking_pivot() { picks_pivot_ = !is_dragging(); }
   bool picks_pivot() const { return picks_pivot_; }
-  std::size_t handle() const { return handle_; }  ///< the one that is moved
+  std::size_t handle() const { return handle_; }  ///< the handle to move
   void set_gizmo_keys(GizmoKeys keys) { gizmo_keys_ = keys; }
   bool is_dragging() const;
-  /// How many vertices `part` has, what is being chosen for it included.
+  /// Returns the number of vertices of `part`, including those that are being chosen.
   std::size_t count(const Part& part) const;
 
-  /// What is not as it should be with the result that is shown.
+  /// The problems of the result that is shown.
   const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
-  /// Whether a drag shows what it will come to, settled on the way as far as there is time; by
-  /// default. Without settling in the parameters there is nothing to settle.
+  /// Whether a drag shows its settled result, as far as time allows. On by default. Requires
+  /// settling in the parameters.
   bool settles_while_dragging() const { return continuous_ && state().parameters.settle; }
-  /// Whether it would, with settling in the parameters.
+  /// The same without regard to the parameters.
   bool wants_to_settle_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
-  /// Whether the surface goes on from what has settled of a drag.
+  /// Returns whether the surface follows the hand from a settled pose of the drag.
   bool shows_live_result() const;
 
   const ShownSurface& shown() const { return shown_; }
   ShownSurface& shown() { return shown_; }
   void show_before(bool before);
-  /// Vertices that the picture points at, until something is edited.
+  /// Highlights vertices, until something is edited.
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
 
   const EditSurface& surface() const { return shown_.device(); }
-  /// What is carried along with it. In a drag it is where it was a frame or two before, while that
-  /// is found beside the window (CarryFollower).
+  /// The carried objects. In a drag they lag a frame or two behind, because their places are
+  /// computed in the background (CarryFollower).
   const ShownCarried& carried() const { return carried_; }
-  /// ShownSurface's.
+  /// As in ShownSurface.
   const Positions& positions() const { return shown_.positions(); }
-  /// Of all that is drawn.
+  /// Returns the bounds of everything that is drawn.
   Bounds bounds() const;
-  /// Of what is chosen: the part, or else the ROI; of everything without.
+  /// Returns the vertices of the active part or, if it has none, of the ROI; empty if nothing is
+  /// chosen.
   std::vector<Index> selected() const;
   const char* hint() const;  ///< what to do next
 
@@ -201,7 +203,7 @@ class Editor {
   void settle_live();
   void follow_carried();
   void show_carried();
-  void show_classes();  ///< where they have changed
+  void show_classes();  ///< if they have changed
 
   Say say_;
   ShownSurface shown_;
@@ -222,16 +224,16 @@ class Editor {
   double longest_lead_ = 0.0;
   std::vector<std::size_t> dragged_;
   std::vector<HandleMove> live_moves_;
-  std::optional<LiveResult> live_;                   // the last one of a drag
-  std::optional<std::vector<HandleMove>> resting_moves_;  // those asked for of a hand that rests
-  std::shared_ptr<const DragState> dragged_from_;         // before any
+  std::optional<LiveResult> live_;                        // last result of a drag
+  std::optional<std::vector<HandleMove>> resting_moves_;  // requested while the hand rests
+  std::shared_ptr<const DragState> dragged_from_;         // pose before the drag
   bool classes_are_old_ = true;
   bool continuous_ = true;
-  std::vector<std::function<void()>> postponed_;  // until what moved has settled, in order
-  bool postpones_drag_ = false;                   // the button that began what waits is still down
-  // How many steps were done after a choice that may still be sized as one step with it.
+  std::vector<std::function<void()>> postponed_;  // to run once the edit has settled, in order
+  bool postpones_drag_ = false;                   // the button of a postponed press is still down
+  // `done()` of the history after a choice that a tool may still resize.
   std::optional<std::size_t> sizable_at_;
-  bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it
+  bool drag_is_of_last_step_ = false;  // the press that drags has also chosen the handle
   std::vector<Index> pointed_at_;
 };
 

@@ -24,7 +24,7 @@ constexpr std::array kPlainActions{PlainAction{Action::go_on, &Editor::go_on},
                                    PlainAction{Action::undo, &Editor::undo},
                                    PlainAction{Action::redo, &Editor::redo}};
 
-// What goes by the order in which a person chooses.
+// Actions whose order matters, because they determine what the user chooses next.
 constexpr std::array kChoices{Action::choose_roi, Action::choose_handle, Action::add_handle,
                               Action::choose_belt, Action::go_on};
 

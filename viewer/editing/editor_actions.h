@@ -5,10 +5,10 @@
 
 namespace lapwing::viewer {
 
-/// Carries out what a key says of the edit. False for what is not the editor's: camera, files and
+/// Carries out a key's action on the edit. Returns false for actions of the camera, files and
 /// panels.
 bool perform_on(Editor& editor, Action action);
-/// Likewise of a coat or mix in the making.
+/// The same for a coat or mix in progress.
 bool perform_on(LayerDesk& desk, Editor& editor, Action action);
 
 }  // namespace lapwing::viewer

@@ -1,5 +1,5 @@
-// How a person goes on to choose: the answers of tools, another edit that begins elsewhere, and
-// what waits until the last one has settled.
+// The choices of a user: the answers of tools, edits that begin elsewhere, and actions that wait
+// until the last edit has settled.
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +13,7 @@ using Role = Part::Role;
 
 const char* const kBeginsHere = "a new edit begins here; undo goes back to the last one";
 
-// What is chosen is chosen on the surface as it has settled (`apply`).
+// Commands that choose on the settled surface, and therefore commit it (`apply`).
 struct Commits {
   template <class Other>
   bool operator()(const Other&) const {
@@ -32,7 +32,7 @@ bool commits(const Command& command) {
   return std::visit(Commits{}, command);
 }
 
-// A handle lies in the ROI: who takes the disk for it elsewhere means another ROI.
+// A handle lies in the ROI, so a disk for a handle outside it begins a new ROI.
 void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
   const EditSelection& selection = state().selection;
   const bool may_be = has_in_hand(tools_.disk) && part_.role == Role::handle &&
@@ -44,7 +44,7 @@ void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
   choose({Role::roi});
 }
 
-// Whether a stroke away from an edit that is done chooses the ROI of another.
+// Returns whether a stroke away from a finished edit chooses the ROI of another edit.
 bool Editor::begins_elsewhere(const Command& command) const {
   const auto* stroke = std::get_if<Paint>(&command);
   if (stroke == nullptr || stroke->part.role != Role::roi || stroke->added.empty() ||
@@ -71,7 +71,7 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
   return act_on(answer, joining, tool_->may_change_choice());
 }
 
-// `may_change`: the tool may still size what it chose.
+// `may_change` says that the tool may still resize its choice.
 Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool may_change) {
   if (!answer.message.empty()) say_({answer.message, Tone::warning});
   if (answer.command) {
@@ -93,7 +93,7 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool m
   return {answer.taken, answer.taken};
 }
 
-// A disk that was clicked waits to be sized; what was painted, for more strokes.
+// Not called after the click of a disk, which may be resized, or a stroke, which others may follow.
 void Editor::after_choice(const Part& part) {
   if (part_ == part) go_on();
 }
@@ -113,9 +113,8 @@ void Editor::postpone(std::function<void()> act) {
   postponed_.push_back(std::move(act));
 }
 
-// A person who goes on while the last edit settles finds later what would have come of it then.
-// What follows on something that waits waits, too, so that all comes in its order; the camera does
-// not.
+// Postpones the actions of a user who goes on while the last edit settles. Later actions wait, too,
+// so that their order stays the same; the camera does not.
 bool Editor::postpones(const InputEvent& event, const ViewFrame& view) {
   const bool begins = event.kind == InputKind::press && event.button == MouseButton::left &&
                       !postponed_.empty() && shown_.pick(view, event.position);
@@ -127,7 +126,7 @@ bool Editor::postpones(const InputEvent& event, const ViewFrame& view) {
   return true;
 }
 
-// Of what a tool has chosen meanwhile. A handle that is yet to be chosen cannot be dragged before.
+// Postpones the choice of a tool. A handle cannot be dragged before it is chosen.
 bool Editor::postpones(const ToolAnswer& answer, const InputEvent& event, const ViewFrame& view) {
   if (!answer.command || !commits(*answer.command) || !waits()) return false;
   postpones_drag_ = answer.drags_held;

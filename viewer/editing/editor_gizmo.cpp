@@ -1,4 +1,4 @@
-// Where the gizmo stands, and what it moves along.
+// The gizmo's axes, pivot and sticking to the surface.
 
 #include "editing/editor.h"
 
@@ -37,7 +37,7 @@ void Editor::toggle_sticking() {
                                  : "a handle that is moved no longer sticks to the surface");
 }
 
-// Whether the event is meant by that.
+// Returns whether the event was used to pick.
 bool Editor::pick_pivot(const InputEvent& event, const ViewFrame& view) {
   if (event.kind == InputKind::key && event.key == kEscape) {
     picks_pivot_ = false;
@@ -45,7 +45,7 @@ bool Editor::pick_pivot(const InputEvent& event, const ViewFrame& view) {
   }
   if (event.kind != InputKind::press || event.button != MouseButton::left) return false;
   const auto pick = shown_.pick(view, event.position);
-  if (!pick) return false;  // the camera's
+  if (!pick) return false;  // for the camera
   GizmoChoices choices = gizmo_choices();
   choices.pivot = GizmoPivot::point;
   choices.point = pick->position;
@@ -54,7 +54,7 @@ bool Editor::pick_pivot(const InputEvent& event, const ViewFrame& view) {
   return true;
 }
 
-// The ROI may move, or hide what the handle is to come to.
+// Leaves out the ROI, which may move or hide the place for the handle.
 std::optional<SurfacePoint> Editor::pick_beside_roi(const SightLine& ray) const {
   const VertexSet& roi =
       state().mirrored ? state().mirrored->region.roi : state().selection.roi.vertices;

@@ -1,4 +1,4 @@
-// What of an editor is on the screen: the surface and its colours.
+// What an editor shows: the surface and its colours.
 
 #include <algorithm>
 #include <utility>
@@ -11,15 +11,15 @@
 namespace lapwing::viewer {
 namespace {
 
-// How far a linear response may lead what has settled: a turn in radians, a way as a share of the
-// ROI's diagonal, and a stretch.
+// How far a linear response may go beyond the settled pose: an angle in radians, a distance as a
+// share of the ROI's diagonal, and a stretch.
 constexpr double kLargestLeadTurn = 0.35;
 constexpr double kLongestLead = 0.1;
 constexpr double kLargestLeadStretch = 0.3;
 
 }  // namespace
 
-// A result of what moved takes nothing from who goes on to choose elsewhere meanwhile.
+// A result must not reset the tools of a user who already chooses elsewhere.
 void Editor::state_changed(bool by_result) {
   const AppState& now = state();
   if (part_.role == Part::Role::handle) part_.handle = std::min(part_.handle, handle_count());
@@ -53,7 +53,7 @@ void Editor::show_carried() {
                                                    : Where::still);
 }
 
-// What is carried goes where the surface shows, as soon as that is found.
+// Moves carried objects to the shown surface once their places are computed.
 void Editor::follow_carried() {
   if (!shown_.follows() || !any_follows(state().carried)) return;
   try {
@@ -79,7 +79,7 @@ void Editor::show_before(bool before) {
 void Editor::update() {
   if (session_->take_result()) state_changed(true);
   if (!is_dragging()) take_up_postponed();
-  // The ground would be pulled from under a stroke.
+  // A step must not change the surface under a stroke.
   if (!is_dragging()) take_step();
   follow_hand();
   follow_carried();
@@ -110,7 +110,7 @@ void Editor::take_step() {
 
 void Editor::follow_hand() {
   const bool dragging = tools_.gizmo.is_dragging();
-  // A settled surface is a pose to begin from.
+  // A settled surface is a pose from which to start.
   const bool from_rest = shown_.pose() == nullptr && needs_settling(state());
   dragged_handles(state(), handle_, from_rest, dragged_);
   session_->drag_by(dragged_);
@@ -131,7 +131,7 @@ void Editor::follow_hand() {
   shown_.follow(session_->preparation(), motions_);
 }
 
-// What is going to move moves on from the surface as it stands.
+// The next motion starts from the present surface.
 void Editor::hold_pose() {
   if (!shown_.has_triangles_of_state() || shown_.pose()) return;
   if (auto pose = session_->pose()) shown_.follow_from(std::move(pose));
@@ -147,7 +147,7 @@ Eigen::Vector3d Editor::centroid_of(std::size_t handle) const {
   return state().mirrored ? state().mirrored->centroids[handle] : handle_centroid(state(), handle);
 }
 
-// Handles whose orientation is free are shown turned as they were in the pose that has settled.
+// Shows handles with free orientation turned as in the settled pose.
 void Editor::turn_free_handles() {
   if (!shown_.pose()) return;
   const std::vector<std::size_t>* images =
@@ -163,8 +163,8 @@ void Editor::turn_free_handles() {
   }
 }
 
-// A linear response shears and swells what turns or goes far. What settles on the way catches up
-// with the hand; until then the surface goes toward it only as far as it still looks right.
+// A linear response shears and swells under large turns and moves. Until a settled pose catches up,
+// the surface follows the hand only as far as it looks right.
 void Editor::stay_near_pose() {
   double share = 1.0;
   const auto keep = [&share](double amount, double most) {
@@ -187,7 +187,7 @@ void Editor::stay_near_pose() {
   }
 }
 
-// Takes what has settled of the drag, and asks for more where the hand has gone on or something is
+// Takes the settled pose of the drag, and asks for another if the hand has moved on or something is
 // left to settle.
 void Editor::settle_live() {
   live_moves_.assign(state().moves.begin(), state().moves.end());
@@ -200,7 +200,7 @@ void Editor::settle_live() {
     live_ = std::move(result);
   }
   if (resting_moves_ && *resting_moves_ != live_moves_) {
-    // It may be at a factorization, which the hand does not wait for.
+    // The worker may be factorizing, and the hand must not wait for that.
     session_->cancel_settling();
     resting_moves_.reset();
   }

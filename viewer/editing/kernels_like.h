@@ -9,12 +9,13 @@
 
 namespace lapwing::viewer {
 
-/// Makes kernels on `context`, which go on on the CPU where its device fails (FallbackKernels); may
-/// be called on any thread: kernels are one thread's.
+/// Returns a function that makes kernels on `context`. They continue on the CPU if the device fails
+/// (FallbackKernels). Any thread may call it, but kernels belong to one thread.
 std::function<std::unique_ptr<Kernels>()> kernels_like(
     const std::shared_ptr<gpu::Context>& context);
 
-/// Puts a response on the device of `context`, for surfaces there to be dragged by; on any thread.
+/// Returns a function that uploads a response to the device of `context`, to drag surfaces there.
+/// Any thread may call it.
 std::function<std::shared_ptr<BlendResponse>(const DragResponse&)> upload_to(
     const std::shared_ptr<gpu::Context>& context);
 

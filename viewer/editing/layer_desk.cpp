@@ -9,7 +9,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Painted numbers in the colours of parts, from none to all, on the patch that they count on.
+// Shows a painted field in the colours of parts, from none to all, on its patch.
 std::vector<VertexClass> classes_of(const std::vector<double>& field, const VertexSet& patch) {
   std::vector<VertexClass> classes(field.size(), VertexClass::outside);
   for (const Index v : patch) {
@@ -126,7 +126,7 @@ void LayerDesk::choose_source_patch(const RegionSpec& region) {
   }
 }
 
-// Of a step that is taken up the target may have other triangles than the mesh that is there now.
+// If a step is edited again, its target may have other triangles than the present mesh.
 bool LayerDesk::can_click_target(const Editor& editor) const {
   if (!start_ || start_->rest->shares_faces_with(*editor.state().rest)) return true;
   say_("this step changed the target's triangles; undo it to click on the target");
@@ -164,8 +164,8 @@ void LayerDesk::pick(Picking what, Editor& editor) {
   }
 }
 
-// The surface that the step comes to, with what is settled: the same one in every frame until
-// something is edited, since views and the preview begin anew on another.
+// Returns the surface for the step, settled if there is a result. It is the same mesh until
+// something is edited, because views and preview start again on another.
 std::shared_ptr<const Mesh> LayerDesk::target_of(const Editor& editor) {
   if (start_) return start_->rest;
   const AppState& now = editor.state();
@@ -180,12 +180,12 @@ std::shared_ptr<const Mesh> LayerDesk::target_of(const Editor& editor) {
 void LayerDesk::update(Editor& editor) {
   if (!is_open_) return;
   if (applies_) {
-    // Where it came to nothing it may be changed and applied again.
+    // If the step failed, the user may change it and apply it again.
     if (editor.session().is_carrying_out()) return;
     applies_ = false;
     if (editor.state().steps != steps_before_) return close(editor);
   }
-  // Another tool was taken in hand.
+  // The user has taken another tool.
   if (is_painting_ && !editor.has_in_hand(weight_paint_)) paint_weight(false, editor);
   if (picking_ != Picking::none && !editor.has_in_hand(point_tool_)) pick(Picking::none, editor);
   take_read();
@@ -202,12 +202,12 @@ void LayerDesk::update(Editor& editor) {
   if (preview_.update() || wanted != editor.shown().previews()) show_preview(editor);
 }
 
-// Whoever chooses or picks must see the mesh as it is.
+// A user who chooses or picks must see the mesh without the preview.
 bool LayerDesk::wants_preview(const Editor& editor) const {
   return previews_ && picking_ == Picking::none && !editor.is_dragging();
 }
 
-// A field of other vertices is no weight any more.
+// Replaces a field that belongs to another mesh.
 void LayerDesk::take_weight(const Mesh& target) {
   auto* painted = std::get_if<PaintedWeight>(&draft_.weight.form);
   if (painted == nullptr) return;
@@ -253,7 +253,7 @@ void LayerDesk::read_next() {
   }
 }
 
-// A source that is the mesh itself shows it as it is.
+// A source without a file shows the edited mesh as it is.
 void LayerDesk::renew_own_views(const std::shared_ptr<const Mesh>& target) {
   for (std::size_t k = 0; k < draft_.source_count(); ++k) {
     if (!draft_.sources[k].mesh.empty() || reading_ == k) continue;
@@ -268,7 +268,7 @@ void LayerDesk::renew_own_views(const std::shared_ptr<const Mesh>& target) {
   }
 }
 
-// Since the last frame, or the last key.
+// Takes what was chosen since the last frame or key.
 void LayerDesk::take_what_was_done(const Editor& editor) {
   if (!is_open_) return;
   take_patches(editor);
@@ -292,7 +292,7 @@ void LayerDesk::take_patches(const Editor& editor) {
   RegionSpec roi = spec_of(editor.state().selection.roi, "target patch");
   if (roi == seen_roi_) return;
   seen_roi_ = roi;
-  // Nothing chosen any more is no wish for another patch: its triangles may be others.
+  // Keep the patch if the ROI was cleared, perhaps because the triangles have changed.
   if (is_nothing(roi)) return;
   draft_.target_patch = std::move(roi);
   for (CoatSource& source : draft_.sources) {
@@ -325,7 +325,7 @@ void LayerDesk::add_pair(const Editor& editor) {
   const AppState& from = view()->state();
   pair[0] = nearest_on_border(pair[0], view()->patch().vertices, *from.rest);
   pair[1] = nearest_on_border(pair[1], resolve(draft_.target_patch, *target), *target);
-  // So many fit the domain; one more begins anew.
+  // The domain has so many pins; another pair starts over.
   if (source.boundary_pairs.size() >= pin_count(draft_.parameters.domain)) {
     source.boundary_pairs.clear();
   }

@@ -12,61 +12,60 @@
 
 namespace lapwing::viewer {
 
-/// Takes the points that a person clicks on the target.
+/// Picks points on the target.
 class PointTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   const char* hint(const AppState&, const Part&) const override {
     return "click the same place on the source and here";
   }
-  /// The vertex clicked last, until it is let go of.
+  /// The vertex clicked last, until it is reset.
   std::optional<Index> picked;
 };
 
-/// A coat or mix being made by hand: the draft, its sources in views of their own, the pairs of
-/// points that are being picked, and the live preview on the surface of an editor. What does not
-/// work is said to the editor.
+/// A coat or mix made by hand: the draft, views of its sources, the pairs of points being picked,
+/// and the preview on the editor's surface. Errors are reported to `say`.
 class LayerDesk {
  public:
   LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
             std::function<void()> wake);
 
-  /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
-  /// Gives up what was open.
+  /// Begins a new one, or edits the `index`th step of the recipe again. `take_up` returns whether
+  /// that step is a coat or mix. Both drop what was open.
   void begin(Editor& editor, LayerDraft::Operation operation);
   bool take_up(Editor& editor, std::size_t index);
-  /// Gives up what was not applied.
+  /// Drops what was not applied.
   void close(Editor& editor);
   bool is_open() const { return is_open_; }
-  /// The step that is taken up again, if one is.
+  /// The step that is edited again, if any.
   std::optional<std::size_t> taken_up() const { return taken_up_; }
 
   LayerDraft& draft() { return draft_; }
   const LayerDraft& draft() const { return draft_; }
-  /// Where the source `k` comes from: a file, or nothing for the mesh itself.
+  /// Sets where the source `k` comes from: a file, or the edited mesh if `mesh` is empty.
   void use_source(std::size_t k, const std::filesystem::path& mesh);
 
   /// The source that is shown beside the target.
   std::size_t current() const { return current_; }
   void show(std::size_t k) { current_ = k; }
-  /// Null while it is read, or if it cannot be.
+  /// Null while the source is read, or if it cannot be read.
   SourceView* view() { return views_[current_].get(); }
   const SourceView* view() const { return views_[current_].get(); }
 
-  /// On the source that is shown. Says why not, where it cannot be.
+  /// Chooses the patch of the shown source. Reports an error.
   void choose_source_patch(const RegionSpec& region);
 
-  /// The weight of a mix is painted on the target, or is no longer.
+  /// Whether the weight of a mix is being painted on the target.
   bool is_painting() const { return is_painting_; }
   void paint_weight(bool on, Editor& editor);
   WeightPaint& weight_paint() { return weight_paint_; }
   const WeightPaint& weight_paint() const { return weight_paint_; }
 
-  /// Points are picked, one on the source and one on the target, and become a pair.
+  /// Picks points in pairs, one on the source and one on the target.
   enum class Picking { none, inside, border };
   Picking picking() const { return picking_; }
   void pick(Picking what, Editor& editor);
-  /// Half of a pair.
+  /// The points of an incomplete pair.
   std::optional<Index> picked_source() const { return picked_source_; }
   std::optional<Index> picked_target() const { return point_tool_.picked; }
 
@@ -75,9 +74,9 @@ class LayerDesk {
   const LayerPreview& preview() const { return preview_; }
   bool is_reading() const { return reading_.has_value(); }
 
-  /// Once a frame, after the editor's.
+  /// Call this once per frame, after the editor's update.
   void update(Editor& editor);
-  /// Carries the step out, whatever its preview shows.
+  /// Carries out the step, whether or not its preview is ready.
   void apply(Editor& editor);
 
   void release_device();
@@ -105,8 +104,8 @@ class LayerDesk {
   bool is_open_ = false;
   LayerDraft draft_;
   std::optional<std::size_t> taken_up_;
-  std::optional<AppState> start_;  // of the step taken up: the surface before it
-  // Else what the open edit comes to, if it has moved something.
+  std::optional<AppState> start_;  // before the step that is edited again
+  // Otherwise the edited surface, if the open edit has moved it.
   std::shared_ptr<const Mesh> committed_;
   std::shared_ptr<const MovedVertices> committed_from_;
   std::size_t current_ = 0;
@@ -123,7 +122,7 @@ class LayerDesk {
   WeightPaint weight_paint_;
 
   bool previews_ = true;
-  bool applies_ = false;  // what was asked of the editor is under way, on a mesh of these steps
+  bool applies_ = false;  // the editor carries out the step, which follows `steps_before_`
   std::vector<std::shared_ptr<const Step>> steps_before_;
   std::shared_ptr<const Mesh> previewed_;
   LayerPreview preview_;

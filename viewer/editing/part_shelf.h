@@ -19,15 +19,14 @@ class Context;
 
 namespace lapwing::viewer {
 
-/// Where parts are kept unless somebody says otherwise: lapwing/parts/ in $XDG_DATA_HOME, or in
-/// ~/.local/share.
+/// Returns the default folder of parts: lapwing/parts/ in $XDG_DATA_HOME, or in ~/.local/share.
 std::filesystem::path parts_folder();
 
-/// A folder of parts as a strip shows it. They are looked at beside the window, one after the
-/// other, each drawn once.
+/// A folder of parts, to show in a strip. Reads and draws the parts in the background, one after
+/// the other, each once.
 class PartShelf {
  public:
-  /// Pictures are drawn on `context`; the rest is JobThread's.
+  /// Draws pictures on `context`. Takes the other arguments of JobThread.
   PartShelf(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels,
             std::function<void()> wake = {});
 
@@ -40,24 +39,24 @@ class PartShelf {
     bool looked_at = false;
   };
 
-  /// Lists what is in `folder`; one that is not there is empty.
+  /// Lists the parts in `folder`. A missing folder is empty.
   void open(const std::filesystem::path& folder);
   const std::filesystem::path& folder() const { return folder_; }
   std::span<const Item> items() const { return items_; }
-  /// Another number whenever an item has changed, and of no other shelf.
+  /// A number that changes whenever an item does, and that no other shelf has.
   std::uint64_t version() const { return version_; }
-  /// Why the folder or what was to be added could not be read; empty otherwise.
+  /// Says why the folder or an added part could not be read; empty otherwise.
   const std::string& message() const { return message_; }
 
   /// Copies a mesh file into the folder.
   void add(const std::filesystem::path& file);
-  /// Cuts what is chosen out of the surface of `state`, which waits for no result, as a part.
+  /// Cuts `region` out of the surface of `state`, which waits for no result, and adds it as a part.
   void cut(const AppState& state, const RegionSpec& region, const std::string& name);
 
   bool busy() const { return working_; }
-  /// Of a device that takes the place of one that was lost.
+  /// Continues on another device, after the first was lost.
   void use_device(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels);
-  /// Takes what the worker has, and gives it more to do. True if there is news. Call it when woken.
+  /// Takes finished work and starts more. Returns true if there is news. Call this when woken.
   bool update();
 
  private:

@@ -12,29 +12,29 @@
 
 namespace lapwing::viewer {
 
-/// What is carried along with the surface, on the screen: meshes as they are, clouds and tables as
-/// points. The device must be done with what was drawn whenever it changes.
+/// The carried objects on the screen: meshes as surfaces, clouds and tables as points. When they
+/// change, the device must have finished drawing them.
 class ShownCarried {
  public:
-  /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
+  /// Release everything on the device, or make it there. In between only `take` may be called.
   void release_device();
   void use_device(std::shared_ptr<gpu::Context> context);
 
   enum class Where {
-    still,    ///< as the state knows them
+    still,    ///< at their places in the state
     opened,   ///< as they were read
-    dragged,  ///< as they are shown; one that is new where the open step finds it
+    dragged,  ///< where they are shown; new ones where the open step finds them
   };
-  /// What is carried now, and where it is shown.
+  /// Sets the objects to show, and where.
   void take(const AppState& state, Where where);
-  /// Puts each where a drag has it, in the order of the state.
+  /// Moves each object to its place in a drag, in the order of the state.
   void place(std::span<const Positions> positions);
 
-  /// Until the next call of another member.
+  /// Valid until the next call of another member.
   std::span<const CarriedDrawing> drawn() const { return drawn_; }
-  /// Of all that is shown, one after the other.
+  /// Appends the positions of all objects that are shown.
   void append_positions(Positions& points) const;
-  /// `bounds`, and all that is shown.
+  /// Returns the union of `bounds` and the bounds of all objects that are shown.
   Bounds united_with(Bounds bounds) const;
 
  private:
@@ -42,9 +42,9 @@ class ShownCarried {
     std::shared_ptr<const CarriedFile> opened;
     Positions positions;
     Bounds bounds;
-    std::unique_ptr<Surface> surface;  // of a mesh
+    std::unique_ptr<Surface> surface;  // for a mesh
     std::unique_ptr<SurfacePaint> paint;
-    std::unique_ptr<PointCloud> points;  // of anything else
+    std::unique_ptr<PointCloud> points;  // for anything else
   };
 
   void place(Object& object, const Positions& positions);

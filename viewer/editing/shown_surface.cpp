@@ -7,7 +7,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Of the pixel that holds a place: what a picture would show there.
+// Returns the middle of the pixel, which is what a picture shows.
 Eigen::Vector2d middle_of(const Eigen::Vector2d& pixel) {
   return {std::floor(pixel.x()) + 0.5, std::floor(pixel.y()) + 0.5};
 }
@@ -38,7 +38,7 @@ void ShownSurface::make(const Mesh& mesh) {
   device_->surface.paint().set_file_colors(mesh, with_attributes(mesh), *coloring_.file);
 }
 
-// Surfaces whose seams are joined have none of their own.
+// Surfaces with joined seams have no attributes, so these come from the meshes without.
 const Mesh& ShownSurface::with_attributes(const Mesh& mesh) const {
   if (&mesh == now_.get()) return *rest_;
   return &mesh == opened_.get() ? *coloring_.opened : mesh;
@@ -89,7 +89,7 @@ void ShownSurface::follow(const Preparation& preparation,
   const bool same =
       std::equal(motions.begin(), motions.end(), followed_.begin(), followed_.end(),
                  [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
-  // What is prepared is of the state's triangles, and of no others that are on the device.
+  // The preparation belongs to the state's triangles only.
   if (!has_triangles_of_state()) return;
   if (same && device_->surface.drags_by(preparation)) return;
   if (!device_->surface.drag(preparation, motions)) return;
@@ -100,7 +100,7 @@ void ShownSurface::follow(const Preparation& preparation,
 
 void ShownSurface::follow_from(std::shared_ptr<const DragState> pose) {
   device_->surface.drag_from(std::move(pose));
-  followed_.clear();  // to be drawn anew
+  followed_.clear();  // to be drawn again
 }
 
 void ShownSurface::show_preview(std::shared_ptr<const Mesh> preview,
@@ -149,7 +149,7 @@ bool ShownSurface::is_measured() const {
 }
 
 void ShownSurface::renew_measure() {
-  // Numbers are of the still surface: what a drag shows has none yet.
+  // Only a still surface is measured; a drag has no numbers yet.
   const bool still = !follows_ && device_->surface.source() == SurfaceSource::still;
   if (!measure_ || !still || !is_comparable() || is_measured()) return;
   const auto numbers =
@@ -167,8 +167,8 @@ std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
   const Positions& positions = positions_on_screen();
   const SightLine ray = view.projection().ray_through(middle_of(pixel));
   const Topology& topology = *device_->topology;
-  // A picture that is there already says at once where to look. Seen from its edge, a triangle may
-  // be missed by rounding.
+  // A picture that is up to date tells which triangle to look at. Rounding may miss a triangle that
+  // is seen from its edge.
   if (device_->picker.is_current(device_->surface, view)) {
     const auto triangle = device_->picker.triangle_at(pixel);
     if (!triangle) return {};
@@ -177,7 +177,7 @@ std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
   return pick_surface(topology, positions, ray);
 }
 
-// By the same motions and the same response as on the device, once for what shows.
+// Applies the device's response and motions once per version of the surface.
 const Positions& ShownSurface::positions_on_screen() {
   const auto& drag = device_->surface.drag_shown();
   if (!drag) return still_positions();

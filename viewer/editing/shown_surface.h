@@ -12,93 +12,95 @@
 
 namespace lapwing::viewer {
 
-/// What colours the surface of an edit, and whatever comes of it with other triangles, as far as
-/// that has attributes of the file.
+/// The colours in a file, for the edited surface and for the results of steps, as far as these have
+/// the file's attributes.
 struct FileColoring {
   std::shared_ptr<const FilePaint> file;  ///< null for none
-  std::shared_ptr<const Mesh> opened;     ///< before any step and with attributes, seams not joined
+  std::shared_ptr<const Mesh> opened;     ///< before any step, with attributes, seams not joined
 };
 
-/// What of an edit is on the screen: the surface on the device, where its vertices are, what its
-/// colours say, and what is under a pixel. Made anew on the device when the triangles are others;
-/// the device must be done with what was drawn then, and whenever it changes.
+/// An edit on the screen: the surface on the device, its positions and colours, and what is under a
+/// pixel. It is made again on the device when the triangles change. The device must have finished
+/// drawing it then, and whenever it changes.
 ///
-/// In this order it shows: a preview, while there is one; the mesh as it was opened, if
-/// `show_before` says so; a drag, while it is followed; the surface as the state knows it.
+/// Shows the first of these that applies: a preview, while there is one; the opened mesh, after
+/// `show_before`; a drag, while it is followed; the surface of the state.
 class ShownSurface {
  public:
   /// `opened` is the mesh before any step, to compare with.
   explicit ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring coloring = {});
 
-  /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
+  /// Release everything on the device, or make it there. In between only `take` may be called.
   void release_device();
   void use_device(std::shared_ptr<gpu::Context> context);
 
-  /// What is edited now; ends drag and preview. True where the
-  /// surface has other triangles than before, or is elsewhere.
+  /// Sets the edited state; ends drag and preview. Returns true if the surface has other triangles
+  /// or positions than before.
   bool take(const AppState& state);
-  /// Puts the surface where it is known to be.
+  /// Shows the surface without a drag.
   void show_still();
 
-  /// Lets it follow the handles' motions as far as the worker is. Nothing while that has nothing.
+  /// Follows the handles' motions by the response that the worker has. Does nothing while it has
+  /// none.
   void follow(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
-  /// What it follows them from: a pose of the region that the state chooses, null for the rest
-  /// shape. Until another one, or until the surface is put somewhere.
+  /// Sets the pose from which it follows: of the state's region, or null for the rest shape. It
+  /// stays until another pose is set or the surface is placed.
   void follow_from(std::shared_ptr<const DragState> pose);
   const std::shared_ptr<const DragState>& pose() const { return device_->surface.pose(); }
   bool follows() const { return follows_; }
-  /// Of the handles, where it follows those; empty otherwise.
+  /// The motions of the handles while it follows them; empty otherwise.
   const std::vector<Eigen::Affine3d>& followed() const { return followed_; }
 
-  /// What would come of an operation, until it ends, or the next `take`. `classes`, one per vertex
-  /// of it, are its colours; without them it has those of what is chosen, if the triangles are the
-  /// same.
+  /// Shows the result of an operation until `end_preview` or the next `take`. `classes`, one per
+  /// vertex, determine its colours. Without them it has those of the selection, if the triangles
+  /// are the same.
   void show_preview(std::shared_ptr<const Mesh> preview, std::vector<VertexClass> classes = {});
-  /// The same with other positions alone: one upload.
+  /// The same with other positions only: one upload.
   void show_preview(const Positions& positions);
   void end_preview();
   bool previews() const { return preview_ != nullptr; }
 
-  /// The mesh as it was opened, to compare with.
+  /// Whether the opened mesh is shown, to compare with.
   bool shows_before() const { return before_; }
   void show_before(bool before);
 
-  /// Whether the triangles on the screen are those of the state, so that tools can choose there.
+  /// Returns whether the triangles on the screen are the state's, so that tools can choose there.
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
   const Topology& topology() const { return *device_->topology; }
 
-  /// Colours what is chosen; for triangles of other numbers nothing is.
+  /// Colours the selection. Other triangles show no selection.
   void set_classes(std::vector<VertexClass> classes);
-  /// Whether other triangles have come since.
+  /// Returns whether the triangles have changed since.
   bool needs_classes() const { return needs_classes_; }
 
-  /// Whether the file gives what is on the screen a colour.
+  /// Returns whether the file has colours for what is on the screen.
   bool has_file_colors() const { return device_->surface.paint().has_file_colors(); }
 
-  /// Colours by how the surface differs from the one opened; nothing: by regions.
+  /// Colours by a difference from the opened mesh, or by regions without `measure`.
   void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
-  /// Whether it has the triangles of the one opened.
+  /// Returns whether it has the triangles of the opened mesh.
   bool is_comparable() const { return device_->topology.get() == &opened_->topology(); }
-  /// Whether the paint's numbers are those of the surface; not while it follows a drag.
+  /// Returns whether the paint's numbers are those of the surface; false while it follows a drag.
   bool is_measured() const;
   void renew_measure();
   const ScalarRange& measure_range() const { return measure_range_; }
 
-  /// What shows at `pixel`, in a drag, too; nothing beside the surface. Neither draws nor waits for
-  /// the device. Linear in the triangles, at most.
+  /// Returns what is visible at `pixel`, also in a drag; nothing beside the surface. Neither draws
+  /// nor waits for the device. At most linear in the triangles.
   std::optional<SurfacePoint> pick(const ViewFrame& view, const Eigen::Vector2d& pixel);
-  /// Where the vertices show, a drag under way included. Until anything changes.
+  /// Returns the positions on the screen, including a drag under way. Valid until anything changes.
   const Positions& positions_on_screen();
-  /// Waits for the device where it is to be drawn. Valid until the next call of this or `pick`.
+  /// Waits for the device if the picture must be drawn. Valid until the next call of this or
+  /// `pick`.
   TrianglePicture picture(const ViewFrame& view);
 
   const EditSurface& device() const { return device_->surface; }
-  /// Where the vertices of the state are, or a preview of the same triangles puts them, but for a
-  /// drag under way.
+  /// The positions of the state, or of a preview with the same triangles. Leaves out a drag under
+  /// way.
   const Positions& positions() const {
     return previews() && has_triangles_of_state() ? preview_positions_ : positions_;
   }
-  /// Of all that it shows without a drag, and of the mesh as it was opened.
+  /// Returns the bounds of all that it shows without a drag, and of the opened mesh.
   Bounds bounds() const;
   const Bounds& opened_bounds() const { return opened_bounds_; }
 
@@ -108,7 +110,7 @@ class ShownSurface {
   void put(const Mesh& mesh, const Positions& positions);
   const Positions& still_positions() const;
 
-  // All that is in device memory but for the worker's.
+  // Everything in device memory, except the worker's.
   struct OnDevice {
     OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context)
         : topology(mesh.shared_topology()), picker(*context), surface(context, mesh) {}
@@ -124,7 +126,7 @@ class ShownSurface {
   FileColoring coloring_;
   Bounds opened_bounds_;
 
-  // What the state says, and where that takes the vertices.
+  // The surface of the state, and its positions.
   std::shared_ptr<const Mesh> now_;
   std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const MovedVertices> settled_;
@@ -139,12 +141,12 @@ class ShownSurface {
   bool before_ = false;
   bool follows_ = false;
   std::vector<Eigen::Affine3d> followed_;
-  std::vector<Eigen::Affine3d> dragged_by_;  // what the device shows of a drag, ended or not
-  Positions dragged_positions_;              // by those, where the surface has this version:
+  std::vector<Eigen::Affine3d> dragged_by_;  // motions that the device shows, of a drag or after it
+  Positions dragged_positions_;              // by those motions, for this version of the surface:
   std::optional<std::uint64_t> dragged_version_;
 
   std::optional<PoseMeasure> measure_;
-  std::optional<PoseMeasure> measured_;  // what the paint's numbers are, of that surface:
+  std::optional<PoseMeasure> measured_;  // by the paint's numbers, for this version of the surface:
   std::uint64_t measured_version_ = 0;
   ScalarRange measure_range_;
 };

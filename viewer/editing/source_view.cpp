@@ -24,7 +24,7 @@ SourceView::SourceView(std::shared_ptr<const Mesh> mesh, UpAxis up_axis,
     : state_(open_state(mesh)), up_axis_(up_axis), shown_(std::move(mesh)) {
   // A coat takes the mesh as it is.
   state_.parameters.seams = SeamPolicy::leave;
-  // A patch has no belt to be seen.
+  // A patch has no belt to show.
   state_.selection.belt_fraction = 0.0;
   shown_.take(state_);
   use_device(context);

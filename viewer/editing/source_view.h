@@ -12,9 +12,9 @@ namespace lapwing::viewer {
 /// What the left button does on the source.
 enum class SourceTool { disk, point };
 
-/// The mesh that an operation takes from, shown beside the one that is edited: with a camera of its
-/// own, a patch that is chosen by a disk, and points to be picked. Its pixels are from the upper
-/// left corner of its own part of the window.
+/// The mesh from which an operation takes, shown beside the edited mesh, with a separate camera, a
+/// patch that is chosen by a disk, and points to pick. Pixels start at the upper left corner of its
+/// part of the window.
 class SourceView {
  public:
   /// Shows all of `mesh` with `up_axis` up.
@@ -26,22 +26,22 @@ class SourceView {
 
   const AppState& state() const { return state_; }
   const ChosenRegion& patch() const { return state_.selection.roi; }
-  /// Throws what `apply` does.
+  /// Throws what `apply` throws.
   void choose_patch(const RegionSpec& region);
 
   SourceTool tool() const { return tool_; }
   void take(SourceTool tool) { tool_ = tool; }
 
-  /// In pixels, and those of a point (Projection's).
+  /// Sets its size in pixels, and the pixels per point (Projection).
   void resize(const Eigen::Vector2d& size, double pixels_per_point);
   Editor::Handled handle(const InputEvent& event, const Keymap& keymap);
-  /// Whether a button that was pressed on it is still down.
+  /// Returns whether a button that was pressed on it is still down.
   bool holds_mouse() const { return motion_.has_value() || disk_.is_dragging(); }
   bool is_moving() const { return holds_mouse(); }
-  /// The vertex that was picked last, once.
+  /// Returns the vertex that was picked last, once.
   std::optional<Index> take_point() { return std::exchange(point_, std::nullopt); }
 
-  /// Once a frame, before it is drawn.
+  /// Call this once per frame, before drawing.
   void update();
 
   ViewFrame view_frame() const;

@@ -10,22 +10,22 @@
 
 namespace lapwing::viewer {
 
-/// Which triangle shows where, asked of a picture that is drawn again only when the view or the
-/// surface is another one. Both must outlive the call they are handed to. The context must outlive
-/// the picker.
+/// Finds the triangle at a pixel in a picture, which it draws again only if the view or the surface
+/// has changed. Both must outlive the call. The context must outlive the picker.
 class SurfacePicker {
  public:
   explicit SurfacePicker(gpu::Context& context) : picture_(context) {}
 
-  /// Whether the picture is there already.
+  /// Returns whether the picture is up to date.
   bool is_current(const EditSurface& surface, const ViewFrame& view) const {
     return view_ == view && version_ == surface.version();
   }
 
-  /// The triangle at `pixel` of the picture that was drawn last; nothing beside the surface.
+  /// Returns the triangle at `pixel` of the last picture; nothing beside the surface.
   std::optional<Index> triangle_at(const Eigen::Vector2d& pixel) const;
 
-  /// The whole picture; valid until the next call. Waits for the device where it is to be drawn.
+  /// Returns the whole picture, valid until the next call. Waits for the device if it must be
+  /// drawn.
   TrianglePicture picture(const EditSurface& surface, const ViewFrame& view);
 
  private:

@@ -12,7 +12,7 @@
 
 namespace lapwing::viewer {
 
-/// The window's own tools.
+/// The tools of the window.
 struct Tools {
   DiskTool disk;
   LoopTool loop;
@@ -22,17 +22,17 @@ struct Tools {
   RulerTool ruler;
 };
 
-/// One that can be taken in hand.
+/// A tool that can be activated.
 struct ToolRow {
   const char* name;
-  Action action;  ///< that takes it
+  Action action;  ///< activates it
   SceneTool& (*take)(Tools& tools);
 };
 
-/// All of them, as the panel has them. A new tool is a row here, a member of Tools, and its action
-/// in the keymap.
+/// All tools, in the order of the panel. A new tool needs a row here, a member of Tools, and its
+/// action in the keymap.
 std::span<const ToolRow> tool_rows();
-/// Whether it chooses vertices: what a new mesh may begin with.
+/// Returns whether the tool chooses vertices, so that a new mesh may begin with it.
 inline bool chooses(const ToolRow& row) {
   return row.action != Action::take_move && row.action != Action::take_ruler;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Stage = PlaceTool::Stage;
 
-// Both as they are, in the colours that the result will have.
+// Puts both into one mesh as they are, in the colours of the result.
 Mesh side_by_side(const Mesh& host, const Mesh& part) {
   Mesh both;
   both.positions = host.positions;
@@ -35,7 +35,7 @@ Mesh side_by_side(const Mesh& host, const Mesh& part) {
   return both;
 }
 
-// The part in the colour of what is edited.
+// Shows the part in the colour of the ROI.
 std::vector<VertexClass> classes_of(std::size_t host_vertices, std::size_t all) {
   std::vector<VertexClass> classes(all, VertexClass::roi);
   std::fill_n(classes.begin(), host_vertices, VertexClass::outside);
@@ -46,7 +46,7 @@ AppState surface_now(const AppState& now, Kernels&, const Progress&) {
   return apply(now, Commit{});
 }
 
-// What carrying the steps before the one taken up again leads to.
+// Returns the state before the step that is edited again.
 AppState start_of(const Revision& revision, Kernels& kernels, const Progress& progress) {
   History history(revision.start);
   for (std::size_t k = 0; k < revision.changed; ++k) {
@@ -189,7 +189,7 @@ bool TransplantDesk::stands_on_other_surface(const AppState& now) const {
   return now.rest != rest_ || now.settled != settled_;
 }
 
-// After an undo, say: a new part stays where it is, on the surface as it is now.
+// After an undo, for example, a new part keeps its place on the present surface.
 void TransplantDesk::begin_anew(Editor& editor) {
   if (taken_up_) {
     say_("the surface has changed; open the step again");
@@ -202,7 +202,7 @@ void TransplantDesk::begin_anew(Editor& editor) {
   tool_.end();
 }
 
-// The numbers of what is chosen are those of the surface that is edited now.
+// The ROI's vertex numbers are those of the present surface only.
 void TransplantDesk::take_hole(const Editor& editor) {
   if (!takes_roi_ || taken_up_) return;
   const ChosenRegion& roi = editor.state().selection.roi;
@@ -232,7 +232,8 @@ void TransplantDesk::update(Editor& editor) {
   show(editor);
 }
 
-// True while the step is under way. What failed stays in hand.
+// Returns true while the step is under way, and when it is done. After a failure the part stays in
+// hand.
 bool TransplantDesk::finish_applying(Editor& editor) {
   if (!applies_) return false;
   if (editor.session().is_carrying_out()) return true;
@@ -242,7 +243,7 @@ bool TransplantDesk::finish_applying(Editor& editor) {
 }
 
 void TransplantDesk::show(Editor& editor) {
-  // Somebody else ended it.
+  // The preview was ended elsewhere.
   if (!editor.shown().previews()) shown_ = Shown::nothing;
   if (!editor.has_in_hand(tool_)) {
     // Another tool works on the surface as it is.
@@ -299,7 +300,7 @@ void TransplantDesk::apply(Editor& editor) {
   if (tool_.stage() != Stage::set_down || applies_) return;
   const TransplantStep step = tool_.draft().step();
   const std::size_t done = editor.session().history().done();
-  // Of what it is now, or none.
+  // Drops a result that is not of the present step.
   preview_.follow(tool_.host().state, step);
   const TransplantResult* result = preview_.result();
   if (taken_up_) {

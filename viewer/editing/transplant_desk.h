@@ -12,9 +12,9 @@
 
 namespace lapwing::viewer {
 
-/// A transplant being made by hand: the parts to choose from, the one in hand, and what of it is on
-/// the screen of an editor: while it is carried or dragged the part itself, then what the step
-/// comes to. What does not work is said to the editor.
+/// A transplant made by hand: the parts to choose from, the one in hand, and what the editor shows
+/// of it. That is the part itself while it is carried or dragged, then the result of the step.
+/// Errors are reported to `say`.
 class TransplantDesk {
  public:
   TransplantDesk(const std::shared_ptr<gpu::Context>& context, Say say, std::function<void()> wake);
@@ -22,16 +22,16 @@ class TransplantDesk {
   PartShelf& shelf() { return shelf_; }
   const PartShelf& shelf() const { return shelf_; }
 
-  /// Reads a part beside the window, for the hand; in place of one that is there.
+  /// Reads a part in the background and takes it in hand, in place of the last one.
   void take_part(const std::filesystem::path& file);
-  /// The first part of the shelf, or the one behind that in hand.
+  /// Takes the first part of the shelf, or the one after that in hand.
   void take_next_part();
-  /// Takes the `index`th step of the recipe up again. Says why not, where it cannot be.
+  /// Edits the `index`th step of the recipe again. Reports an error.
   void take_up(const Editor& editor, std::size_t index);
-  /// The last one that is a transplant.
+  /// The same for the last transplant.
   void take_up_last(const Editor& editor);
   std::optional<std::size_t> taken_up() const { return taken_up_; }
-  /// Gives up what was not applied.
+  /// Drops what was not applied.
   void close(Editor& editor);
 
   /// Whether a part is being read or in hand.
@@ -41,24 +41,25 @@ class TransplantDesk {
   PlaceTool& tool() { return tool_; }
   const PlaceTool& tool() const { return tool_; }
   const TransplantPreview& preview() const { return preview_; }
-  /// The hole's loop in the surface, as far as it is known.
+  /// The hole's loop in the surface; empty while it is unknown.
   std::span<const Eigen::Vector3d> hole() const;
 
-  /// The ROI is the hole, as it is and as it will be; or a disk around the part.
+  /// Whether the ROI is the hole, also when it changes. Otherwise the hole is a disk around the
+  /// part.
   bool takes_roi() const { return takes_roi_; }
   void take_roi(bool on);
 
-  /// Makes the step, what the preview came to if that is there.
+  /// Applies the step, with the preview's result if that is ready.
   void apply(Editor& editor);
 
-  /// Once a frame, after the editor's.
+  /// Call this once per frame, after the editor's update.
   void update(Editor& editor);
 
   void release_device();
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
  private:
-  // How a part comes to be in hand: all of it beside the window.
+  // How to take a part in hand; runs in the background.
   struct Begin {
     std::function<AppState(const AppState& now, Kernels&, const Progress&)> host;
     std::function<TransplantDraft(const AppState& host)> draft;
@@ -66,7 +67,7 @@ class TransplantDesk {
   struct InHand {
     TransplantDraft draft;
     TransplantHost host;
-    // The surface and, behind it, the part, where its file has it.
+    // The surface, followed by the part as it is in its file.
     std::shared_ptr<const Mesh> mesh;
   };
   enum class Shown { nothing, carried, result };
@@ -85,23 +86,23 @@ class TransplantDesk {
 
   Say say_;
   PartShelf shelf_;
-  std::optional<Begin> begin_;  // to be read as soon as nothing is waited for
+  std::optional<Begin> begin_;  // to read once no result is awaited
   bool is_reading_ = false;
-  bool lends_ = true;  // the tool, then
+  bool lends_ = true;  // whether reading activates the tool
   std::optional<std::size_t> taken_up_;
-  // The editor's surface that the part in hand was read for.
+  // The editor's surface for which the part in hand was read.
   std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const MovedVertices> settled_;
 
   PlaceTool tool_;
-  std::shared_ptr<const Mesh> mesh_;  // InHand's
-  Positions positions_;               // of them, with the part where it is
+  std::shared_ptr<const Mesh> mesh_;  // as in InHand
+  Positions positions_;               // of `mesh_`, with the part at its place
   bool takes_roi_ = false;
   std::vector<Eigen::Vector3d> hole_;
 
   Shown shown_ = Shown::nothing;
-  std::uint64_t shown_version_ = 0;     // of the part's place
-  std::optional<std::size_t> applies_;  // the steps of the history before; under way
+  std::uint64_t shown_version_ = 0;     // of the part's placement
+  std::optional<std::size_t> applies_;  // `done()` of the history before a step under way
   TransplantPreview preview_;
   Job<InHand> reader_;
 };

@@ -5,8 +5,8 @@
 
 namespace lapwing::viewer {
 
-/// Through what a person looks at the surface: the camera, its near and far planes fitted, and the
-/// picture's size and density in pixels.
+/// The view of the surface: the camera with fitted near and far planes, and the picture's size and
+/// density in pixels.
 struct ViewFrame {
   Camera camera;
   Eigen::Vector2d size = Eigen::Vector2d::Ones();

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using Wants = PathWords::Wants;
 
-// Those that format_of knows.
+// The extensions that format_of knows.
 constexpr std::array<std::string_view, 9> kMesh{".glb", ".gltf", ".obj",  ".off",  ".ply",
                                                 ".stl", ".coff", ".noff", ".cnoff"};
 constexpr std::array<std::string_view, 1> kRecipe{".json"};
@@ -67,7 +67,7 @@ std::string lower_extension(const fs::path& file) {
   return lower_case(file.extension().string());
 }
 
-// "obj, off, ply or stl"
+// Returns a list such as "obj, off, ply or stl".
 std::string listed(std::span<const std::string_view> extensions) {
   std::string text;
   for (std::size_t k = 0; k < extensions.size(); ++k) {

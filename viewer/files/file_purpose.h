@@ -7,7 +7,7 @@
 
 namespace lapwing::viewer {
 
-/// What a person is asked for a path for.
+/// The purpose of a path that the user is asked for.
 enum class PathPurpose {
   open,
   save_mesh,
@@ -23,35 +23,35 @@ enum class PathPurpose {
   add_part,
 };
 
-/// Files that go together in a dialog: "Meshes", by their extensions, lower case, with the dot.
-/// Without extensions it is all files.
+/// A filter of a file dialog, such as "Meshes": extensions in lower case, with the dot. Without
+/// extensions it matches all files.
 struct FileKind {
   std::string_view name;
   std::span<const std::string_view> extensions;
 
-  /// Whether `file` is one of them, in either case of letters.
+  /// Whether the filter matches `file`, in upper or lower case.
   bool holds(const std::filesystem::path& file) const;
 };
 
-/// How the path is asked for.
+/// The texts and filters of a file dialog.
 struct PathWords {
   enum class Wants { file, new_file, folder };
 
   std::string_view title;
   std::string_view note;
-  std::string_view button;  ///< what it does with the path
+  std::string_view button;  ///< label of the button that accepts the path
   Wants wants = Wants::file;
-  std::span<const FileKind> kinds;  ///< to choose from, the first at first; none for a folder
+  std::span<const FileKind> kinds;  ///< filters, the default one first; none for a folder
 };
 const PathWords& words_of(PathPurpose purpose);
 
-/// A name that was given to a new file, with the extension of `suggested` where it has none that
-/// is of the kinds of `purpose`: "hand" becomes "hand.ply".
+/// Returns the name typed for a new file, with the extension of `suggested` if it has none: "hand"
+/// becomes "hand.ply". An extension that looks like another format stays.
 std::filesystem::path with_extension(std::filesystem::path typed, PathPurpose purpose,
                                      const std::filesystem::path& suggested);
 
-/// Why `path`, absolute, cannot be what `purpose` wants, as far as that shows without reading it,
-/// and what to do; empty where nothing is wrong.
+/// Returns why the absolute `path` does not suit `purpose`, and what to do; empty if nothing is
+/// wrong. Does not read the file.
 std::string trouble_with(const std::filesystem::path& path, PathPurpose purpose);
 
 }  // namespace lapwing::viewer

@@ -22,7 +22,7 @@ std::string size_in_words(std::uint64_t bytes) {
   constexpr std::array<const char*, 5> kUnits{"B", "KB", "MB", "GB", "TB"};
   auto size = static_cast<double>(bytes);
   std::size_t unit = 0;
-  // What would be rounded to 1000 is one of the next.
+  // A size that would be rounded to 1000 goes to the next unit.
   while (size >= 999.5 && unit + 1 < kUnits.size()) {
     size /= 1000.0;
     ++unit;

@@ -13,49 +13,49 @@
 
 namespace lapwing::viewer {
 
-/// A file or folder as a list shows it.
+/// A file or folder in a listing.
 struct FolderEntry {
   std::string name;
   bool is_folder = false;
   std::uint64_t bytes = 0;                     ///< of a file
-  std::filesystem::file_time_type modified{};  ///< the epoch where it is not known
+  std::filesystem::file_time_type modified{};  ///< the epoch if it is not known
 };
 
-/// What is in a folder: folders first, then files, each by `comes_before`.
+/// The contents of a folder: folders first, then files, each sorted by `comes_before`.
 struct FolderListing {
   std::filesystem::path folder;
   std::vector<FolderEntry> entries;
   std::string trouble;  ///< why it cannot be read, and what to do; empty otherwise
 };
 
-/// What a list leaves out.
+/// Selects the entries of a listing.
 struct ListingFilter {
-  FileKind kind;              ///< of files; all folders are shown
-  bool shows_hidden = false;  ///< what begins with a dot
+  FileKind kind;              ///< for files; folders always show
+  bool shows_hidden = false;  ///< also names that begin with a dot
   bool folders_only = false;
 };
 
-/// The order of names for a person: numbers by their value, "part-2" before "part-10", and letters
-/// of either case beside each other.
+/// The natural order of names: numbers by value ("part-2" before "part-10"), letters regardless of
+/// case.
 bool comes_before(std::string_view a, std::string_view b);
 
-/// Reads `folder`. Links are followed; one that leads nowhere is left out. Asks `goes_on` before
-/// each entry; where that says no, what has been read by then comes back unsorted.
+/// Reads `folder`. Follows links and leaves out broken ones. Calls `goes_on` before each entry; if
+/// it returns false, returns the entries so far, unsorted.
 FolderListing list_folder(const std::filesystem::path& folder, const ListingFilter& filter,
                           const std::function<bool()>& goes_on = {});
 
-/// Reads folders beside the window, the one asked for last, so that none that is huge or far away
-/// holds a frame up.
+/// Reads folders on a background thread, so that a huge or remote folder does not delay a frame.
+/// Only the last request counts.
 class FolderReader {
  public:
   /// `wake` is called on the reader's thread when there is a listing to take.
   explicit FolderReader(std::function<void()> wake = {});
   ~FolderReader();
 
-  /// What was asked for before is given up.
+  /// Starts to read `folder` and drops the previous request.
   void read(const std::filesystem::path& folder, const ListingFilter& filter);
   bool is_reading() const;
-  /// The listing, once; nothing while it is read.
+  /// Returns the listing once; nullopt while it is being read.
   std::optional<FolderListing> take();
 
  private:

@@ -6,7 +6,7 @@
 
 namespace lapwing::viewer {
 
-/// Of the letters of ASCII; bytes of others stay.
+/// Converts ASCII letters; other bytes stay.
 inline char lower_case(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }

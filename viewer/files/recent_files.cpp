@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A list of ours is a few kilobytes; what is larger is something else.
+// The list takes a few kilobytes. A larger file is something else.
 constexpr std::size_t kMostBytes = 1U << 20U;
 
-// The paths that `list` names: lines that are none are left out.
+// Reads the paths in `list` and skips lines that are not absolute paths.
 std::vector<fs::path> read_list(const fs::path& list) {
   std::vector<fs::path> paths;
   std::error_code error;
@@ -54,7 +54,7 @@ void RecentFiles::reload() {
 
 void RecentFiles::add(const fs::path& file) {
   const fs::path path = fs::absolute(file).lexically_normal();
-  // It would be two lines.
+  // A path with a newline would become two lines.
   if (path.string().find('\n') != std::string::npos) return;
   change({path}, true);
 }
@@ -67,7 +67,7 @@ void RecentFiles::change(const std::vector<fs::path>& first, bool keeps_others) 
   if (kept_in_.empty()) return;
   std::error_code error;
   fs::create_directories(kept_in_.parent_path(), error);
-  // Whoever holds the lock on a file beside the list may replace that.
+  // Only the holder of the lock on a file beside the list may replace the list.
   const std::string lock_path = kept_in_.string() + ".lock";
   const FileDescriptor lock(open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   if (lock.is_open()) flock(lock.get(), LOCK_EX);
@@ -83,7 +83,7 @@ void RecentFiles::change(const std::vector<fs::path>& first, bool keeps_others) 
   try {
     replace_file(kept_in_, text);
   } catch (const IoError&) {
-    // Nothing that a person asked for has failed.
+    // Not reported, because nothing that the user asked for has failed.
   }
   reload();
 }

@@ -6,29 +6,30 @@
 
 namespace lapwing::viewer {
 
-/// Where the list is kept: lapwing/recent-files in $XDG_STATE_HOME, or in ~/.local/state.
+/// Returns the path of the list: lapwing/recent-files in $XDG_STATE_HOME, by default in
+/// ~/.local/state.
 std::filesystem::path recent_files_path();
 
-/// Meshes and recipes that were opened, the newest first, kept in a file with one absolute path a
-/// line, so that other viewers see them. What cannot be read or written there is no error: then
-/// nothing is remembered.
+/// Meshes and recipes that were opened, the newest first. All viewers share the file that holds
+/// them, one absolute path per line. If it cannot be read or written, nothing is remembered; that
+/// is no error.
 class RecentFiles {
  public:
   static constexpr std::size_t kMost = 12;
 
   struct Item {
     std::filesystem::path path;
-    bool is_there = true;  ///< when the list was read
+    bool is_there = true;  ///< existed when the list was read
   };
 
-  /// `kept_in` need not be there; without a name nothing is remembered. Reads it.
+  /// Reads `kept_in`, which need not exist. If the path is empty, nothing is remembered.
   explicit RecentFiles(std::filesystem::path kept_in);
 
   std::span<const Item> items() const { return items_; }
-  /// Reads the list anew: other viewers may have added to it.
+  /// Reads the list again, because other viewers may have added to it.
   void reload();
-  /// Puts `file` first. The list on the disk is read, changed and replaced under a lock, so that
-  /// viewers that add at the same time lose nothing.
+  /// Puts `file` first. Reads, changes and replaces the list under a lock, so that viewers that add
+  /// files at the same time lose none.
   void add(const std::filesystem::path& file);
   void clear();
 

@@ -19,9 +19,9 @@
 namespace lapwing::viewer {
 namespace {
 
-// Messages of a toolkit can go on for ever; the last of them say why it ended.
+// A toolkit may write messages without end. The last ones say why the program ended.
 constexpr std::size_t kMostWords = 4096;
-// A program ends a moment after its output has.
+// A program ends a moment after it closes its output.
 constexpr int kLookAgainMs = 10;
 
 struct Pipe {
@@ -38,7 +38,7 @@ Pipe open_pipe() {
   return {ends[0], ends[1]};
 }
 
-// Appends what can be read now; false at the end.
+// Appends what can be read now; returns false at the end.
 bool read_some(int descriptor, std::string& text) {
   std::array<char, 1024> part;
   const ssize_t count = read(descriptor, part.data(), part.size());
@@ -53,8 +53,8 @@ std::string last_line(std::string_view text) {
   return std::string(newline == std::string_view::npos ? text : text.substr(newline + 1));
 }
 
-// Both programs: 0 with the path on a line, 1 where it was cancelled. zenity ends with 1, too,
-// where it cannot show itself.
+// Both programs exit with 0 and print the path, or with 1 if the user cancels. zenity also exits
+// with 1 if it cannot open a display.
 DialogAnswer answer_of(const std::string& name, int status, std::string output,
                        const std::string& errors) {
   using What = DialogAnswer::What;
@@ -106,7 +106,8 @@ void SystemDialog::wait_for_answer() {
   std::array<pollfd, 3> watched{
       {{output_->get(), POLLIN, 0}, {errors_->get(), POLLIN, 0}, {stop_->get(), POLLIN, 0}}};
   bool stopped = false;
-  // Its output ends with it. What it leaves behind may hold the other pipe for ever.
+  // The output ends with the program. A process that it leaves behind may hold the other pipe
+  // forever.
   while (watched[0].fd >= 0 && !stopped) {
     if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) break;
     if (watched[1].revents != 0 && !read_some(errors_->get(), errors)) watched[1].fd = -1;
@@ -120,7 +121,7 @@ void SystemDialog::wait_for_answer() {
     stopped = poll(&stop, 1, kLookAgainMs) > 0;
   }
   if (stopped) {
-    // A dialog has nothing to put away.
+    // A dialog has nothing to clean up.
     kill(-process_, SIGKILL);
     waitpid(process_, &status, 0);
     return;

@@ -15,44 +15,44 @@
 
 namespace lapwing::viewer {
 
-/// A program of the desktop that asks for a file in a window of its own.
+/// A desktop program that shows a file dialog.
 struct DialogProgram {
   enum class Kind { zenity, kdialog } kind = Kind::zenity;
   std::filesystem::path path;
 };
 
-/// The one to use here: kdialog on KDE, zenity elsewhere, the other one where that is not on $PATH.
-/// Nothing without either, and without a display ($DISPLAY, $WAYLAND_DISPLAY).
+/// Returns kdialog on KDE and zenity elsewhere, or the other one if that is not on $PATH. Returns
+/// nullopt without either, or without a display ($DISPLAY, $WAYLAND_DISPLAY).
 std::optional<DialogProgram> find_dialog_program();
 
-/// What it is to ask for.
+/// The request to a file dialog.
 struct DialogRequest {
   PathPurpose purpose = PathPurpose::open;
-  std::filesystem::path folder;  ///< where it begins, absolute
+  std::filesystem::path folder;  ///< start folder, absolute
   std::string name;              ///< suggested for a new file
 };
 
-/// The program and its arguments.
+/// Returns the program and its arguments.
 std::vector<std::string> dialog_command(const DialogProgram& program, const DialogRequest& request);
 
 struct DialogAnswer {
   enum class What { chosen, cancelled, failed } what = What::cancelled;
-  std::filesystem::path path;  ///< where one was chosen
-  std::string reason;          ///< of what failed: "zenity: cannot open display"
+  std::filesystem::path path;  ///< if one was chosen
+  std::string reason;          ///< of a failure: "zenity: cannot open display"
 };
 
-/// A dialog of the desktop, a process of its own without a shell. Nothing here waits for it: a
-/// thread reads its answer, and calls `wake` when that is there. When this goes the process is
-/// ended, and whatever it started.
+/// A file dialog of the desktop, run as a child process without a shell. A thread reads its answer
+/// and then calls `wake`; nothing else waits for it. The destructor kills the process and its
+/// children.
 class SystemDialog {
  public:
-  /// Throws IoError when the program cannot be started.
+  /// Throws IoError if the program cannot be started.
   explicit SystemDialog(const std::vector<std::string>& command, std::function<void()> wake = {});
   ~SystemDialog();
   SystemDialog(const SystemDialog&) = delete;
   SystemDialog& operator=(const SystemDialog&) = delete;
 
-  /// The answer, once; nothing while the person chooses.
+  /// Returns the answer once; nullopt while the user chooses.
   std::optional<DialogAnswer> take();
 
  private:
@@ -62,7 +62,7 @@ class SystemDialog {
   pid_t process_ = -1;
   std::optional<FileDescriptor> output_;
   std::optional<FileDescriptor> errors_;
-  std::optional<FileDescriptor> stop_;  // readable once this goes
+  std::optional<FileDescriptor> stop_;  // readable once the destructor runs
   std::function<void()> wake_;
   std::mutex mutex_;
   std::optional<DialogAnswer> answer_;  // guarded by the mutex

@@ -1,4 +1,4 @@
-// How the dialogs of desktops are asked.
+// The command lines of zenity and kdialog.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ bool is_set(const char* name) {
   return value != nullptr && *value != '\0';
 }
 
-// "*.obj *.OBJ": desktops match letters as they are.
+// Returns patterns as in "*.obj *.OBJ", because the dialogs distinguish upper and lower case.
 std::string patterns(const FileKind& kind) {
   if (kind.extensions.empty()) return "*";
   std::string text;
@@ -38,7 +38,7 @@ std::vector<std::string> ask_zenity(const std::string& program, const DialogRequ
                                    "--title=" + std::string(words.title)};
   if (words.wants == Wants::new_file) command.emplace_back("--save");
   if (words.wants == Wants::folder) command.emplace_back("--directory");
-  // With a slash at its end it is the folder to begin in.
+  // If this ends in a slash, it is the start folder.
   command.push_back("--filename=" + (request.folder / request.name).string());
   for (const FileKind& kind : words.kinds) {
     command.push_back("--file-filter=" + std::string(kind.name) + " | " + patterns(kind));

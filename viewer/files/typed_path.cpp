@@ -24,7 +24,7 @@ bool begins(std::string_view name, std::string_view with, bool any_case) {
   });
 }
 
-// Names in `folder` that begin so; folders end in a slash.
+// Returns the names in `folder` that start with `begin`; folders end in a slash.
 std::vector<std::string> names_in(const fs::path& folder, std::string_view begin, bool any_case) {
   std::vector<std::string> names;
   std::error_code error;
@@ -40,7 +40,7 @@ std::vector<std::string> names_in(const fs::path& folder, std::string_view begin
   return names;
 }
 
-// What all have in common at the beginning, in the letters of the first.
+// Returns the common prefix, in the case of the first name.
 std::string common_beginning(const std::vector<std::string>& names) {
   std::string common = names.front();
   for (const std::string& name : names) {
@@ -49,7 +49,7 @@ std::string common_beginning(const std::vector<std::string>& names) {
                       [](char a, char b) { return lower_case(a) == lower_case(b); });
     common.erase(mine, common.end());
   }
-  // Not into the middle of a letter that takes several bytes.
+  // Do not cut a UTF-8 character of several bytes.
   const auto is_inside = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   const std::string& name = names.front();
   while (!common.empty() && common.size() < name.size() && is_inside(name[common.size()])) {

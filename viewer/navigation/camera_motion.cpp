@@ -13,7 +13,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Rows: right, up and backward.
+// Returns the camera's axes as rows: right, up and backward.
 Matrix3d axes_of(const Camera& camera) {
   return camera.view().topLeftCorner<3, 3>();
 }
@@ -22,14 +22,14 @@ double distance_of(const Camera& camera) {
   return (camera.eye - camera.target).norm();
 }
 
-// Lengths at the target's distance that a pixel shows.
+// Returns the length of one pixel at the target's distance.
 double length_per_pixel(const Camera& camera, const Vector2d& size) {
   const double half_height =
       std::tan(camera.field_of_view * std::numbers::pi / 360.0) * distance_of(camera);
   return 2.0 * half_height / size.y();
 }
 
-// What lies under the cursor at the target's distance.
+// Returns the point under the cursor at the target's distance.
 Vector3d under_cursor(const Camera& camera, const Vector2d& cursor, const Vector2d& size) {
   const Ray ray = line_of_sight(camera, cursor, size);
   const Vector3d backward = axes_of(camera).row(2);
@@ -45,7 +45,7 @@ Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& siz
   const Matrix3d axes = axes_of(camera);
   const Vector3d right = axes.row(0);
   const Vector3d backward = axes.row(2);
-  // The angle between the direction to the eye and upwards; 0 and pi look straight along it.
+  // The angle between `upward` and the direction to the eye. At 0 and pi the camera looks along it.
   const double polar = std::acos(std::clamp(backward.dot(upward.normalized()), -1.0, 1.0));
   const double wanted = std::clamp(polar - pixels.y() * angle_per_pixel, 0.0, std::numbers::pi);
   const Eigen::AngleAxisd pitch(wanted - polar, right);

@@ -11,7 +11,7 @@ constexpr Modifiers kControl{.control = true};
 constexpr Modifiers kAlt{.alt = true};
 constexpr Modifiers kControlShift{.shift = true, .control = true};
 
-// Where no tool takes it, the left button orbits in every keymap: not every mouse has three.
+// Unless a tool uses it, the left button orbits in every keymap: not every mouse has three buttons.
 constexpr std::array kBlenderDrags{DragBinding{MouseButton::middle, kPlain, Motion::orbit},
                                    DragBinding{MouseButton::middle, kShift, Motion::pan},
                                    DragBinding{MouseButton::middle, kControl, Motion::zoom},
@@ -30,7 +30,7 @@ constexpr std::array kMeshLabDrags{DragBinding{MouseButton::left, kPlain, Motion
 constexpr std::array kKeymaps{Keymap{"Blender", kBlenderDrags}, Keymap{"Maya", kMayaDrags},
                               Keymap{"MeshLab", kMeshLabDrags}};
 
-// In the order of the list of controls; other keys for the same follow with the words left out.
+// In the order of the list of controls. Other keys for the same action follow without words.
 constexpr auto kKeyBindings = std::to_array<KeyBinding>(
     {{kHome, kPlain, Action::frame_all, "show all of the mesh"},
      {'F', kPlain, Action::frame_selection, "show the selection, or all"},
@@ -186,7 +186,7 @@ std::vector<ControlLine> gizmo_controls() {
           {"W, E, Q", "the gizmo moves, turns, scales the handle"}};
 }
 
-// PlaceTool's.
+// PlaceTool's keys.
 std::vector<ControlLine> part_controls() {
   return {{"Ctrl + wheel, [ and ], with a part in hand", "size it; Shift + wheel turns it"},
           {"G, Enter, Escape, when it is set down", "take it up again, apply it, give it up"}};

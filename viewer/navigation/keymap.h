@@ -11,10 +11,10 @@
 
 namespace lapwing::viewer {
 
-/// What a drag of the mouse does to the camera.
+/// The camera motion of a mouse drag.
 enum class Motion { orbit, pan, zoom };
 
-/// What a key does.
+/// The actions that keys trigger.
 enum class Action {
   frame_all,
   frame_selection,
@@ -88,29 +88,29 @@ struct DragBinding {
   Motion motion = Motion::orbit;
 };
 
-/// A key pressed with just these modifiers. A '?' is the character that was typed, wherever the
-/// keyboard has it.
+/// A key pressed with exactly these modifiers. '?' is the typed character, on any keyboard layout.
 struct KeyBinding {
   int key = 0;
   Modifiers modifiers;
   Action action = Action::frame_all;
-  std::string_view words = "";  ///< what it does; empty: what the one before does
+  std::string_view words = "";  ///< description; empty: that of the binding before
 };
 
-/// Who is used to what.
+/// The mouse bindings of one program.
 struct Keymap {
   std::string_view name;
   std::span<const DragBinding> drags;
 };
 
-/// Blender, Maya and MeshLab. They differ in how the mouse moves the camera; keys are the same.
+/// Returns the keymaps of Blender, Maya and MeshLab. They differ in how the mouse moves the camera;
+/// keys are the same.
 std::span<const Keymap> keymaps();
 std::span<const KeyBinding> key_bindings();
 
-/// What a drag with this button does, if anything.
+/// Returns the motion of a drag with this button, if any.
 std::optional<Motion> motion_of(const Keymap& keymap, MouseButton button,
                                 const Modifiers& modifiers);
-/// What a key or text event does, if anything.
+/// Returns the action of a key or text event, if any.
 std::optional<Action> action_of(const InputEvent& event);
 
 /// One line of the list of controls: "Shift + middle drag", "move the view sideways".
@@ -118,12 +118,13 @@ struct ControlLine {
   std::string how;
   std::string what;
 };
-/// All controls: those of the mouse as `keymap` has them, then the keys.
+/// Return the controls of the mouse in `keymap`, and those of the keys.
 std::vector<ControlLine> mouse_controls(const Keymap& keymap);
 std::vector<ControlLine> key_controls();
-/// What does `action`, "Ctrl+Shift+Z", as menus write it, and in words; empty where no key does.
+/// Returns the key of `action` as menus write it, "Ctrl+Shift+Z", and its description; empty if it
+/// has no key.
 ControlLine control_of(Action action);
-/// The same as a table in Markdown, all keymaps side by side.
+/// Returns the controls of all keymaps as a table in Markdown.
 std::string controls_table();
 
 }  // namespace lapwing::viewer

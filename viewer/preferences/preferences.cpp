@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-// What a file from elsewhere may ask of a window, and what a hand can still work with.
+// Limits that keep the window usable with an untrusted file.
 struct Range {
   double least;
   double most;
@@ -27,7 +27,7 @@ constexpr Range kSidebarLetters{16.0, 80.0};
 constexpr Range kWindowUnits{320.0, 16384.0};
 constexpr Range kBrushPt{1.0, 200.0};
 
-// Every preference under the name that it has in the file.
+// Visits every preference with its key in the file.
 template <typename P, typename Visit>
 void keys_of(P& preferences, const Visit& visit) {
   visit("theme", preferences.theme);
@@ -52,7 +52,7 @@ Json json_of(const Value& value) {
   return value;
 }
 
-// Whether `json` is such a value.
+// Reads a value. Returns false if `json` has another type or is out of range.
 bool take(const Json& json, Theme& theme) {
   if (json != "light" && json != "dark") return false;
   theme = json == "light" ? Theme::light : Theme::dark;
@@ -77,7 +77,7 @@ bool take(const Json& json, Number& number, const Range& range) {
   return true;
 }
 
-// Nothing where there is no file to read.
+// Returns nullopt if there is no file to read, and a discarded value if it is not JSON.
 std::optional<Json> parsed(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {};

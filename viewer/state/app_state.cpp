@@ -18,13 +18,13 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A hand cannot mean less, and rounding leaves more.
+// Smaller differences are rounding, not what a user means.
 constexpr double kSameMotion = 1e-9;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-// The rotation as a recipe writes it: of the turns that lead to R, which are whole turns apart, the
-// one nearest to the turn followed.
+// Returns the rotation as a recipe writes it. The turns that lead to R differ by whole turns; this
+// is the one nearest to `followed`.
 AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
   constexpr double kWhole = 2.0 * std::numbers::pi;
   const AngleAxisd shortest(R);
@@ -38,14 +38,14 @@ AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
                      : AxisRotation{shortest.axis(), angle * kDegrees};
 }
 
-// The open step as it is meant where seams are joined.
+// Returns the open step as it applies to `surface_of(state)`.
 DeformRequest step_on_surface(const AppState& state) {
   const JoinedSurface* joined = joined_seams(state);
   return joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
 }
 
-// Calls `visit` with each handle of the DeformSolver, its move, and the handle of the selection
-// that it comes from. `move_of` says how the handles of the selection move.
+// Calls `visit` with each handle of the DeformSolver, its move, and the selection's handle that it
+// comes from. `move_of` returns the moves of the selection's handles.
 void each_move(const AppState& state, const auto& move_of, const auto& visit) {
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
     const bool lies_across = state.mirrored && state.mirrored->handle_images[h] == h;
@@ -86,7 +86,7 @@ AppState open_state(Mesh mesh) {
 AppState open_state(std::shared_ptr<const Mesh> mesh) {
   AppState state;
   set_rest(state, std::move(mesh));
-  // Here, where there is time for it.
+  // Compute these now, while the user expects to wait.
   state.rest->topology();
   surface_of(state)->topology();
   return state;
@@ -162,8 +162,7 @@ void renew_mirror(AppState& state) {
 Move shown_move(const AppState& state, std::size_t handle) {
   const HandleMove& to = state.moves[handle];
   if (to.orientation == HandleOrientation::kept || !state.settled) return to.move;
-  // The rotation by which the handle's vertices came to where they are, about where its centre
-  // should be.
+  // Fit the rotation of the handle's vertices about the centre that its move prescribes.
   const Vector3d centroid = handle_centroid(state, handle);
   const Affine3d map = to_affine(to.move, centroid);
   const Vector3d centre = map * centroid;
@@ -238,7 +237,7 @@ void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
 Vector3d handle_centroid(const AppState& state, std::size_t handle) {
   if (state.mirrored) return state.mirrored->centroids[handle];
   const ChosenHandle& chosen = state.selection.handles[handle];
-  // In every frame of a drag: without a copy where there is no need of one.
+  // Called in every frame of a drag, so it copies only if it must.
   if (chosen.grading.field.empty()) {
     return handle_frame(chosen.vertices, state.rest->positions).centroid;
   }

@@ -19,16 +19,16 @@
 
 namespace lapwing::viewer {
 
-/// How the next edit is computed.
+/// Parameters of the next edit.
 using EditParameters = DeformParameters;
 
-/// Vertices that a result puts elsewhere, and where.
+/// The vertices that a result moves, and their new positions.
 struct MovedVertices {
   std::vector<Index> vertices;  ///< ascending
   Positions positions;
-  /// Where it puts AppState::carried, in that order; none where none of them follows.
+  /// New files for AppState::carried, in that order; empty if none of them follows.
   CarriedFiles carried = {};
-  /// Of an edit that was settled; no part of the value.
+  /// The certificate of a settled edit; ignored by ==.
   std::shared_ptr<const Certificate> certificate = {};
 
   bool operator==(const MovedVertices& other) const {
@@ -36,20 +36,20 @@ struct MovedVertices {
   }
 };
 
-/// The vertices whose bits differ between `before` and `after`, of one mesh, where `after` puts
-/// them.
+/// Returns the vertices whose bits differ between `before` and `after`, two poses of one mesh, with
+/// their positions in `after`.
 MovedVertices moved_vertices(const Positions& before, const Positions& after);
 
-/// What a step that is carried out as a whole comes to: the mesh with vertices elsewhere, or one
-/// with other triangles in its place.
+/// The result of a step that is carried out as a whole: moved vertices, or a mesh with other
+/// triangles.
 using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 
-/// How a handle moves, by which way it came there, and whether it turns as the surface wants.
+/// How a handle moves, the path to that move, and whether its orientation is free.
 struct HandleMove {
   Move move;
   HandleOrientation orientation = HandleOrientation::kept;
-  /// Moves that it went through before; those at one place in the paths of all handles belong
-  /// together, and all paths are equally long.
+  /// The waypoints before `move`. All handles have paths of the same length, and waypoints with the
+  /// same index belong together.
   std::vector<Move> path = {};
 
   HandleMove() = default;
@@ -63,89 +63,90 @@ struct HandleMove {
   bool is_at_rest() const { return move == Move(SimilarityMove{}); }
 };
 
-/// All that a person edits, as a value. What is large is shared and never changed in place, so a
-/// copy costs the selection.
+/// Everything that a user edits, as a value. Large data is shared and never changed in place, so a
+/// copy costs as much as the selection.
 ///
-/// One edit after the other: parts are chosen on the mesh `rest`, the handles are moved (`moves`),
-/// the result is computed elsewhere and comes in as `settled`. It becomes the rest shape of the
-/// next edit, and a step of `steps`, when something else is chosen. Other operations are steps as
-/// a whole (`Apply`); those may change the triangles.
+/// Edits follow one another. The user chooses parts on the mesh `rest` and moves the handles
+/// (`moves`). The result is computed elsewhere and arrives as `settled`. When something else is
+/// chosen, it becomes the rest shape of the next edit and a step of `steps`. Other operations are
+/// whole steps (`Apply`), which may change the triangles.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
-  std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null where that has no seam
+  std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null if it has no seam
   EditSelection selection;
   EditParameters parameters;
   std::vector<HandleMove> moves;       ///< one per handle, from the rest shape
-  std::vector<CarriedObject> carried;  ///< by the open step or an earlier one
-  /// With a mirror, what is chosen comes to on both sides; null without one, and while something is
-  /// missing (`renew_mirror`).
+  std::vector<CarriedObject> carried;  ///< carried by the open step or an earlier one
+  /// With a mirror, the selection on both sides (`renew_mirror`). Null without a mirror, and while
+  /// something is missing.
   std::shared_ptr<const MirroredEdit> mirrored;
-  /// The result of `moves`; null while nothing moved, and until it is computed.
+  /// The result of `moves`. Null while nothing is moved, and until it is computed.
   std::shared_ptr<const MovedVertices> settled;
-  /// What made `rest` of the mesh opened; files are named by absolute paths.
+  /// The steps from the opened mesh to `rest`. They name files by absolute paths.
   std::vector<std::shared_ptr<const Step>> steps;
 };
 
-/// A mesh as it was read, nothing chosen. Throws what `Mesh::topology` does.
+/// Returns the state of a mesh as it was read, with nothing chosen. Throws what `Mesh::topology`
+/// throws.
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
 
-/// Makes `rest` the rest shape, and joins its seams: as they were, where the faces are and they
-/// have not opened.
+/// Sets the rest shape and joins its seams. Seams stay joined as they were if the faces are the
+/// same and the seams have not opened.
 void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
 
-/// Null where the seams are left as they are, or there is none.
+/// Returns null if seams are left as they are, or if there is none.
 const JoinedSurface* joined_seams(const AppState& state);
-/// What is shown, chosen on and edited: the rest shape, with its seams joined as the parameters
-/// say. Vertices have the same numbers and places; followers are in none of its triangles, and are
-/// not chosen.
+/// Returns what is shown, chosen on and edited: the rest shape, with its seams joined if the
+/// parameters say so. Vertices keep their numbers and positions. Followers are in no triangle and
+/// are not chosen.
 std::shared_ptr<const Mesh> surface_of(const AppState& state);
 
-/// Makes `mirrored` what the selection comes to. A second or less.
+/// Computes `mirrored` from the selection. Takes up to a second.
 void renew_mirror(AppState& state);
 
-/// Whether a handle is somewhere else than at rest.
+/// Returns whether a handle is moved from rest.
 bool is_moved(const AppState& state);
-/// Whether a handle is, and no result says yet where that takes the surface.
+/// Returns whether a handle is moved and the result is not known yet.
 bool needs_settling(const AppState& state);
 
-/// The surface as it is known: settled, or else at rest.
+/// Returns the surface: settled if there is a result, else at rest.
 Positions positions_of(const AppState& state);
 Mesh mesh_of(const AppState& state);
-/// And what is carried along with it, in the order of AppState::carried.
+/// Returns the carried files on that surface, in the order of AppState::carried.
 CarriedFiles carried_of(const AppState& state);
 
-/// ROI, belt and handles, checked: what the DeformSolver is prepared with. Throws InputError, in
-/// words that say what is still missing.
+/// Returns ROI, belt and handles, checked, for the DeformSolver. Throws InputError, which says what
+/// is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// What `DeformSolver::solve` takes: those of the recipe bit for bit; with a mirror, those of the
-/// handles of both sides. A handle whose orientation is free has the rotation that the result gave
-/// it.
+/// Returns the motions for `DeformSolver::solve`: those of the recipe, bit for bit; with a mirror,
+/// those of the handles on both sides. A handle with free orientation has the rotation of the
+/// result.
 HandleMotions motions_of(const AppState& state);
-/// The path that leads there, for `DeformSolver::solve_along`.
+/// Returns the path to these motions, for `DeformSolver::solve_along`.
 std::vector<HandleMotions> path_of(const AppState& state);
-/// For a frame of a drag: `maps` becomes those motions but for `handle`, which is moved by `move`.
-/// Allocates nothing once `maps` is as long as there are handles. Linear in their vertices.
+/// Sets `maps` to these motions for a frame of a drag, with `handle` moved by `move`. Allocates
+/// nothing once `maps` has one entry per handle. Linear in the handles' vertices.
 void maps_of(const AppState& state, std::size_t handle, const Move& move,
              std::vector<Eigen::Affine3d>& maps);
-/// Where the handle is on the surface as it is known. Differs from its move if its orientation is
-/// free.
+/// Returns the handle's move on the surface of `positions_of`. It differs from the handle's own
+/// move if its orientation is free.
 Move shown_move(const AppState& state, std::size_t handle);
-/// The handles that a frame moves in which `handle` is dragged, ascending: with `from_rest`, the
-/// rest shape being where it moves them from, those that are moved already, too. Allocates nothing
-/// once `dragged` has had as many.
+/// Sets `dragged` to the handles that a frame moves while `handle` is dragged, ascending. With
+/// `from_rest`, if frames start from the rest shape, these include handles that are moved already.
+/// Allocates nothing once `dragged` has had that size.
 void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
                      std::vector<std::size_t>& dragged);
-/// Of the handle's vertices at rest, about which a move without pivot turns.
+/// Returns the centroid of the handle's vertices at rest. A move without a pivot turns about it.
 Eigen::Vector3d handle_centroid(const AppState& state, std::size_t handle);
 
-/// The motion and the turn by which it came about as a move: a similarity where it is one to
-/// rounding, and then with its whole turns; else a matrix.
+/// Converts a motion, reached by `turn`, to a move: a similarity with its whole turns if it is one
+/// up to rounding, else a matrix.
 Move to_move(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
              const Eigen::Vector3d& centroid);
 
-/// The edit in the making as a step. What is not chosen yet is an empty list.
+/// Returns the open edit as a step. Parts that are not chosen yet are empty lists.
 DeformRequest open_step(const AppState& state);
 
 }  // namespace lapwing::viewer

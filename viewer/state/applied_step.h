@@ -10,16 +10,16 @@
 
 namespace lapwing::viewer {
 
-/// What a step that was carried out came to, and what there is to say of it.
+/// The result of a step that was carried out, with its report and warnings.
 struct CarriedOut {
   std::shared_ptr<const AppliedStep> result;
   StepReport report;
   std::vector<std::string> warnings;
 };
 
-/// Carries `step` out on the surface of `state`, with what is settled, as `run_recipe` does: the
-/// same bits. Nothing of `state` changes; `Apply` makes the result a step. Sources are looked for
-/// in `base_directory`. Throws what `run_recipe` does, and InputError while a drag waits for its
+/// Carries out `step` on the surface of `state`, settled if it has a result, with the same bits as
+/// `run_recipe`. Does not change `state`; `Apply` makes the result a step. Looks for sources in
+/// `base_directory`. Throws what `run_recipe` throws, and InputError while a drag waits for its
 /// result.
 CarriedOut apply_step(const AppState& state, const Step& step,
                       const std::filesystem::path& base_directory, Kernels& kernels,

@@ -10,7 +10,7 @@ std::shared_ptr<const CarriedFile> open_carried(const std::filesystem::path& fil
                                                 const std::filesystem::path& save) {
   auto opened = std::make_shared<CarriedFile>(file);
   opened->save = save;
-  // Here, where there is time for it, and where a face that names no vertex is noticed.
+  // Compute it now, while the user expects to wait, and report faces with missing vertices.
   if (opened->mesh() != nullptr) opened->mesh()->topology();
   return opened;
 }

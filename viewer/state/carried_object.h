@@ -20,26 +20,26 @@ struct CarriedObject {
   bool operator==(const CarriedObject&) const = default;
 };
 
-/// Files as some step leaves them.
+/// Files as a step leaves them.
 using CarriedFiles = std::vector<std::shared_ptr<const CarriedFile>>;
 
-/// Reads `file`, to be shown and carried, and saved as `save` unless that is empty; both are
-/// absolute. Throws what CarriedFile does.
+/// Reads `file` to show and carry it. It is saved as `save`, unless that is empty. Both paths are
+/// absolute. Throws what CarriedFile throws.
 std::shared_ptr<const CarriedFile> open_carried(const std::filesystem::path& file,
                                                 const std::filesystem::path& save = {});
 
 bool any_follows(std::span<const CarriedObject> objects);
 
-/// Those that follow as a deform step names them.
+/// Returns the objects that follow, as a deform step names them.
 std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects);
 
-/// As a run has them between steps, and back.
+/// Converts to the files that a run has between steps, and back.
 std::vector<CarriedFile> carried_at_rest(std::span<const CarriedObject> objects);
 CarriedFiles share(std::vector<CarriedFile> files);
 
-/// As much of what `deform` makes of `rest` as a SurfaceCarrier asks for, where an edit of `region`
-/// put the vertices at `positions` and its handles ask for these scales. With `joined` region and
-/// scales are those of the surface that `rest` is with its seams joined.
+/// Returns the parts of a `Deformed` that a SurfaceCarrier needs, for an edit of `region` that
+/// moved `rest` to `positions` with these handle scales. With `joined`, region and scales refer to
+/// `rest` with its seams joined.
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
                      Positions positions, std::vector<Eigen::Matrix3d> rest_stretch);
 

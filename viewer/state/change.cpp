@@ -35,7 +35,7 @@ std::vector<Grading> gradings_of(const AppState& state) {
   return gradings;
 }
 
-// Without attributes, which are few beside the rest.
+// Leaves out attributes, which are small beside the rest.
 std::size_t bytes_of(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
   const std::size_t numbers = mesh.face_starts().size() + mesh.face_vertices().size() +
@@ -167,7 +167,7 @@ std::size_t Change::bytes() const {
     }
   }
   if (settled_) {
-    // Each result is in two changes: where it came, and where it went.
+    // Each result is in two changes: the one that set it and the one that replaced it.
     for (const Settled& result : *settled_) {
       if (!result) continue;
       total += result->vertices.size() * (sizeof(Index) + kPosition) / 2;
@@ -175,7 +175,7 @@ std::size_t Change::bytes() const {
     }
   }
   if (carried_) {
-    // Where steps put them is in the results.
+    // The results hold the positions after each step.
     for (const auto& objects : *carried_) {
       for (const CarriedObject& object : objects) {
         total += object.opened->positions().size() * kPosition / 2;

@@ -7,32 +7,32 @@
 
 namespace lapwing::viewer {
 
-/// What one step changed of the state, enough to go from either side to the other: differences of
-/// sets and positions of the vertices that moved. Only where the triangles are others are both
-/// meshes held, with their topologies, for as long as the step is: a few hundred bytes per vertex
-/// of each. Steps that follow each other share the mesh between them.
+/// The changes of the state by one step, enough to go in either direction: differences of sets, and
+/// positions of moved vertices. If the triangles change, it keeps both meshes with their
+/// topologies, a few hundred bytes per vertex of each. Consecutive steps share the mesh between
+/// them.
 class Change {
  public:
   Change() = default;
   Change(const AppState& before, const AppState& after);
 
   bool is_nothing() const;
-  /// Whether the surface, or where its handles want it, is another one.
+  /// Returns whether the surface or its moved handles change.
   bool concerns_surface() const;
 
-  /// `state` is the one before (after); makes it the one after (before).
+  /// `redo` takes a state from before the step to after it; `undo` takes it back.
   void redo(AppState& state) const { replace(state, 0, 1); }
   void undo(AppState& state) const { replace(state, 1, 0); }
 
-  /// About how much memory it holds.
+  /// Returns about how much memory it uses.
   std::size_t bytes() const;
 
  private:
-  // A pair holds the values before and after; unset where they are equal.
+  // The values before and after; not set if they are equal.
   template <class T>
   using Both = std::optional<std::array<T, 2>>;
 
-  // Vertices that only the one or only the other set has.
+  // The vertices of the first set only, and of the second set only.
   using SetChange = std::array<VertexSet, 2>;
 
   struct RegionChange {
@@ -57,7 +57,7 @@ class Change {
   RegionChange roi_;
   RegionChange belt_;
   std::array<std::size_t, 2> handle_counts_{};
-  std::vector<RegionChange> handles_;  // of the longer list; one that is not there counts as empty
+  std::vector<RegionChange> handles_;    // of the longer list; a missing one counts as empty
   Both<std::vector<Grading>> gradings_;  // of all handles
   Both<std::optional<MirrorPlane>> mirror_;
   Both<std::shared_ptr<const MirroredEdit>> mirrored_;
@@ -68,9 +68,9 @@ class Change {
   Both<std::vector<CarriedObject>> carried_;
   std::optional<RestChange> rest_;
   Both<std::shared_ptr<const Mesh>> triangles_;  // instead of `rest_`
-  bool surface_moved_ = false;                   // by what changed the rest shape
+  bool surface_moved_ = false;                   // by the change of the rest shape
   std::size_t kept_steps_ = 0;
-  std::array<Steps, 2> steps_;  // those that follow the kept ones
+  std::array<Steps, 2> steps_;  // after the kept ones
 };
 
 }  // namespace lapwing::viewer

@@ -27,7 +27,7 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
   throw InputError("vertex " + std::to_string(vertices.back()) + " is not in the mesh");
 }
 
-// Painted weights of another mesh could not even be shown.
+// Painted weights need one number per vertex, or they could not even be shown.
 void require_grading_here(const AppState& state, const Grading& grading, const std::string& where) {
   require_grading(grading, where);
   const std::size_t count = state.rest->vertex_count();
@@ -36,7 +36,7 @@ void require_grading_here(const AppState& state, const Grading& grading, const s
                    " vertices, got " + std::to_string(grading.field.size()));
 }
 
-// The same vertices, on the rest shape as it has come to be.
+// Keeps the selected vertices on the new rest shape.
 void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
   const JoinedSurface* joined = joined_seams(state);
@@ -50,7 +50,7 @@ void carry_selection_over(AppState& state) {
   renew_belt(selection, *state.rest, joined);
 }
 
-// A seam that is joined is chosen by its leaders, one that is left by all its vertices.
+// Chooses a joined seam by its leaders, and a seam that is left by all its vertices.
 void choose_seams_anew(AppState& state) {
   if (!state.joined) return;
   const auto choose_anew = [&](ChosenRegion& region) {
@@ -73,7 +73,7 @@ std::vector<CarriedObject>::iterator find_carried(AppState& state, const fs::pat
                       [&](const CarriedObject& object) { return object.file() == file; });
 }
 
-// Whether a step so far takes the file along: a run of the recipe opens and saves it then.
+// Returns whether an earlier step carries the file, so that a run of the recipe opens and saves it.
 bool was_carried(const AppState& state, const fs::path& file) {
   return std::any_of(state.steps.begin(), state.steps.end(), [&](const auto& step) {
     const auto* deform = std::get_if<DeformRequest>(step.get());
@@ -83,7 +83,7 @@ bool was_carried(const AppState& state, const fs::path& file) {
   });
 }
 
-// What a step that is done did to what it carries; a file that it opened is a new object.
+// Takes over the carried files of a finished step. A file that the step opened is a new object.
 void take_over(AppState& state, const CarriedFiles& carried) {
   for (std::size_t k = 0; k < carried.size(); ++k) {
     if (k == state.carried.size()) {
@@ -94,7 +94,7 @@ void take_over(AppState& state, const CarriedFiles& carried) {
   }
 }
 
-// What is settled becomes the rest shape, and a step.
+// Makes the settled surface the rest shape, and the open edit a step.
 void commit(AppState& state) {
   if (!is_moved(state)) return;
   if (!state.settled) {
@@ -108,7 +108,7 @@ void commit(AppState& state) {
   carry_selection_over(state);
 }
 
-// A result of another mesh would leave a state that no recipe leads to.
+// Rejects a result of another mesh, because no recipe could lead to that state.
 void take_over(AppState& state, const MovedVertices& moved) {
   require_vertices(state, moved.vertices);
   auto mesh = std::make_shared<Mesh>(*state.rest);
@@ -120,7 +120,7 @@ void take_over(AppState& state, const MovedVertices& moved) {
   carry_selection_over(state);
 }
 
-// Numbers of vertices mean others now, and what a disk or box would hold nobody has seen.
+// Clears the selection: vertex numbers have changed, and so has what a disk or box would hold.
 void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
   set_rest(state, other);
   state.moves.clear();
@@ -129,14 +129,15 @@ void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
   if (fraction) state.selection.belt_fraction = fraction;
 }
 
-// What moves with the ROI: it, and its image where all is meant on both sides.
+// Returns what moves with the ROI: the ROI and, with a mirror, its image.
 VertexSet both_sides(const VertexSet& roi, const AppState& state) {
   if (!state.selection.mirror) return roi;
   const auto images = mirror_images(*surface_of(state), *state.selection.mirror, "mirror");
   return unite(roi, mirrored(roi, images));
 }
 
-// What the ROI does not hold could not be moved with it. Without an ROI everything waits for one.
+// Removes vertices outside the ROI from handles and belt, because they could not move with it.
+// Without an ROI they stay.
 void let_go_outside_roi(AppState& state) {
   EditSelection& selection = state.selection;
   const VertexSet& roi = selection.roi.vertices;
@@ -166,7 +167,7 @@ void let_go_outside_roi(AppState& state) {
   if (selection.belt.vertices.empty()) selection.belt_fraction = BorderBelt{}.fraction;
 }
 
-// The region of `part`, made when it is a new handle.
+// Returns the region of `part`, which is created if it is a new handle.
 ChosenRegion& region_of(AppState& state, const Part& part) {
   if (part.role == Part::Role::roi) return state.selection.roi;
   if (part.role == Part::Role::belt) return state.selection.belt;
@@ -245,7 +246,7 @@ struct Applier {
     extend_path(state, command.handle, to);
     now.move = to.move;
     now.orientation = to.orientation;
-    // In parts the surface forgets where it was.
+    // With substeps, the surface does not depend on a path.
     if (!is_moved(state) || state.parameters.commit_every) clear_paths();
     state.settled = nullptr;
   }
@@ -290,7 +291,7 @@ struct Applier {
   }
   void operator()(const SetParameters& command) const {
     if (state.parameters == command.parameters) return;
-    // What a recipe could not say must not come into the state: it could not be restored.
+    // Reject what a recipe cannot express, because such a state could not be restored.
     require_valid(command.parameters);
     for (const HandleMove& to : state.moves) require_valid(to.move, command.parameters);
     if (command.parameters.commit_every) clear_paths();
@@ -347,8 +348,8 @@ struct Applier {
   }
 };
 
-// Whether a command may change the surface, what is chosen on it, or the parameters: what a mirror
-// makes of these is to be found anew then. A revised state brings its own.
+// Whether a command may change the surface, the selection or the parameters. The mirrored edit
+// depends on these and is computed again. A revised state has its own.
 struct ChangesChoice {
   template <class Any>
   bool operator()(const Any&) const {
@@ -438,7 +439,7 @@ struct CommandDescriber {
 }  // namespace
 
 AppState apply(AppState state, const Command& command) {
-  // A mirror that is there takes up to a second to renew, beside which a copy is cheap.
+  // Renewing the mirrored edit takes up to a second, so compare with a copy first.
   const bool changes_choice = std::visit(ChangesChoice{}, command);
   if (!state.mirrored || !changes_choice) {
     std::visit(Applier{state}, command);

@@ -8,7 +8,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// A handle too many would stand in the way of the step's own.
+// Existing handles could conflict with those of the step.
 void remove_handles(History& history) {
   while (!history.state().selection.handles.empty()) {
     history.perform(RemoveHandle{history.state().selection.handles.size() - 1});
@@ -23,7 +23,7 @@ void choose_belt(History& history, const BeltSpec& belt) {
   }
 }
 
-// The share of a move that a run makes of it by then.
+// Returns the part of a move that a run has made at `share`.
 Move part_of(const Move& move, const Eigen::Vector3d& centroid, double share) {
   if (const auto* similarity = std::get_if<SimilarityMove>(&move)) {
     SimilarityMove part = *similarity;
@@ -35,7 +35,7 @@ Move part_of(const Move& move, const Eigen::Vector3d& centroid, double share) {
   return MatrixMove{to_affine(move, centroid, share).affine()};
 }
 
-// All handles' moves, whose paths are equally long.
+// Returns the moves of all handles, with paths of equal length.
 std::vector<HandleMove> moves_of(const DeformRequest& step, const AppState& state) {
   std::size_t count = 0;
   for (const MovedHandle& handle : step.handles) count = std::max(count, handle.path.size());
@@ -51,14 +51,14 @@ std::vector<HandleMove> moves_of(const DeformRequest& step, const AppState& stat
   return moves;
 }
 
-// The plane of a step's mirror, found where the step leaves that to the shape.
+// Returns the plane of a step's mirror, which is found on the surface if the step does not give it.
 std::optional<MirrorPlane> plane_of(const DeformRequest& step, const Mesh& surface) {
   if (!step.mirror) return std::nullopt;
   const auto* plane = std::get_if<MirrorPlane>(&step.mirror->plane);
   return plane != nullptr ? *plane : find_mirror_plane(surface, step.mirror->where).plane;
 }
 
-// Whether the step's parts are what is chosen already.
+// Returns whether the step's regions are chosen already.
 bool is_chosen(const AppState& state, const DeformRequest& step) {
   DeformRequest there = open_step(state);
   if (there.roi != step.roi || there.belt != step.belt) return false;
@@ -153,7 +153,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(SetParameters{step.parameters});
   const auto mirror = plane_of(step, *surface_of(history.state()));
   if (!is_chosen(history.state(), step)) {
-    // An image could be in the way of a handle to come.
+    // A mirror image could be in the way of the next handle.
     history.perform(SetMirror{});
     remove_handles(history);
     history.perform(Choose{{Part::Role::roi}, step.roi});
@@ -179,7 +179,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  // What else a step may have is no part of a selection.
+  // A deform with targets cannot be chosen by hand.
   if (deform != nullptr && is_selection(*deform)) {
     return perform(history, *deform, carry_out.solve);
   }

@@ -18,7 +18,7 @@ VertexSet resolve_on(const RegionSpec& spec, const Mesh& mesh, const JoinedSurfa
   return joined == nullptr ? resolve(spec, mesh) : resolve_leaders(spec, *joined);
 }
 
-// A list is no way of choosing worth keeping: what is in it counts as added by hand.
+// A list has no form worth keeping: its vertices count as added by hand.
 ChosenRegion painted(VertexSet vertices) {
   ChosenRegion region;
   region.added = vertices;
@@ -30,7 +30,7 @@ ChosenRegion painted(VertexSet vertices) {
 
 ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const JoinedSurface* joined) {
   VertexSet vertices = resolve_on(spec, mesh, joined);
-  // A recipe has no disk without a radius.
+  // A recipe cannot contain a disk without a radius.
   const auto* disk = std::get_if<GeodesicDisk>(&spec.form);
   const bool is_point = disk != nullptr && !(disk->radius > 0.0);
   if (is_list(spec) || is_point) return painted(std::move(vertices));
@@ -70,7 +70,7 @@ ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
     const RegionSpec spec = spec_of(region, "selection");
     if (resolve_on(spec, mesh, joined) == region.vertices) return region;
   } catch (const InputError&) {
-    // The way it was made does not exist here any more.
+    // `made` cannot be resolved on this mesh.
   }
   return painted(region.vertices);
 }

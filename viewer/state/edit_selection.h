@@ -13,29 +13,29 @@
 
 namespace lapwing::viewer {
 
-/// Vertices that a person chose, and how, so that a recipe can say it. `resolve(spec_of(region))`
-/// gives `vertices` on the mesh that they were chosen on.
+/// Vertices that a user chose, and how, so that a recipe can describe them.
+/// `resolve(spec_of(region))` returns `vertices` on the mesh on which they were chosen.
 struct ChosenRegion {
-  RegionSpec made{ListedVertices{}, "selection"};  ///< how it began: a disk, a loop, a box, ...
-  VertexSet added;                                 ///< by hand since; not in `made`
-  VertexSet removed;                               ///< by hand since; in `made`
-  VertexSet vertices;                              ///< what all that comes to
+  RegionSpec made{ListedVertices{}, "selection"};  ///< the first choice: a disk, a loop, a box, ...
+  VertexSet added;                                 ///< added by hand; not in `made`
+  VertexSet removed;                               ///< removed by hand; in `made`
+  VertexSet vertices;                              ///< the result
 
   bool operator==(const ChosenRegion&) const = default;
 };
 
-/// The region that `spec` says on a mesh; where that has seams and they are `joined`, the leaders
-/// that it says there. Throws what `resolve` does.
+/// Returns the region that `spec` describes on a mesh. If seams are `joined`, it holds their
+/// leaders only. Throws what `resolve` throws.
 ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
-/// The region changed by hand to hold `vertices`.
+/// Returns the region changed by hand to hold `vertices`.
 ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices);
 
-/// The region as a recipe writes it; messages call it `where`.
+/// Returns the region as a recipe writes it; messages call it `where`.
 RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
 
-/// The same vertices on a mesh that has moved, where `made` may now say others: then they are
-/// listed.
+/// Returns the same vertices on a mesh that has moved. They become a list if `made` would mean
+/// others there.
 ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
                           const JoinedSurface* joined = nullptr);
 
@@ -48,29 +48,29 @@ struct ChosenHandle : ChosenRegion {
   bool operator==(const ChosenHandle&) const = default;
 };
 
-/// Those that the handle holds with all its weight: what it turns and scales about.
+/// Returns the vertices that the handle holds with full weight. It turns and scales about them.
 VertexSet fully_held(const ChosenHandle& handle);
 
 struct EditSelection;
-/// The vertices that its handles hold by less than all their weight, as `resolve_edit_region` finds
-/// them, hard targets left aside.
+/// Returns the vertices that handles hold with less than full weight, as `resolve_edit_region`
+/// finds them, without hard targets.
 std::vector<GradedVertex> graded_vertices(const EditSelection& selection, const Mesh& mesh);
 
-/// What the next edit concerns. Any part may still be missing.
+/// The regions of the next edit. Any of them may still be missing.
 struct EditSelection {
   ChosenRegion roi;
   std::vector<ChosenHandle> handles;
-  /// The belt's width as a fraction of the ROI's radius; without it the belt was chosen by hand.
+  /// The belt's width as a fraction of the ROI's radius. If not set, the belt was chosen by hand.
   std::optional<double> belt_fraction = BorderBelt{}.fraction;
   ChosenRegion belt;
-  /// All of it is meant on both sides of this plane.
+  /// The selection applies to both sides of this plane.
   std::optional<MirrorPlane> mirror;
 
   bool operator==(const EditSelection&) const = default;
 };
 
-/// Makes a belt that goes by its width fit the ROI and the handles; any other stays. Linear in the
-/// ROI but for the geodesic distances.
+/// Fits a belt that is given by its width to the ROI and the handles. A belt chosen by hand stays.
+/// Linear in the ROI, except for the geodesic distances.
 void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
 BeltSpec belt_spec(const EditSelection& selection);

@@ -10,52 +10,51 @@
 
 namespace lapwing::viewer {
 
-/// Which step of the history a command is. Where there is no last step it is one of its own.
+/// How a command joins the history. The first command is always a separate step.
 enum class Joining {
   own_step,
-  with_last,        ///< one step with the last: a gesture that takes more than one command
-  instead_of_last,  ///< on the state before the last step: a choice that goes on changing
+  with_last,        ///< part of the last step: a gesture of several commands
+  instead_of_last,  ///< replaces the last step: a choice that keeps changing
 };
 
-/// The state and the way to it: every step can be undone and redone, also after saving. A step
-/// costs what it changed.
+/// The state and the steps that led to it. Every step can be undone and redone, also after saving.
+/// A step takes memory only for what it changed.
 class History {
  public:
   explicit History(AppState start);
 
   const AppState& state() const { return state_; }
 
-  /// Carries `command` out; what was undone is forgotten. A command that changes nothing is no
-  /// step. A result that the state waits for belongs to the step that asked for it, under that
-  /// one's name, and what was undone after that stays. Throws what `apply` does, and nothing has
-  /// changed then.
+  /// Carries out `command` and drops undone steps. A command that changes nothing adds no step. A
+  /// result that the state waits for joins the step that asked for it and keeps that step's name;
+  /// undone steps then stay. Throws what `apply` throws, without any change.
   void perform(const Command& command, Joining joining = Joining::own_step);
 
   bool can_undo() const { return done_ > 0; }
   bool can_redo() const { return done_ < steps_.size(); }
-  void undo();  ///< nothing where it cannot
-  void redo();  ///< nothing where it cannot
+  void undo();  ///< does nothing if no step is done
+  void redo();  ///< does nothing if no step is undone
   /// Undoes or redoes until `steps` are done. Throws std::out_of_range beyond the last step.
   void go_to(std::size_t steps);
 
-  /// The last state on the way to the present one, this included, of which `is_it` holds; the first
-  /// where none is.
+  /// Returns the last state, up to the present one, for which `is_it` holds, or the first state if
+  /// there is none.
   AppState last_state(const std::function<bool(const AppState&)>& is_it) const;
 
-  /// Names of all steps, the first `done()` of which are done.
+  /// Returns the names of all steps, the first `done()` of which are done.
   std::vector<std::string> names() const;
   const std::string& name(std::size_t step) const { return steps_[step].name; }
   std::size_t size() const { return steps_.size(); }
   std::size_t done() const { return done_; }
 
-  /// The mesh was saved as it is now.
+  /// Records that the mesh was saved in its present state.
   void mark_saved() { saved_at_ = done_; }
-  /// No state of this history is what a file holds, not even the first.
+  /// Records that no file holds a state of this history, not even the first.
   void mark_unsaved() { saved_at_.reset(); }
-  /// Whether the surface is another than the one that was saved or, before that, opened.
+  /// Returns whether the surface differs from the one saved last or, before that, opened.
   bool unsaved() const;
 
-  /// About how much memory the steps hold.
+  /// Returns about how much memory the steps use.
   std::size_t bytes() const;
 
  private:
@@ -72,7 +71,7 @@ class History {
   AppState state_;
   std::vector<Recorded> steps_;
   std::size_t done_ = 0;
-  std::optional<std::size_t> saved_at_ = 0;  // none when that state cannot be reached any more
+  std::optional<std::size_t> saved_at_ = 0;  // not set if that state cannot be reached any more
 };
 
 }  // namespace lapwing::viewer

@@ -35,7 +35,7 @@ const char* const kExtension = ".journal";
                 "; make room or set XDG_CACHE_HOME to a folder that can be written");
 }
 
-// The recipe's own writer and reader serve for steps.
+// Uses the recipe's writer and reader for the steps.
 Json json_of(std::vector<Step> steps) {
   Recipe recipe;
   recipe.mesh = "mesh";
@@ -48,8 +48,8 @@ std::vector<Step> steps_of(const Json& json) {
   return parse_recipe(JsonNode::Document{recipe}, {}, "journal").steps;
 }
 
-// A recipe has no step without a handle, so that one without vertices stands in for it; the line
-// says how many there are, since a person may also choose a handle and take all its vertices away.
+// A recipe has no step without a handle, so an empty one stands in. The line stores the number of
+// handles, because a user may also remove all vertices of a handle.
 DeformRequest with_handle(DeformRequest step) {
   if (step.handles.empty()) step.handles.push_back({RegionSpec{ListedVertices{}}, {}});
   return step;
@@ -70,7 +70,7 @@ Json difference(const Draft& last, const Draft& next) {
           {"settled", next.settled}};
 }
 
-// The library turns any number into any type, and one beyond the type into anything.
+// Checks the range, because the library converts any number to any type.
 template <class Whole>
 Whole whole_number(const Json& json) {
   const bool fits = json.is_number_unsigned() ? std::in_range<Whole>(json.get<std::uint64_t>())
@@ -84,7 +84,7 @@ void carry_out(const Json& line, Draft& draft) {
   draft.steps.resize(std::min(whole_number<std::size_t>(line.at("keep")), draft.steps.size()));
   for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
   draft.open = std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0));
-  // One stood in for none.
+  // Remove the handle that stands in.
   std::vector<MovedHandle>& handles = draft.open.handles;
   handles.resize(std::min(whole_number<std::size_t>(line.at("handles")), handles.size()));
   draft.settled = line.at("settled").get<bool>();
@@ -114,7 +114,7 @@ MeshStamp stamp_from(const Json& json) {
           whole_number<std::int64_t>(json.at("modified"))};
 }
 
-// Whole lines only: what follows the last line break was being written.
+// Returns complete lines only: the last one may have been cut short.
 std::vector<std::string> lines_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -127,7 +127,7 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-// With the mesh's extension, by which its reader goes.
+// Keeps the mesh's extension, because it selects the reader.
 fs::path copy_of_mesh(fs::path journal, const fs::path& mesh) {
   return journal.replace_extension(mesh.extension());
 }
@@ -140,7 +140,7 @@ Json json_of(std::uint64_t key, const KeptResult& where) {
   return {{"result", key}, {"start", where.start}, {"vertices", where.vertices}};
 }
 
-// A step made in parts, and one without settling, gives the same bits when it is carried out again.
+// A step in substeps or without settling gives the same bits when it is carried out again.
 bool wants_result(const AppState& state) {
   return state.settled && state.parameters.settle &&
          !goes_in_substeps(state.parameters, state.moves);
@@ -156,7 +156,7 @@ int create_locked(const fs::path& folder, fs::path& path) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
     if (file < 0 && errno == EEXIST) continue;
     if (file < 0) fail(path, errno);
-    // The system gives the lock back however the program ends.
+    // The system releases the lock however the program ends.
     if (::flock(file, LOCK_EX) != 0) fail(path, errno);
     return file;
   }
@@ -197,7 +197,7 @@ void Journal::record(const AppState& state) {
   if (wants_result(state)) keep_result(last_, *state.settled);
 }
 
-// Without its result a step is still restored, by carrying it out again.
+// Without its result, a step is restored by carrying it out again.
 void Journal::keep_result(const Draft& draft, const MovedVertices& result) {
   if (!open_results()) return;
   const auto start = static_cast<std::uint64_t>(::lseek(results_.get(), 0, SEEK_END));
@@ -245,7 +245,7 @@ void Journal::close() {
 }
 
 void Journal::append(const std::string& line) {
-  // Half a line would spoil those that follow.
+  // `append` removes a partial line, which would spoil those after it.
   if (!viewer::append(file_, line)) fail(path_, errno);
 }
 
@@ -296,7 +296,7 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
       carry_out(line, next);
       edit.draft = std::move(next);
     } catch (const std::exception&) {
-      break;  // a disk that lost power may hold a damaged end; what precedes it is good
+      break;  // after a power cut the end may be damaged; what precedes it is good
     }
   }
   try {

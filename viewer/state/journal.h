@@ -16,47 +16,48 @@ namespace lapwing::viewer {
 struct MeshStamp {
   std::filesystem::path path;  ///< absolute
   std::uint64_t bytes = 0;
-  std::int64_t modified = 0;  ///< of the file's clock, in its units
+  std::int64_t modified = 0;  ///< in the units of the file clock
 
   bool operator==(const MeshStamp&) const = default;
 };
 
-/// Throws IoError when there is no such file.
+/// Throws IoError if there is no such file.
 MeshStamp stamp_of(const std::filesystem::path& mesh);
 
-/// Where journals are: lapwing/ in $XDG_CACHE_HOME, or in ~/.cache.
+/// Returns the folder of journals: lapwing/ in $XDG_CACHE_HOME, or in ~/.cache.
 std::filesystem::path journal_folder();
 
 struct InterruptedEdit;
 
-/// An append-only record of one edit, so that a crash loses no step. One JSON line each: first the
-/// mesh, then what every step changed of the draft, and the place of its settled surface in the
-/// results file (kept_results.h). A step is on the disk when `record` returns; its surface is, too,
-/// unless it could not be written.
+/// An append-only record of one edit, so that a crash loses no step. Each line is JSON: first the
+/// mesh, then what each step changed in the draft, and where its settled surface is in the results
+/// file (kept_results.h). When `record` returns, the step is on the disk; so is its surface, unless
+/// writing it failed.
 class Journal {
  public:
-  /// Starts a journal in `folder`, which is made if it is not there, and locks it while it is open.
-  /// Throws IoError when it cannot be written, and InputError when the mesh's name is no UTF-8.
+  /// Starts a journal in `folder`, creates the folder if it is missing, and locks the journal while
+  /// it is open. Throws IoError if it cannot be written, and InputError if the mesh's name is not
+  /// UTF-8.
   Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal() = default;  ///< leaves the file, as a crash does
 
-  /// The edit is here now. Writes nothing where that is nothing new. Throws IoError, and InputError
-  /// for a name of a file that is no UTF-8.
+  /// Records the present state. Writes nothing if nothing has changed. Throws IoError, and
+  /// InputError if the name of a file is not UTF-8.
   void record(const AppState& state);
 
   /// Copies the results of an edit that is restored. Call before the first `record`.
   void keep_results_of(const InterruptedEdit& edit);
 
-  /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,
-  /// since the steps start from there. Nothing after the first time. Throws IoError.
+  /// Call this before the result replaces the mesh file. Keeps a copy of the file beside the
+  /// journal, because the steps start from it. Does nothing after the first time. Throws IoError.
   void keep_mesh() { keep_mesh(mesh_.path); }
-  /// The steps start from `mesh`, not from the file, which was replaced before: a copy is kept
-  /// likewise, and `mesh` may go. Throws IoError.
+  /// The same if the file was replaced before, so that the steps start from `mesh`. `mesh` may be
+  /// deleted then. Throws IoError.
   void keep_mesh(const std::filesystem::path& mesh);
 
-  /// The edit is done with, saved or given up: the file goes, and those beside it.
+  /// Ends the edit, saved or given up: deletes the journal and the files beside it.
   void close();
 
   const std::filesystem::path& path() const { return path_; }
@@ -74,36 +75,37 @@ class Journal {
   Draft last_;
 };
 
-/// A journal that nobody closed, whose writer is gone.
+/// A journal that was not closed, and whose program has ended.
 struct InterruptedEdit {
   std::filesystem::path journal;
-  std::filesystem::path opened;               ///< the mesh as it was called
-  MeshStamp mesh;                             ///< what the steps start from: that, or a copy of it
-  bool mesh_is_unchanged = false;             ///< still what it was
+  std::filesystem::path opened;               ///< the mesh file that was opened
+  MeshStamp mesh;                             ///< where the steps start: that file, or a copy of it
+  bool mesh_is_unchanged = false;             ///< whether the file still matches `mesh`
   Draft draft;                                ///< for `restore`
   KeptResults results;                        ///< in the results file
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
-  /// Whether the file was saved over, and `mesh` is the copy of what it was.
+  /// Returns whether the file was saved over, so that `mesh` is a copy of the original.
   bool has_copy() const { return mesh.path != opened; }
-  /// How many edits the recipe has: those committed, and the open one once a handle is moved.
+  /// Returns the number of edits in the recipe: the committed ones, and the open one if a handle is
+  /// moved.
   std::size_t step_count() const;
 };
 
-/// The kept result of the state's open step; nothing if none was kept.
+/// Returns the kept result of the state's open step, or nothing if none was kept.
 std::optional<MovedVertices> kept_result(const InterruptedEdit& edit, const AppState& state);
 
-/// What a journal says, also while its program runs; nothing where it cannot be read. A last line
-/// that was not written out counts as not written.
+/// Reads a journal, also while its program runs. Returns nothing if it cannot be read. Ignores an
+/// incomplete last line.
 std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
 
-/// The interrupted edits of `folder`, the latest first: journals that can be read, of programs that
-/// no longer run.
+/// Returns the interrupted edits of `folder`, the latest first: readable journals of programs that
+/// have ended.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
-/// The edit was restored, and its steps are in a journal of their own (EditSession writes it); or
-/// nobody wants it.
+/// Deletes the files of an edit that was given up, or that was restored and has a new journal
+/// (EditSession writes it).
 void discard(const InterruptedEdit& edit);
 
 }  // namespace lapwing::viewer

@@ -19,7 +19,7 @@ struct KeptResult {
   std::uint64_t vertices = 0;  ///< number of vertices that it moves
 };
 
-/// By `result_key`.
+/// Keyed by `result_key`.
 using KeptResults = std::map<std::uint64_t, KeptResult>;
 
 /// Identifies a result: a hash of the steps that lead to it, including the open one.

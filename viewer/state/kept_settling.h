@@ -4,10 +4,11 @@
 
 namespace lapwing::viewer {
 
-/// Settling that is switched off and on again goes by the options that it had.
+/// Remembers the options of settling while it is switched off.
 class KeptSettling {
  public:
-  /// What a person means who changed `before` to `after` with the switch or beside it.
+  /// Returns what a user means by changing `before` to `after`: settling that is switched on again
+  /// keeps its options.
   EditParameters meant(const EditParameters& before, EditParameters after) {
     if (before.settle) options_ = *before.settle;
     if (!before.settle && after.settle) after.settle = options_;

@@ -16,7 +16,7 @@ std::shared_ptr<const MirroredEdit> mirrored_edit(const DeformRequest& step, con
     }
     return edit;
   } catch (const InputError&) {
-    return nullptr;  // whoever prepares it says why
+    return nullptr;  // preparing the edit reports why
   }
 }
 

@@ -10,14 +10,14 @@
 
 namespace lapwing::viewer {
 
-/// What an edit with a mirror comes to on both sides of the plane.
+/// An edit with a mirror, on both sides of the plane.
 struct MirroredEdit {
-  EditRegion region;                       ///< what the DeformSolver is prepared with
-  std::vector<std::size_t> handle_images;  ///< as MirroredRequest has them
-  std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, about which they turn
+  EditRegion region;                       ///< for the DeformSolver
+  std::vector<std::size_t> handle_images;  ///< as in MirroredRequest
+  std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, which turn about them
 };
 
-/// `step`, which has a mirror, on `mesh`. Null where it cannot be carried out yet.
+/// Mirrors `step`, which has a mirror, on `mesh`. Returns null if it is not complete yet.
 std::shared_ptr<const MirroredEdit> mirrored_edit(const DeformRequest& step, const Mesh& mesh);
 
 }  // namespace lapwing::viewer

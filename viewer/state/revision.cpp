@@ -7,7 +7,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// The steps of what the surface of `state` is, an open one included.
+// Returns the steps that make the surface of `state`, including an open one.
 std::vector<Step> steps_to(const AppState& state) {
   std::vector<Step> steps;
   for (const auto& step : state.steps) steps.push_back(*step);
@@ -15,7 +15,7 @@ std::vector<Step> steps_to(const AppState& state) {
   return steps;
 }
 
-// Whether these are the first of `steps`, `most` at most.
+// Returns whether the steps of `state` are the first of `steps`, and at most `most`.
 bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t most) {
   if (needs_settling(state) || state.steps.size() > most) return false;
   const std::vector<Step> done = steps_to(state);

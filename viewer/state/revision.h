@@ -4,26 +4,27 @@
 
 namespace lapwing::viewer {
 
-/// An earlier step taken up again: where to start from, and what to carry out from there.
+/// An earlier step that is edited again: where to start, and what to carry out from there.
 struct Revision {
-  AppState start;                            ///< of the history, with nothing moved
-  Draft rest;                                ///< what follows, from `start` on
-  std::size_t changed = 0;                   ///< the changed step's place among `rest.steps`
-  Step step;                                 ///< as it is now
-  std::shared_ptr<const Topology> topology;  ///< of the mesh that the open step was chosen on
+  AppState start;                            ///< a state of the history, with nothing moved
+  Draft rest;                                ///< the steps after `start`
+  std::size_t changed = 0;                   ///< index of the changed step in `rest.steps`
+  Step step;                                 ///< the changed step
+  std::shared_ptr<const Topology> topology;  ///< of the mesh on which the open step was chosen
 
-  /// Whether the changed step is the first to be carried out: then it is changed on `start`.
+  /// Returns whether the changed step is the first one to carry out, on `start` itself.
   bool starts_at_step() const { return changed == 0; }
 };
 
-/// `step` in the place of the `index`th step (from 0) of the state that `history` leads to, an open
-/// one that is settled counted as the last. Costs memory for no mesh but the one to start from.
-/// Throws InputError where there is no such step, or an open one would not be a deform any more.
+/// Returns the revision with `step` in place of the `index`th step (from 0) of the state of
+/// `history`. A settled open step counts as the last. Keeps one mesh in memory, the one to start
+/// from. Throws InputError if there is no such step, or if an open step would no longer be a
+/// deform.
 Revision revision_of(const History& history, std::size_t index, const Step& step);
 
-/// Carries the steps out. What is chosen and not settled stays chosen if its vertices are still
-/// there, and is dropped where the triangles came out as others. Throws what `apply` and
-/// `carry_out` do, and nothing has changed then.
+/// Carries out the steps. A selection that is not settled stays if its vertices still exist, and is
+/// dropped if the triangles have changed. Throws what `apply` and `carry_out` throw, without any
+/// change.
 AppState revised(const Revision& revision, const CarryOut& carry_out);
 
 }  // namespace lapwing::viewer

@@ -7,14 +7,14 @@
 
 namespace lapwing::viewer {
 
-/// What the history calls it: "coat from gargoyle.off".
+/// Returns the step's name in the history: "coat from gargoyle.off".
 std::string describe(const Step& step);
 
-/// The step with the files that it names as absolute paths, looked for in `base_directory`: so
-/// steps are kept in a state, which has no place of its own.
+/// Returns the step with absolute file paths, resolved in `base_directory`. States keep steps in
+/// this form, because a state has no folder.
 Step with_absolute_paths(Step step, const std::filesystem::path& base_directory);
 
-/// The step as a recipe in the folder `base_directory` writes it.
+/// Returns the step as a recipe in the folder `base_directory` writes it.
 Step with_paths_from(Step step, const std::filesystem::path& base_directory);
 
 }  // namespace lapwing::viewer

@@ -12,12 +12,12 @@
 namespace lapwing::viewer {
 namespace {
 
-// With turns of 30 degrees and ways of a tenth of the region a run finds its way again, and a drag
-// through a whole turn has a dozen waypoints.
+// With turns of 30 degrees and distances of a tenth of the region, a run finds the same minimum,
+// and a drag through a whole turn has a dozen waypoints.
 constexpr double kFarTurn = 30.0 * std::numbers::pi / 180.0;
 constexpr double kFarWay = 0.1;
 constexpr double kFarStretch = 0.25;
-// As DeformSolver::follow begins anew.
+// DeformSolver starts from rest again beyond the same angle.
 constexpr double kJump = 90.0 * std::numbers::pi / 180.0;
 
 Eigen::Vector3d turn_vector(const Move& move) {
@@ -73,7 +73,7 @@ WaypointRecorder::WaypointRecorder(Move start, const Eigen::Vector3d& handle_cen
       last_far_(std::move(start)),
       centroid_(handle_centroid),
       region_size_(region_size) {
-  // So that the frames of an ordinary drag allocate nothing.
+  // Enough that the frames of an ordinary drag allocate nothing.
   constexpr std::size_t kUsual = 256;
   waypoints_.reserve(kUsual);
 }

@@ -8,24 +8,25 @@
 
 namespace lapwing::viewer {
 
-/// Whether the moves are made in parts, each the rest shape of the next: as the parameters say, or
-/// because a handle turns far and nothing says by which way.
+/// Returns whether the moves are made in substeps, each the rest shape of the next: if the
+/// parameters say so, or if a handle turns far and has no path.
 bool goes_in_substeps(const EditParameters& parameters, std::span<const HandleMove> moves);
 
-/// The diagonal of the ROI at rest, by which ways are measured. Linear in its vertices.
+/// Returns the diagonal of the ROI at rest, the unit of distances. Linear in its vertices.
 double region_size(const AppState& state);
 
-/// Whether the surface may need to be told of one move to come from the other to the same place:
-/// the handle turns by 30 degrees, goes by a tenth of the region's size, or stretches by a quarter.
+/// Returns whether the surface may need a waypoint between the moves to end in the same minimum:
+/// the handle turns by 30 degrees, moves by a tenth of the region's size, or stretches by a
+/// quarter.
 bool are_far_apart(const Move& from, const Move& to, const Eigen::Vector3d& handle_centroid,
                    double region_size);
 
-/// Whether the way from one move to the other is open, since a handle turns by more than 90
-/// degrees: the surface does not go on from where it was.
+/// Returns whether a handle turns by more than 90 degrees between the moves. The way between them
+/// is then ambiguous, and the surface does not go on from its pose.
 bool is_jump(const Move& from, const Move& to);
 
-/// Of the moves of a gesture, one after the other, those that are worth a waypoint: each far from
-/// the one before, the first from `start`.
+/// Selects waypoints from the successive moves of a gesture: each is far from the one before, the
+/// first from `start`.
 class WaypointRecorder {
  public:
   WaypointRecorder() = default;
@@ -33,23 +34,23 @@ class WaypointRecorder {
 
   void add(const Move& move);
   bool has_jumped() const { return has_jumped_; }
-  /// Empty once there was a jump, as in a number that is typed.
+  /// Empty after a jump, such as a typed number.
   std::span<const Move> waypoints() const {
     return has_jumped_ ? std::span<const Move>() : waypoints_;
   }
 
  private:
-  Move last_;      // added
-  Move last_far_;  // and a waypoint, or the start
+  Move last_;      // the last move added
+  Move last_far_;  // the last waypoint, or the start
   Eigen::Vector3d centroid_ = Eigen::Vector3d::Zero();
   double region_size_ = 0.0;
   bool has_jumped_ = false;
   std::vector<Move> waypoints_;
 };
 
-/// Adds to the paths of all handles where they are now, if that is far from the last waypoint, and
-/// then the path of `to`, which `handle` goes through while the others rest. Clears all paths if
-/// the surface does not go on from where it is: for a jump, and for moves that were made in parts.
+/// Adds the current moves of all handles to their paths if they are far from the last waypoint.
+/// Then adds the path of `to`, along which `handle` moves while the others rest. Clears all paths
+/// if the surface does not go on from its pose: after a jump, and after moves in substeps.
 void extend_path(AppState& state, std::size_t handle, const HandleMove& to);
 
 }  // namespace lapwing::viewer

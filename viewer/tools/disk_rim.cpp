@@ -21,7 +21,7 @@ Vector3d normal_of(const Triangle& t, std::span<const Vector3d> positions) {
   return ab.cross(positions[t[2]] - positions[t[0]]).stableNormalized();
 }
 
-// Two directions across the surface at a vertex.
+// Returns two perpendicular unit tangents of the surface at a vertex.
 std::array<Vector3d, 2> directions_at(Index vertex, const Topology& topology,
                                       std::span<const Vector3d> positions) {
   Vector3d normal = Vector3d::Zero();
@@ -39,7 +39,7 @@ std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Vector3
                                std::span<const double> distances, Index center, double radius) {
   const auto [across, up] = directions_at(center, topology, positions);
   struct Sector {
-    double off = std::numeric_limits<double>::infinity();  // from its middle, in sectors
+    double off = std::numeric_limits<double>::infinity();  // angle from its middle, in sectors
     RimGrip grip;
   };
   std::array<Sector, kGripCount> sectors;

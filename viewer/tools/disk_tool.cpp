@@ -16,22 +16,22 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A hand that clicks moves by less.
+// The cursor moves less than this during a click.
 constexpr double kClickPt = 4.0;
 
-// Of a click, before any disk was dragged: a part of the mesh's diagonal.
+// Radius of a disk that is clicked before any was dragged, as a share of the mesh's diagonal.
 constexpr double kFirstRadius = 0.1;
 
 constexpr double kFactorOfSize = 1.1;
 
-// The steps by which the event sizes a disk; 0 for any other.
+// Returns by how many steps the event resizes a disk; 0 if it does not.
 double steps_of(const InputEvent& event) {
   if (event.kind == InputKind::scroll && event.modifiers == kSizes) return event.scroll;
   if (event.kind != InputKind::key || event.modifiers != Modifiers{}) return 0.0;
   return event.key == ']' ? 1.0 : event.key == '[' ? -1.0 : 0.0;
 }
 
-// Shares of the corners of a triangle in a point of its plane; equal ones if it has no area.
+// Returns the barycentric coordinates of `p`; 1/3 each if the triangle has no area.
 Vector3d barycentric(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& p) {
   const Vector3d normal = (b - a).cross(c - a);
   const double squared = normal.squaredNorm();
@@ -88,7 +88,7 @@ ToolAnswer DiskTool::drag(const InputEvent& event, const ToolScene& scene) {
   return answer;
 }
 
-// Of a disk that was there before its size comes back.
+// A disk that a grip was resizing gets its old radius back.
 void DiskTool::give_up() {
   if (!size_before_) return reset();
   dragging_ = false;
@@ -100,7 +100,7 @@ bool DiskTool::is_at_grip(const Vector2d& pixel, const ToolScene& scene) {
   return !dragging_ && grip_at_cursor(pixel, scene).has_value();
 }
 
-// What stands before it hides a grip.
+// Ignores grips that the surface hides.
 std::optional<std::size_t> DiskTool::grip_at_cursor(const Vector2d& pixel,
                                                     const ToolScene& scene) const {
   const auto at = grip_at(grips_, pixel, scene.projection);
@@ -108,8 +108,8 @@ std::optional<std::size_t> DiskTool::grip_at_cursor(const Vector2d& pixel,
   return at;
 }
 
-// Only of the disk that the state has, which may have been undone, painted on or chosen otherwise
-// since, and where it stands still.
+// Shows grips only if the surface is settled and the state still has this disk. It may have been
+// undone, painted on or replaced.
 void DiskTool::renew_grips(const ToolScene& scene) {
   if (dragging_ || center_ == kNoIndex || needs_settling(scene.state) ||
       !is_chosen(scene.state.selection)) {
@@ -153,7 +153,7 @@ void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const To
       geodesic_distances(surface_of(scene.state)->topology(), scene.positions, {&center_, 1});
 }
 
-// The distance along the surface where the cursor is on it, else straight across the view.
+// Returns the geodesic distance if the cursor is on the surface, else the distance across the view.
 double DiskTool::radius_at(const Vector2d& pixel, const ToolScene& scene) const {
   if (const auto pick = scene.pick(pixel)) {
     const Triangle& t = surface_of(scene.state)->topology().triangles[pick->triangle];

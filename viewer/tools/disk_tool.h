@@ -7,9 +7,9 @@
 
 namespace lapwing::viewer {
 
-/// Chooses a geodesic disk: press on its centre and drag to its rim, or click. [ and ] and the
-/// wheel with Control size the disk chosen last, also where the scene has gone on to another part
-/// since, and so does a drag of one of the grips on its rim. Escape gives up.
+/// Chooses a geodesic disk: press on its centre and drag to its rim, or click. [ and ], Control +
+/// wheel, and the grips on its rim resize the last disk, even after the scene has gone on to
+/// another part. Escape cancels a drag.
 class DiskTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -20,20 +20,20 @@ class DiskTool final : public SceneTool {
   std::size_t count_with(const VertexSet& chosen) const override {
     return dragging_ ? live().size() : chosen.size();
   }
-  /// Whether the disk chosen last came by a click, its radius still to be chosen; false while one
-  /// is dragged, and before the first.
+  /// Whether the last disk was clicked, so that its radius is still to be chosen. False during a
+  /// drag and before the first disk.
   bool may_change_choice() const override {
     return center_ != kNoIndex && !dragging_ && !has_moved_;
   }
-  /// The grips of the disk chosen last, where that is still what is chosen.
+  /// The grips of the last disk, if it is still chosen.
   ToolMarks marks() const override;
   bool follows_cursor() const override { return hover_changed_; }
-  /// Whether a press there takes hold of a grip.
+  /// Whether a press at `pixel` would start to drag a grip.
   bool is_at_grip(const Eigen::Vector2d& pixel, const ToolScene& scene);
 
   double radius() const { return radius_; }
 
-  /// Another surface, or a part chosen by other means: nothing of the last disk counts any more.
+  /// Forgets the last disk, because the surface has changed or a part was chosen by other means.
   void reset() { *this = {}; }
 
  private:
@@ -50,15 +50,15 @@ class DiskTool final : public SceneTool {
   ToolAnswer resized(double steps);
 
   bool dragging_ = false;
-  bool follows_hand_ = false;          // which has moved far enough to be no click
-  bool has_moved_ = false;             // the hand, when the disk was chosen
-  std::optional<double> size_before_;  // of a disk that a grip sizes
-  Part part_;                          // what it was begun for
+  bool follows_hand_ = false;          // the cursor has moved farther than in a click
+  bool has_moved_ = false;             // the last disk was dragged, not clicked
+  std::optional<double> size_before_;  // radius before the drag of a grip
+  Part part_;                          // the part that the disk chooses
   Index center_ = kNoIndex;
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d start_ = Eigen::Vector2d::Zero();  // where the centre shows
+  Eigen::Vector2d start_ = Eigen::Vector2d::Zero();  // pixel of the centre
   double radius_ = 0.0;
-  std::vector<double> distances_;  // from the centre
+  std::vector<double> distances_;  // geodesic, from the centre
   std::vector<RimGrip> grips_;
   double grips_radius_ = 0.0;
   std::optional<std::size_t> hovered_;  // the grip under the cursor, or dragged

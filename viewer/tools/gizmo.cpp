@@ -19,12 +19,12 @@ using Eigen::Vector3d;
 constexpr double kReachPt = 8.0;
 constexpr double kMiddlePt = 12.0;
 constexpr double kViewRingPt = 1.2 * kArmPt;
-// Arms begin outside the middle, planes lie between a quarter and half an arm.
+// In arm lengths: the start of an arm, and the near and far edges of a plane.
 constexpr double kArmStart = 0.15;
 constexpr double kPlaneStart = 0.25;
 constexpr double kPlaneEnd = 0.5;
-// An arm nearer than this to the line of sight, or a plane so nearly seen from its edge, moves
-// wildly with the hand (as a cosine and sine, 11 degrees).
+// An arm within 11 degrees of the line of sight (a cosine), or a plane seen that close to its edge
+// (a sine), would move wildly with the cursor.
 constexpr double kAlongSight = 0.98;
 constexpr double kEdgeOn = 0.2;
 constexpr int kRingPoints = 64;
@@ -46,13 +46,13 @@ constexpr double angle_of(int k) {
   return 2.0 * std::numbers::pi * k / kRingPoints;
 }
 
-// The half of the ring about axis `a` that faces the eye, which stands at `toward_eye`: its middle
-// and what is aside, of length 1.
+// The half of the ring about axis `a` that faces the eye: the unit directions from the centre to
+// its middle, `front`, and to one end, `side`.
 struct HalfRing {
   HalfRing(const Gizmo& gizmo, int a, const Vector3d& toward_eye) {
     const Vector3d axis = gizmo.axes.col(a);
     front = toward_eye - toward_eye.dot(axis) * axis;
-    if (front.norm() < 1e-6) front = gizmo.axes.col((a + 1) % 3);  // any half: all of it faces
+    if (front.norm() < 1e-6) front = gizmo.axes.col((a + 1) % 3);  // the whole ring faces the eye
     front.normalize();
     side = axis.cross(front);
   }
@@ -62,7 +62,7 @@ struct HalfRing {
 
 }  // namespace
 
-// The next line, whose pixels are added one by one, in the memory of an earlier frame's.
+// Starts the next line without pixels, in the memory of an earlier frame.
 GizmoLine& GizmoLines::begin(GizmoPart part, bool closed) {
   if (count_ == lines_.size()) lines_.emplace_back();
   GizmoLine& line = lines_[count_++];

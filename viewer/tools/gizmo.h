@@ -9,11 +9,12 @@ namespace lapwing::viewer {
 
 enum class GizmoMode { translate, rotate, scale };
 
-/// What of a gizmo is taken hold of: an axis or ring, the plane without that axis, or the middle,
-/// which moves across the view, turns about the line of sight, or scales all axes alike.
+/// A part of a gizmo that can be dragged: an axis or ring, the plane across an axis (`without_x`),
+/// or the middle, `view`. The middle moves in the view plane, turns about the line of sight, or
+/// scales all axes alike.
 enum class GizmoPart { none, x, y, z, without_x, without_y, without_z, view };
 
-/// Which axis a part is about, 0 to 2; -1 for the view and none.
+/// Returns the axis of an arm, ring or plane, 0 to 2; -1 for `view` and `none`.
 int axis_of(GizmoPart part);
 bool is_plane(GizmoPart part);
 
@@ -21,22 +22,22 @@ bool is_plane(GizmoPart part);
 struct Gizmo {
   GizmoMode mode = GizmoMode::translate;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< its columns; of length 1, perpendicular
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns are perpendicular unit vectors
 };
 
-/// How long the arms show.
+/// Length of an arm in points.
 inline constexpr double kArmPt = 90.0;
 
-/// One line of the gizmo as it shows; what can be taken hold of is what is drawn.
+/// One line of the gizmo on the screen. Picking uses the same lines as drawing.
 struct GizmoLine {
   GizmoPart part = GizmoPart::none;
   std::vector<Eigen::Vector2d> pixels;
-  bool closed = false;  ///< a loop; of a plane its inside counts, too
+  bool closed = false;  ///< a loop; a plane can also be picked inside it
 };
 
-/// Arms with the planes between them, or rings with only their halves that face the eye. Arms and
-/// planes that point at the eye are left out. Empty where the gizmo is behind the eye. Keeps its
-/// memory from one frame to the next.
+/// The lines of a gizmo: arms with the planes between them, or the halves of rings that face the
+/// eye. Arms along the line of sight and planes seen from the edge are left out. Empty if the gizmo
+/// is behind the eye. Reuses its memory from frame to frame.
 class GizmoLines {
  public:
   GizmoLines() = default;
@@ -55,10 +56,10 @@ class GizmoLines {
   void add_arms(const Gizmo& gizmo, double arm, const Projection& projection);
 
   std::vector<GizmoLine> lines_;
-  std::size_t count_ = 0;  // of them, those that are shown
+  std::size_t count_ = 0;  // number of lines_ in use
 };
 
-/// The part within a few points of `pixel`; the nearest of several, planes last.
+/// Returns the part within a few points of `pixel`. The nearest arm or ring goes before a plane.
 GizmoPart hit_gizmo(const Gizmo& gizmo, const Projection& projection, const Eigen::Vector2d& pixel);
 
 }  // namespace lapwing::viewer

@@ -19,13 +19,13 @@ using Eigen::Vector3d;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-// A handle of no size cannot be scaled back, and a mirrored one is none.
+// A factor of 0 could not be undone, and a negative one would mirror the handle.
 constexpr double kSmallestFactor = 0.01;
 
-// A ring seen from its edge is dragged along its tangent (the cosine to the line of sight).
+// Below this cosine of its axis to the line of sight, a ring is dragged along its tangent.
 constexpr double kRingFromItsEdge = 0.25;
 
-// Near enough to follow a turn the right way round (TurnTracker needs less than 180).
+// Largest substep of a turn. TurnTracker needs less than 180 degrees to know the direction.
 constexpr double kDegreesFollowed = 60.0;
 
 double snapped(double value, double step) {
@@ -55,17 +55,17 @@ GizmoDrag::GizmoDrag(const Gizmo& gizmo, GizmoPart part, const Projection& proje
       center_pixel_(projection.to_pixel(gizmo.center).value_or(start)),
       last_(start) {}
 
-// Of a ring or arm; the line of sight for the view.
+// Returns the axis of a ring or arm, the normal of a plane, or the line of sight for the view.
 Vector3d GizmoDrag::axis() const {
   const int a = axis_of(part_);
   return a < 0 ? toward_eye_ : Vector3d(gizmo_.axes.col(a));
 }
 
-// The point of the part's line or plane that the cursor shows at.
+// Returns the point under the cursor on the part's line or plane.
 Vector3d GizmoDrag::point_on_part(const Vector2d& pixel) const {
   const SightLine ray = projection_.ray_through(pixel);
   const bool along_line = axis_of(part_) >= 0 && !is_plane(part_);
-  // Of the planes through a line the one that faces the eye most.
+  // Of the planes through a line, use the one that faces the eye most.
   const Vector3d normal = along_line ? Vector3d(axis().cross(toward_eye_).cross(axis())) : axis();
   const double slope = ray.direction.dot(normal);
   if (std::abs(slope) < 1e-9) return gizmo_.center;
@@ -75,7 +75,7 @@ Vector3d GizmoDrag::point_on_part(const Vector2d& pixel) const {
   return gizmo_.center + (point - gizmo_.center).dot(axis()) * axis();
 }
 
-// Radians about the axis, up to a constant.
+// Returns the angle about the axis in radians, up to a constant.
 double GizmoDrag::angle_at(const Vector2d& pixel) const {
   const double facing = axis().dot(toward_eye_);
   if (std::abs(facing) < kRingFromItsEdge) {
@@ -87,7 +87,7 @@ double GizmoDrag::angle_at(const Vector2d& pixel) const {
     return (pixel - center_pixel_).dot((*ahead - center_pixel_).normalized()) / arm;
   }
   if (part_ == GizmoPart::view) {
-    // On the screen y points down, which turns the sense round.
+    // On the screen y points down, which flips the sign of the angle.
     const Vector2d across = pixel - center_pixel_;
     return -std::atan2(across.y(), across.x());
   }
@@ -105,14 +105,14 @@ double GizmoDrag::factor_at(const Vector2d& pixel) const {
     const double to = (point_on_part(pixel) - gizmo_.center).dot(axis());
     if (from != 0.0) return to / from;
   }
-  // Near the middle a ratio would be wild: from there an arm's length to the right doubles.
+  // Near the middle a ratio is unstable. There, dragging right by an arm's length doubles the size.
   const double from = (start_ - center_pixel_).norm();
   const double arm = projection_.in_pixels(kArmPt);
   if (from < 0.25 * arm) return 1.0 + (pixel - start_).x() / arm;
   return (pixel - center_pixel_).norm() / from;
 }
 
-// 1 for the axes that a length or factor goes along.
+// Returns 1 for each axis that a length or factor applies to, else 0.
 Eigen::Array3d GizmoDrag::moved_axes() const {
   const int a = axis_of(part_);
   if (a < 0) return Eigen::Array3d::Ones();
@@ -147,7 +147,7 @@ GizmoAmount GizmoDrag::amount(const std::optional<SnapSteps>& snap,
                               const std::optional<double>& typed) const {
   GizmoAmount amount = dragged_;
   if (typed) {
-    // A number for the view goes to the right of the picture.
+    // A number typed for the view moves to the right of the picture.
     const Vector3d right = projection_.ray_through(center_pixel_ + Vector2d::UnitX()).origin -
                            projection_.ray_through(center_pixel_).origin;
     amount.lengths = part_ == GizmoPart::view
@@ -185,8 +185,8 @@ Move GizmoDrag::move_after(const Move& before, const Vector3d& handle_centroid,
                            const GizmoAmount& amount) const {
   if (amount == GizmoAmount{}) return before;
   TurnTracker tracker;
-  // Both parts again from the start, in steps that leave no doubt about the sense: what comes out
-  // does not hang on how the hand went.
+  // Replays both turns in substeps small enough to know the direction. The result does not depend
+  // on the path of the cursor.
   const auto steps = [](double degrees) {
     return 1 + static_cast<int>(std::abs(degrees) / kDegreesFollowed);
   };

@@ -9,17 +9,17 @@
 
 namespace lapwing::viewer {
 
-/// To what steps a drag keeps while it snaps; above 0.
+/// Steps to which a drag snaps; all positive.
 struct SnapSteps {
   double length = 0.1;
   double degrees = 15.0;
   double factor = 0.1;
 };
 
-/// A length of 1, 2 or 5 times a power of ten that shows as about a tenth of the gizmo's arm.
+/// Returns 1, 2 or 5 times a power of ten that shows as about a tenth of the gizmo's arm.
 double snap_length(const Gizmo& gizmo, const Projection& projection);
 
-/// How far a part of a gizmo was dragged; only what its mode speaks of counts.
+/// How far a part of a gizmo was dragged. Only the member for the gizmo's mode counts.
 struct GizmoAmount {
   Eigen::Vector3d lengths = Eigen::Vector3d::Zero();  ///< along the gizmo's axes
   double degrees = 0.0;                               ///< whole turns included
@@ -28,32 +28,32 @@ struct GizmoAmount {
   bool operator==(const GizmoAmount&) const = default;
 };
 
-/// A part of a gizmo taken hold of. The camera stays while it is dragged.
+/// A drag of one part of a gizmo. The camera must not move during the drag.
 class GizmoDrag {
  public:
   GizmoDrag(const Gizmo& gizmo, GizmoPart part, const Projection& projection,
             const Eigen::Vector2d& start);
 
-  /// The cursor is at `pixel` now. Turns add up over whole turns as long as the cursor goes less
-  /// than half of one at a time.
+  /// Moves the cursor to `pixel`. Turns add up past 360 degrees, as long as one call turns by less
+  /// than 180.
   void move_to(const Eigen::Vector2d& pixel);
 
-  /// Moved, the gizmo's centre goes to `place`, as far as the part lets it.
+  /// Moves the gizmo's centre to `place`, as far as the part allows.
   void move_center_to(const Eigen::Vector3d& place);
 
   GizmoPart part() const { return part_; }
   GizmoMode mode() const { return gizmo_.mode; }
 
-  /// How far it is: as dragged, in whole `snap` steps if there are some, or by a number typed (a
-  /// length along each axis of the part, degrees, or a factor), which goes before both.
+  /// Returns the amount of the drag, rounded to the steps of `snap`. A number `typed` replaces it:
+  /// a length along each axis of the part, degrees, or a factor.
   GizmoAmount amount(const std::optional<SnapSteps>& snap = {},
                      const std::optional<double>& typed = {}) const;
 
-  /// The map of space for an amount: about the gizmo's centre.
+  /// Returns the affine map for an amount, about the gizmo's centre.
   Eigen::Affine3d motion(const GizmoAmount& amount) const;
 
-  /// The move of a handle at rest that was moved by `before` and is dragged by `amount` now, with
-  /// the whole turn by which that comes about. Bit for bit `before` where it is dragged by nothing.
+  /// Returns the handle's move from rest: `before`, followed by a drag of `amount`. Its angle
+  /// includes whole turns. Returns exactly `before` if `amount` is none.
   Move move_after(const Move& before, const Eigen::Vector3d& handle_centroid,
                   const GizmoAmount& amount) const;
 

@@ -13,11 +13,11 @@ using Eigen::Affine3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Shares of the largest extent: below this there is none, and two that differ by less are alike.
+// Below these shares, of the largest eigenvalue and of the area, there is no extent and no normal.
 constexpr double kNoExtent = 1e-6;
 constexpr double kShortNormal = 1e-3;
 
-// The sense in which it goes up along the world's axis that it is nearest to.
+// Flips an axis that points down along the nearest world axis.
 Vector3d pointing_up(const Vector3d& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
@@ -34,7 +34,7 @@ Matrix3d principal_axes(const VertexSet& vertices, const Positions& positions) {
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(spread);
   const Vector3d extents = solver.eigenvalues();  // ascending
-  // Of a pin, or vertices on a line, there is no plane to speak of.
+  // A pin, or vertices on a line, span no plane.
   if (!(extents[1] > kNoExtent * extents[2])) return Matrix3d::Identity();
   Matrix3d axes;
   axes.col(0) = pointing_up(solver.eigenvectors().col(2));
@@ -66,7 +66,7 @@ Matrix3d axes_at_normal(const VertexSet& vertices, const Mesh& surface) {
   return axes;
 }
 
-// Of its vertices with a neighbour outside.
+// Returns the mean of the vertices with a neighbour outside.
 std::optional<Vector3d> middle_of_rim(const VertexSet& vertices, const Mesh& surface) {
   Vector3d sum = Vector3d::Zero();
   std::size_t count = 0;

@@ -6,39 +6,39 @@
 
 namespace lapwing::viewer {
 
-/// Along what a gizmo's axes go.
+/// Orientation of a gizmo's axes.
 enum class GizmoAxes {
   world,
-  local,   ///< the handle's own: x its longest extent, z its shortest; they turn with it
-  normal,  ///< z the mean normal of the handle, x across it near the world's x; they turn with it
+  local,   ///< principal axes of the handle, x its longest extent, z its shortest; turn with it
+  normal,  ///< z is the mean normal of the handle, x is close to the world's x; turn with it
 };
 
-/// What a handle turns about and is scaled from.
+/// The point about which a handle turns and scales.
 enum class GizmoPivot {
-  handle,  ///< the middle of its vertices; goes with it
-  rim,     ///< the middle of its rim; goes with it
-  belt,    ///< the middle of the belt, which stays: a joint
-  point,   ///< a place that a person picked
-  origin,  ///< the world's
+  handle,  ///< centroid of the handle; moves with it
+  rim,     ///< centroid of its rim; moves with it
+  belt,    ///< centroid of the belt, which does not move: a joint
+  point,   ///< a point that the user has picked
+  origin,  ///< the world's origin
 };
 
-/// How a person wants the gizmo to stand. A preference of the view: no part of an edit, of which
-/// only the resulting motions are.
+/// Preferences for the gizmo. They are not part of an edit, which records only the resulting
+/// motions.
 struct GizmoChoices {
   GizmoAxes axes = GizmoAxes::world;
   GizmoPivot pivot = GizmoPivot::handle;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of GizmoPivot::point
-  bool sticks_to_surface = false;  ///< moved, the middle goes where the cursor is on the surface
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< for GizmoPivot::point
+  bool sticks_to_surface = false;  ///< a moved handle follows the surface under the cursor
 };
 
-/// Columns of length 1, perpendicular and right-handed, at the handle that is moved by `motion`.
-/// Where the handle has no such axes (a pin, a closed surface) the world's, turned with it.
-/// Allocates nothing. Linear in the handle.
+/// Returns the axes for a handle moved by `motion` as perpendicular unit columns, right-handed. A
+/// handle without such axes (a pin, a closed surface) gets the world's, turned with it. Allocates
+/// nothing. Linear in the handle.
 Eigen::Matrix3d gizmo_axes(GizmoAxes axes, const AppState& state, std::size_t handle,
                            const Eigen::Affine3d& motion);
 
-/// Where the gizmo stands then. Of a handle without a rim, or without a belt, the middle. Allocates
-/// nothing but for a handle with painted weights. Linear in handle and belt.
+/// Returns the centre for that handle; its centroid if the handle has no rim, or the edit no belt.
+/// Allocates only for a handle with painted weights. Linear in handle and belt.
 Eigen::Vector3d gizmo_center(const GizmoChoices& choices, const AppState& state, std::size_t handle,
                              const Eigen::Affine3d& motion);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Of a half turn typed, which is none too many.
+// Tolerance in degrees: a half turn that is typed is not too far.
 constexpr double kRoundingDegrees = 1e-6;
 
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
@@ -31,7 +31,7 @@ void append(std::string& text, const char* format, double a, double b = 0.0, dou
   text += more.data();
 }
 
-// 0 to 2 for X, Y and Z, else -1.
+// Returns 0 to 2 for X, Y and Z, else -1.
 int axis_of_key(int key) {
   return key >= 'X' && key <= 'Z' ? key - 'X' : -1;
 }
@@ -41,7 +41,7 @@ GizmoPart part_of_axis(int axis, bool plane) {
   return static_cast<GizmoPart>(static_cast<int>(first) + axis);
 }
 
-// The drag that a key begins.
+// Returns the drag that a key begins.
 std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
   if (key == 'G') return GizmoMode::translate;
   if (key == 'S') return GizmoMode::scale;
@@ -49,7 +49,7 @@ std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
   return std::nullopt;
 }
 
-// What a key has the gizmo show.
+// Returns the gizmo that a key selects.
 std::optional<GizmoMode> mode_of_key(int key, GizmoKeys keys) {
   if (key == 'W') return GizmoMode::translate;
   if (key == 'E') return GizmoMode::rotate;
@@ -113,7 +113,7 @@ ToolAnswer GizmoTool::handle(const InputEvent& event, const ToolScene& scene) {
 
 ToolAnswer GizmoTool::handle_key(const InputEvent& event, const ToolScene& scene) {
   if (drag_) return handle_drag_key(event, scene);
-  // Control+S and the like are somebody else's.
+  // Control+S and similar shortcuts are not the gizmo's.
   if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
   if (const auto mode = mode_of_key(event.key, scene.keys)) {
     mode_ = *mode;
@@ -139,7 +139,7 @@ ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const ToolScene& 
   if (event.key == kBackspace) {
     if (!typed_.empty()) typed_.pop_back();
   } else if (const int axis = axis_of_key(event.key); axis >= 0) {
-    // Turning without an axis is turning about it.
+    // Turning in a plane is turning about its axis, so Shift has no effect.
     const bool plane = event.modifiers.shift && mode != GizmoMode::rotate;
     part = part_of_axis(axis, plane);
     const bool again = part == drag_->part();
@@ -182,7 +182,7 @@ void GizmoTool::take_hold(const Vector2d& pixel, const ToolScene& scene) {
   by_button_ = true;
 }
 
-// An orientation that a person has set stays.
+// Returns whether the user has left the orientation alone. If not, a pull must not change it.
 bool GizmoTool::is_turned_by_nobody(const ToolScene& scene) {
   const HandleMove& to = scene.state.moves[scene.handle];
   if (to.orientation == HandleOrientation::free) return true;
@@ -190,7 +190,8 @@ bool GizmoTool::is_turned_by_nobody(const ToolScene& scene) {
   return similarity != nullptr && similarity->rotate == AxisRotation{};
 }
 
-// What a drag moves on: a pull lets the handle turn, and anything else keeps it as it is seen.
+// Returns the move that a drag continues. A pull leaves the handle free to turn; any other drag
+// keeps the orientation that is shown.
 Move GizmoTool::move_before(const ToolScene& scene) const {
   return pulls_ ? scene.state.moves[scene.handle].move : shown_move(scene.state, scene.handle);
 }
@@ -199,7 +200,7 @@ void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
   Gizmo there = gizmo(scene.state, scene.handle);
   there.mode = mode;
   if (mode == GizmoMode::translate && choices_.sticks_to_surface) {
-    // That is what comes to the surface, whatever the handle turns about.
+    // The centroid sticks to the surface, wherever the pivot is.
     const Eigen::Vector3d centroid = handle_centroid(scene.state, scene.handle);
     there.center = to_affine(move_before(scene), centroid) * centroid;
   }
@@ -221,7 +222,7 @@ void GizmoTool::renew(const ToolScene& scene) {
   move_ =
       drag_->move_after(move_before(scene), handle_centroid(scene.state, scene.handle), amount_);
   recorder_.add(*move_);
-  // A jump is made in parts.
+  // A jump is solved in substeps.
   turns_too_far_ = !scene.state.parameters.commit_every && !recorder_.has_jumped() &&
                    turn_of(*move_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }

@@ -10,47 +10,45 @@
 
 namespace lapwing::viewer {
 
-/// Moves a handle: by dragging a part of the gizmo, or by G, R or S and the mouse alone, held to an
-/// axis by X, Y, Z, to a plane by Shift with them, and by numbers typed. Control snaps. W, E and Q
-/// (in Maya R) choose what the gizmo shows. Enter or a click ends a drag, Escape or the right
-/// button gives it up.
+/// Moves a handle. Drag a part of the gizmo, or press G, R or S and move the mouse. X, Y or Z keeps
+/// to an axis, with Shift to a plane; numbers can be typed. Control snaps. W, E and Q (R in Maya)
+/// choose the gizmo. Enter or a click ends a drag, Escape or the right button cancels it.
 ///
-/// The gizmo stands as the choices say. X, Y and Z go by its axes; the same again by the other ones
-/// (the handle's own in place of the world's, the world's in place of any other), and once more
-/// lets go of the axis.
+/// X, Y and Z follow the gizmo's axes. The same key again uses the other axes (local in place of
+/// the world's, else the world's), and once more frees the drag.
 class GizmoTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return drag_.has_value(); }
   const char* hint(const AppState& state, const Part& part) const override;
 
-  /// The scene's handle is dragged in the plane of the view from `pixel` on, by the left button.
+  /// Starts to drag the scene's handle in the view plane at `pixel`, with the left button.
   void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
-  /// The handle's move while it is dragged.
+  /// The handle's move during a drag.
   const std::optional<Move>& move() const { return move_; }
-  /// What becomes of its orientation: free in a pull of the handle itself, unless somebody has
-  /// turned it before; kept by the gizmo and by keys.
+  /// The handle's orientation after the drag. It is free in a pull of the handle itself, unless the
+  /// user has turned it before. The gizmo and keys keep it.
   HandleOrientation orientation() const {
     return pulls_ ? HandleOrientation::free : HandleOrientation::kept;
   }
-  /// What the handle has gone through while it is dragged.
+  /// The waypoints of the drag so far.
   std::span<const Move> waypoints() const { return recorder_.waypoints(); }
-  /// What the gizmo shows from now on; nothing while it is dragged.
+  /// Sets the mode of the gizmo. Does nothing during a drag.
   void show(GizmoMode mode) {
     if (!drag_) mode_ = mode;
   }
   const GizmoChoices& choices() const { return choices_; }
-  /// From the next drag on.
+  /// Takes effect at the next drag.
   void set_choices(const GizmoChoices& choices) { choices_ = choices; }
   GizmoMode mode() const { return drag_ ? drag_->mode() : mode_; }
-  /// The part dragged or under the cursor.
+  /// The part that is dragged or under the cursor.
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
-  /// Where the gizmo is drawn: it goes with its handle.
+  /// Returns the gizmo as drawn. It follows its handle.
   Gizmo gizmo(const AppState& state, std::size_t handle) const;
-  /// Whether the handle, dragged as it is, has turned farther from rest than the surface surely
-  /// follows at once (kLargestSettledTurnDegrees), and nothing is committed on the way.
+  /// Whether the drag has turned the handle farther from rest than the surface is sure to follow at
+  /// once (kLargestSettledTurnDegrees), and nothing is committed on the way.
   bool turns_too_far() const { return turns_too_far_; }
-  /// For the status line while dragging: "turn 45 degrees about x", and what to do where it turns
+  /// Writes the status line of a drag, as in "turn 45 degrees about x", and what to do if it turns
   /// too far.
   void read_out(std::string& text) const;
 
@@ -68,22 +66,22 @@ class GizmoTool final : public SceneTool {
   Move move_before(const ToolScene& scene) const;
 
   GizmoChoices choices_;
-  bool by_other_axes_ = false;  // this drag
+  bool by_other_axes_ = false;  // of this drag
   GizmoMode mode_ = GizmoMode::translate;
   GizmoPart hovered_ = GizmoPart::none;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   bool snaps_ = false;
 
   std::optional<GizmoDrag> drag_;
-  bool by_button_ = false;  // ends with its release
-  bool pulls_ = false;      // the handle itself was taken hold of
+  bool by_button_ = false;  // the drag ends when the button is released
+  bool pulls_ = false;      // the drag pulls the handle itself
   WaypointRecorder recorder_;
   Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
   double snap_length_ = 1.0;
   std::string typed_;
   GizmoAmount amount_;
   std::optional<Move> move_;
-  bool turns_too_far_ = false;  // of the live move
+  bool turns_too_far_ = false;  // of move_
 };
 
 }  // namespace lapwing::viewer

@@ -3,7 +3,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// A surface this much nearer to the eye hides a place, as a share of the mesh's diagonal.
+// A surface nearer to the eye by more than this share of the mesh's diagonal hides a place.
 constexpr double kHides = 0.02;
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace lapwing::viewer {
 enum class InputKind { press, release, move, scroll, key, text };
 enum class MouseButton { none, left, middle, right };
 
-/// Keys that are no letters; letters and digits are their upper-case character.
+/// Keys other than letters and digits. The code of a letter or digit is its upper-case character.
 enum Key : int {
   kEscape = 256,
   kEnter,
@@ -32,19 +32,19 @@ struct Modifiers {
   bool operator==(const Modifiers&) const = default;
 };
 
-/// What sizes a disk, a brush or a part with the wheel, in every keymap: without it the wheel
-/// zooms.
+/// In every keymap, the wheel with these modifiers resizes a disk, a brush or a part. Without them
+/// it zooms.
 inline constexpr Modifiers kSizes{.control = true};
 
-/// What a person did to the window. Positions in pixels from the upper left corner.
+/// An event of the window. Positions are in pixels from the upper left corner.
 struct InputEvent {
   InputKind kind = InputKind::move;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   MouseButton button = MouseButton::none;
   Modifiers modifiers;
-  int key = 0;          ///< of key events, when pressed
-  char32_t text = 0;    ///< of text events
-  double scroll = 0.0;  ///< of scroll events: away from the person is positive
+  int key = 0;          ///< for key events, which are presses
+  char32_t text = 0;    ///< for text events
+  double scroll = 0.0;  ///< for scroll events; positive away from the user
 };
 
 }  // namespace lapwing::viewer

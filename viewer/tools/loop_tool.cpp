@@ -85,7 +85,7 @@ ToolAnswer LoopTool::close(const ToolScene& scene) {
 ToolAnswer LoopTool::choose_side(Index inside, const ToolScene& scene) {
   const RegionSpec spec{LoopRegion{corners_, inside}, "loop"};
   try {
-    // On the surface that is seen: that is where the command will choose.
+    // Tests the loop on the visible surface, because the command will use that.
     Mesh seen = *surface_of(scene.state);
     seen.positions.assign(scene.positions.begin(), scene.positions.end());
     (void)resolve(spec, seen);

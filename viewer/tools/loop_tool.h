@@ -6,9 +6,9 @@
 
 namespace lapwing::viewer {
 
-/// Chooses one side of a closed loop: clicks are joined along the mesh; a click on the first one or
-/// Enter closes the loop; the next click says which side. Backspace takes the last click back,
-/// Escape all of them.
+/// Chooses one side of a closed loop. Clicks are joined along mesh edges. A click on the first one,
+/// or Enter, closes the loop, and the next click picks the side. Backspace removes the last click,
+/// Escape removes all.
 class LoopTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -17,8 +17,8 @@ class LoopTool final : public SceneTool {
   bool follows_cursor() const override { return !corners_.empty(); }
 
   const std::vector<Index>& corners() const { return corners_; }
-  /// The vertices of the line so far, the piece to the cursor included; the first again at the end
-  /// once it is closed.
+  /// Returns the vertices of the line so far, up to the cursor. A closed line ends with its first
+  /// vertex.
   std::vector<Index> line() const;
   bool is_closed() const { return closed_; }
 
@@ -34,7 +34,7 @@ class LoopTool final : public SceneTool {
   bool is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) const;
 
   std::vector<Index> corners_;
-  std::vector<std::vector<Index>> pieces_;  // from each corner to the next
+  std::vector<std::vector<Index>> pieces_;  // paths from each corner to the next
   bool closed_ = false;
   Index hovered_ = kNoIndex;
   std::vector<Index> to_cursor_;

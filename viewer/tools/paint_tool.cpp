@@ -40,7 +40,7 @@ ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
       give_up();
       return ToolAnswer::only_taken();
     case InputKind::scroll:
-      // The stroke is in pixels of this view.
+      // The stroke is in pixels of this view, so the view must not zoom.
       return ToolAnswer::only_taken();
     case InputKind::move:
       extend(event.position, scene);

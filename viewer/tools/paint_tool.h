@@ -6,15 +6,15 @@
 
 namespace lapwing::viewer {
 
-/// Chooses vertices by where they show: under a brush, in a lasso or in a box. Drag with the left
-/// button; Control turns painting into erasing and back. [ and ], and scrolling during a stroke,
-/// change the brush. Escape gives a stroke up.
+/// Chooses vertices on the screen with a brush, a lasso or a box. Drag with the left button;
+/// Control switches between painting and erasing. [ and ], and Control + wheel, resize the brush.
+/// Escape cancels a stroke.
 class PaintTool final : public SceneTool {
  public:
   enum class Shape { brush, lasso, box };
   struct Options {
     Shape shape = Shape::brush;
-    bool through = false;  ///< what the surface hides, too
+    bool through = false;  ///< also chooses hidden vertices
     bool erase = false;
     double radius_pt = 20.0;  ///< of the brush
   };
@@ -42,8 +42,8 @@ class PaintTool final : public SceneTool {
   Options options_;
   bool control_ = false;
   bool dragging_ = false;
-  std::vector<Eigen::Vector2d> way_;     // of the cursor: all of it for a lasso, else its ends
-  std::vector<Eigen::Vector2d> pixels_;  // where the vertices show
+  std::vector<Eigen::Vector2d> way_;     // path of the cursor; only its ends unless it is a lasso
+  std::vector<Eigen::Vector2d> pixels_;  // pixels of the vertices
   VertexSet touched_;
 };
 

@@ -5,10 +5,10 @@
 namespace lapwing::viewer {
 namespace {
 
-// A pin's dot, and the hand's own inaccuracy.
+// Radius of a pin's dot, and a margin for the hand.
 constexpr double kPinReachPt = 9.0;
 
-// A single vertex of weight 1 stays behind the hand by some of an edge.
+// With weight 1, a single vertex lags behind the cursor by part of an edge length.
 constexpr double kPinWeight = 10.0;
 
 }  // namespace

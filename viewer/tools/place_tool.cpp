@@ -12,12 +12,12 @@ using Eigen::Vector3d;
 
 constexpr double kFactorPerNotch = 1.1;
 constexpr double kDegreesPerNotch = 5.0;
-// The surface's direction is that of what lies under the part, in radii of its loop.
+// Radius over which the surface normal is averaged, in radii of the part's loop.
 constexpr double kLookedAt = 0.7;
-// Of a part that is brought onto the surface, in the same.
+// Farthest that snapping may move a part, in radii of its loop.
 constexpr double kFarthestSlide = 0.3;
 
-// Two directions across `normal` that turn with the part.
+// Returns axes whose z is `normal` and whose x and y turn with the part.
 Eigen::Matrix3d axes_of(const Affine3d& placement, const Vector3d& normal) {
   Vector3d aside = Vector3d::Zero();
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -154,7 +154,8 @@ ToolAnswer PlaceTool::handle_scroll(const InputEvent& event) {
   return ToolAnswer::only_taken();
 }
 
-// Of one that is carried, so that it stays so.
+// Changes `way_`, too, while the part is carried, so that the next move of the cursor keeps the
+// change.
 template <class Change>
 void PlaceTool::change(const Change& change) {
   if (drag_) return;
@@ -168,7 +169,7 @@ void PlaceTool::place(const Affine3d& placement) {
   ++version_;
 }
 
-// Onto the surface, unless it would slide away from the cursor.
+// Snaps the part to the surface, unless it would slide away from the cursor.
 Affine3d PlaceTool::snapped(const Vector3d& point) const {
   if (!snaps) return way_.placement;
   TransplantDraft there = way_;
@@ -195,7 +196,7 @@ ToolAnswer PlaceTool::carry_on(const InputEvent& event, const Projection& projec
   if (presses ? event.button != MouseButton::left : event.kind != InputKind::move) {
     return ToolAnswer::passed_on();
   }
-  // Beside the surface a press turns the view.
+  // A press beside the surface turns the view.
   if (!follow(event.position, projection)) return ToolAnswer::passed_on();
   if (presses) set_down();
   return ToolAnswer::only_taken();

@@ -11,26 +11,26 @@
 
 namespace lapwing::viewer {
 
-/// What a part is put on: a state that waits for no result.
+/// The surface that a part is placed on. No result is pending for `state`.
 struct TransplantHost {
   AppState state;
   std::shared_ptr<const SurfaceSnap> surface;
 };
 
-/// Puts a part on a surface. First it follows the cursor, standing on what is under it: [
-/// and ], and the wheel with Control, make it larger and smaller, Shift and the wheel turn it. A
-/// click sets it down; then a gizmo moves it, whose axes are the part's (W, E, Q; Control snaps),
-/// and G takes it up again. Enter applies it, Escape gives up the drag, or all of it.
+/// Places a part on a surface. At first the part follows the cursor and stands on the surface under
+/// it. [ and ], or Control + wheel, scale it; Shift + wheel turns it. A click sets it down. Then a
+/// gizmo along the part's axes adjusts it (W, E, Q; Control snaps), and G picks it up again. Enter
+/// applies it. Escape cancels the drag, or else the placement.
 class PlaceTool final : public SceneTool {
  public:
   enum class Stage { empty, carried, set_down };
 
-  /// Takes a part in hand; one that stands somewhere already is set down there.
+  /// Starts to place a part. A draft that already stands on the surface is set down there.
   void begin(TransplantDraft draft, TransplantHost host);
   void end();
-  /// The part follows the cursor again.
+  /// Makes the part follow the cursor again.
   void carry();
-  /// It stays where it is, if it is anywhere.
+  /// Leaves the part where it is, if it stands on the surface.
   void set_down();
 
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -42,10 +42,10 @@ class PlaceTool final : public SceneTool {
   const TransplantDraft& draft() const { return draft_; }
   TransplantDraft& draft() { return draft_; }
   const TransplantHost& host() const { return host_; }
-  /// Another number whenever the part has come to another place.
+  /// Changes whenever the placement changes.
   std::uint64_t version() const { return version_; }
 
-  /// While it is set down.
+  /// Returns the gizmo of a part that is set down, else nullopt.
   std::optional<Gizmo> gizmo() const;
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
   GizmoMode mode() const { return mode_; }
@@ -53,11 +53,11 @@ class PlaceTool final : public SceneTool {
     if (!drag_) mode_ = mode;
   }
 
-  /// What a key asked for, once.
+  /// The request of a key. `take_wish` returns it once.
   enum class Wish { nothing, apply, give_up };
   Wish take_wish() { return std::exchange(wish_, Wish::nothing); }
 
-  /// While it is carried snap its loop onto the surface.
+  /// Snap the loop of a carried part to the surface.
   bool snaps = true;
 
  private:
@@ -75,15 +75,15 @@ class PlaceTool final : public SceneTool {
   Stage stage_ = Stage::empty;
   TransplantDraft draft_;
   TransplantHost host_;
-  TransplantDraft way_;  // while it is carried: without snapping, which would wind it up
-  std::optional<Eigen::Affine3d> taken_from_;  // where it was set down before
+  TransplantDraft way_;  // the carried part before snapping, which would accumulate
+  std::optional<Eigen::Affine3d> taken_from_;  // placement before it was picked up
   std::uint64_t version_ = 0;
   Wish wish_ = Wish::nothing;
 
   GizmoMode mode_ = GizmoMode::translate;
   GizmoPart hovered_ = GizmoPart::none;
   std::optional<GizmoDrag> drag_;
-  Eigen::Affine3d before_ = Eigen::Affine3d::Identity();  // the drag
+  Eigen::Affine3d before_ = Eigen::Affine3d::Identity();  // placement before the drag
   double snap_length_ = 1.0;
 };
 

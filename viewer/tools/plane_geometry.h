@@ -6,11 +6,11 @@
 
 namespace lapwing::viewer {
 
-/// From `p` to the nearest point between `a` and `b`. NaN where `p` is.
+/// Returns the distance from `p` to the segment from `a` to `b`; NaN if `p` is.
 double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                            const Eigen::Vector2d& b);
 
-/// Whether the polygon, which is closed by itself, goes around `p` an odd number of times.
+/// Whether `p` is inside the polygon by the even-odd rule. The last point joins to the first.
 bool is_in_polygon(const Eigen::Vector2d& p, std::span<const Eigen::Vector2d> polygon);
 
 }  // namespace lapwing::viewer

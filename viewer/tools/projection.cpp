@@ -18,7 +18,7 @@ constexpr double kFar = 0.0;
 
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
-// Distance along the ray (Moeller and Trumbore 1997); infinity where it passes by.
+// Returns the distance along the ray (Moeller and Trumbore 1997); infinity if it misses.
 double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const SightLine& ray) {
   const Vector3d p = ray.direction.cross(c - a);
   const double determinant = p.dot(b - a);
@@ -71,7 +71,7 @@ double Projection::length_of_pixel(const Vector3d& point) const {
 
 namespace {
 
-// Where the ray first meets a triangle that counts.
+// Returns the first intersection of the ray with a triangle for which `counts` is true.
 template <typename Counts>
 std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const Vector3d> positions,
                                      const SightLine& ray, const Counts& counts) {

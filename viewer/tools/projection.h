@@ -9,30 +9,30 @@
 
 namespace lapwing::viewer {
 
-/// What shows at one pixel: a half line; `direction` has length 1.
+/// The ray of points that show at one pixel; `direction` has length 1.
 struct SightLine {
   Eigen::Vector3d origin;
   Eigen::Vector3d direction;
 };
 
-/// How the window shows space, in pixels from its upper left corner. `Camera::projection(aspect) *
-/// Camera::view()` gives the matrix: y down, depth 1 near and 0 far.
+/// Maps between space and the window, in pixels from its upper left corner.
+/// `Camera::projection(aspect) * Camera::view()` gives the matrix: y down, depth 1 near and 0 far.
 ///
-/// What is sized for the hand and the eye (how near a click must be, how thick a line is) is given
-/// in points: a pixel of a desktop that enlarges nothing, 1/96 inch or so, and as many pixels on a
-/// dense display as its scale says. Names of such lengths end in `Pt` or `_pt`.
+/// Lengths for the hand and the eye (the reach of a click, the width of a line) are in points. A
+/// point is one pixel of an unscaled desktop, about 1/96 inch, and more pixels on a dense display.
+/// Names of such lengths end in `Pt` or `_pt`.
 class Projection {
  public:
   Projection(const Eigen::Matrix4d& clip_from_world, const Eigen::Vector2d& size_in_pixels,
              double pixels_per_point = 1.0);
 
-  /// Where `point` shows, inside the window or not; nothing behind the eye.
+  /// Returns the pixel of `point`, inside the window or not; nullopt if it is behind the eye.
   std::optional<Eigen::Vector2d> to_pixel(const Eigen::Vector3d& point) const;
-  /// What shows at a pixel, from the near plane on.
+  /// Returns the ray through a pixel, from the near plane on.
   SightLine ray_through(const Eigen::Vector2d& pixel) const;
-  /// From `point` to the eye; length 1.
+  /// Returns the unit vector from `point` to the eye.
   Eigen::Vector3d toward_eye(const Eigen::Vector3d& point) const;
-  /// The length, across the view at `point`, that one pixel shows.
+  /// Returns the length of one pixel across the view at `point`; 0 if it is behind the eye.
   double length_of_pixel(const Eigen::Vector3d& point) const;
   double in_pixels(double length_pt) const { return pixels_per_point_ * length_pt; }
 
@@ -43,30 +43,30 @@ class Projection {
   double pixels_per_point_;
 };
 
-/// A place on the surface.
+/// A point on the surface.
 struct SurfacePoint {
   Index triangle = kNoIndex;
   Index vertex = kNoIndex;  ///< the triangle's corner nearest to `position`
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Where `ray` first meets the surface, from either side. Linear in its triangles; a window asks
-/// its picture instead where it can.
+/// Returns the first point where `ray` meets the surface, from either side. Linear in its
+/// triangles; the window reads its ID picture instead if it can.
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
                                          std::span<const Eigen::Vector3d> positions,
                                          const SightLine& ray);
 
-/// The same of the triangles without a corner that `left_out` marks, one entry per vertex.
+/// The same without the triangles that have a corner marked in `left_out`, one entry per vertex.
 std::optional<SurfacePoint> pick_beside(const Topology& topology,
                                         std::span<const Eigen::Vector3d> positions,
                                         std::span<const char> left_out, const SightLine& ray);
 
-/// Where `ray` meets that triangle; nothing where it passes by.
+/// Returns the point where `ray` meets `triangle`; nullopt if it misses.
 std::optional<SurfacePoint> pick_triangle(const Topology& topology,
                                           std::span<const Eigen::Vector3d> positions,
                                           Index triangle, const SightLine& ray);
 
-/// The place `position` on `triangle`.
+/// Returns `position` on `triangle` with the nearest corner.
 SurfacePoint surface_point(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                            Index triangle, const Eigen::Vector3d& position);
 

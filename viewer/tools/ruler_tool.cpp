@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A hand that clicks moves by less.
+// The cursor moves less than this during a click.
 constexpr double kDragPt = 4.0;
 
 double length_of(std::span<const Vector3d> line) {
@@ -76,7 +76,7 @@ void RulerTool::measure_along_path(const Topology& topology, std::span<const Vec
   for (const Index v : path_) line_.push_back(positions[v]);
   measured_length_ = length_of(line_);
   straight_ = (positions[to_] - positions[from_]).norm();
-  // No farther than along the edges, but for rounding.
+  // The geodesic is at most as long as the edge path, up to rounding.
   constexpr double kRounding = 1e-9;
   const double most = (1.0 + kRounding) * measured_length_;
   const double geodesic = geodesic_distances(topology, positions, {&from_, 1}, most)[to_];

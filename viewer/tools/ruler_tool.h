@@ -9,9 +9,8 @@
 
 namespace lapwing::viewer {
 
-/// Measures between two vertices: click one and then the other, or drag from one to the other. What
-/// it measures stays, whatever tool is in hand, and goes with the surface; another click begins
-/// anew, Escape removes it.
+/// Measures between two vertices: click both, or drag from one to the other. The measure stays when
+/// the tool changes, and follows the surface. Another click starts a new one, Escape removes it.
 class RulerTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -20,17 +19,17 @@ class RulerTool final : public SceneTool {
 
   bool is_begun() const { return from_ != kNoIndex; }
   bool has_both_ends() const { return to_ != kNoIndex; }
-  /// Measures anew where the surface has moved: it stands `still` at `positions`, or is being moved
-  /// there. The ends are numbers of `topology`; for any other one the ruler is removed.
+  /// Updates the measure for a surface that stands `still` at `positions`, or moves there. Removes
+  /// the ruler if its ends are not vertices of `topology`.
   void follow(const std::shared_ptr<const Topology>& topology,
               std::span<const Eigen::Vector3d> positions, bool still);
 
   double straight() const { return straight_; }
-  /// The geodesic distance; while the surface moves about that, by how the way grows.
+  /// The geodesic distance. While the surface moves, it is scaled with the length of the edge path.
   double along() const { return along_; }
-  /// The shortest way along edges, as it shows.
+  /// The positions of the shortest edge path.
   std::span<const Eigen::Vector3d> line() const { return line_; }
-  /// "straight 1.2, along the surface 1.5"
+  /// Writes "straight 1.2, along the surface 1.5".
   void read_out(std::string& text) const;
 
   void reset() { *this = {}; }
@@ -46,11 +45,11 @@ class RulerTool final : public SceneTool {
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();
   bool is_pressed_ = false;
   std::vector<Index> path_;
-  std::vector<Eigen::Vector3d> line_;  // through the path
+  std::vector<Eigen::Vector3d> line_;  // positions of path_
   double straight_ = 0.0;
   double along_ = 0.0;
-  double measured_along_ = 0.0;   // when the surface stood still last,
-  double measured_length_ = 0.0;  // and the length of the line then
+  double measured_along_ = 0.0;   // along_ when the surface last stood still
+  double measured_length_ = 0.0;  // length of line_ at that time
 };
 
 }  // namespace lapwing::viewer

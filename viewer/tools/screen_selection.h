@@ -8,20 +8,20 @@
 
 namespace lapwing::viewer {
 
-/// Where the vertices show, found once for a stroke. NaN behind the eye.
+/// Returns the pixels of the vertices, to be computed once per stroke. NaN behind the eye.
 std::vector<Eigen::Vector2d> vertex_pixels(std::span<const Eigen::Vector3d> positions,
                                            const Projection& projection);
 
-/// The vertices that show within `radius` of the way from `from` to `to`.
+/// Returns the vertices that show within `radius` pixels of the segment from `from` to `to`.
 VertexSet near_line(std::span<const Eigen::Vector2d> pixels, const Eigen::Vector2d& from,
                     const Eigen::Vector2d& to, double radius);
 
-/// The vertices that show in the rectangle between two corners.
+/// Returns the vertices that show in the rectangle between two corners.
 VertexSet in_rectangle(std::span<const Eigen::Vector2d> pixels, const Eigen::Vector2d& corner,
                        const Eigen::Vector2d& opposite);
 
-/// The vertices that show inside a polygon, which is closed by itself; where it crosses itself,
-/// what it goes around an odd number of times.
+/// Returns the vertices that show inside a polygon by the even-odd rule. The last point joins to
+/// the first.
 VertexSet in_polygon(std::span<const Eigen::Vector2d> pixels,
                      std::span<const Eigen::Vector2d> polygon);
 

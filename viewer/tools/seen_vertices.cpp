@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A triangle that shows at a pixel may be nearer than the vertex beside it by as much as a slope of
-// this allows.
+// The surface slopes, so a triangle that shows at a pixel may be nearer to the eye than a visible
+// vertex beside it, by this many pixels.
 constexpr double kPixelsOfDepth = 3.0;
 
 }  // namespace
@@ -30,7 +30,7 @@ bool SeenVertices::operator()(Index vertex) const {
   for (Index r = std::max(row, 1U) - 1; r <= std::min(row + 1, picture_.height - 1); ++r) {
     for (Index c = std::max(column, 1U) - 1; c <= std::min(column + 1, picture_.width - 1); ++c) {
       const std::uint32_t id = picture_.ids[std::size_t{r} * picture_.width + c];
-      // Beside the outline of the surface lies the background, which says nothing.
+      // Background beside the outline of the surface does not make a vertex visible.
       const bool at_vertex = r == row && c == column;
       if (id == 0 ? at_vertex : !hides(id - 1, vertex, sight, tolerance)) return true;
     }
@@ -38,7 +38,8 @@ bool SeenVertices::operator()(Index vertex) const {
   return false;
 }
 
-// Whether the triangle's corners are all nearer to the eye, by more than `tolerance`.
+// Whether all corners of the triangle are nearer to the eye than the vertex by more than
+// `tolerance`.
 bool SeenVertices::hides(Index triangle, Index vertex, const SightLine& sight,
                          double tolerance) const {
   const double depth = (positions_[vertex] - sight.origin).dot(sight.direction);

@@ -7,17 +7,17 @@
 
 namespace lapwing::viewer {
 
-/// A picture of which triangle shows at each pixel, rows from the top: 1 + its number, or 0 (as
-/// IdPicture draws it). The numbers must outlive this.
+/// A picture with 1 + the number of the triangle that shows at each pixel, 0 for the background
+/// (IdPicture). Rows go from the top. `ids` must outlive this.
 struct TrianglePicture {
   std::span<const std::uint32_t> ids;
   Index width = 0;
   Index height = 0;
 };
 
-/// Tells which vertices are seen in a picture: in the window, and at their pixel, or one beside it,
-/// nothing shows that lies in front of them by more than rounding to pixels accounts for. What it
-/// is made of must outlive it.
+/// Tells which vertices are visible in a picture. A visible vertex is in the window. At its pixel,
+/// or one beside it, no triangle is in front of it by more than the rounding to pixels explains.
+/// The arguments of the constructor must outlive this.
 class SeenVertices {
  public:
   SeenVertices(const TrianglePicture& picture, const Topology& topology,

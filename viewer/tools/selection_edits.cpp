@@ -17,7 +17,7 @@ VertexSet all_vertices(const AppState& state) {
   return all;
 }
 
-// Of `vertices` those that the part may hold.
+// Returns those of `vertices` that the part may hold.
 VertexSet allowed(const AppState& state, const Part& part, VertexSet vertices) {
   if (part.role == Role::roi) return vertices;
   const EditSelection& selection = state.selection;
@@ -26,7 +26,7 @@ VertexSet allowed(const AppState& state, const Part& part, VertexSet vertices) {
     if (part.role == Role::handle && part.handle == h) continue;
     vertices = subtract(vertices, selection.handles[h].vertices);
   }
-  // One that goes by its width makes room for handles by itself.
+  // A belt defined by its width makes room for handles itself.
   const bool belt_by_hand = part.role == Role::handle && !selection.belt_fraction;
   return belt_by_hand ? subtract(vertices, selection.belt.vertices) : vertices;
 }

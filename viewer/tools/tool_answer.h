@@ -7,14 +7,14 @@
 
 namespace lapwing::viewer {
 
-/// What a tool made of one event.
+/// The response of a tool to one event.
 struct ToolAnswer {
-  bool taken = false;                     ///< nobody else should act on it
+  bool taken = false;                     ///< no one else should handle the event
   std::optional<Command> command = {};    ///< to perform
-  std::string message = {};               ///< for the person, when something did not work
-  std::optional<std::size_t> holds = {};  ///< a handle to be taken hold of, after the command
-  bool drags_held = false;                ///< in the plane of the view, until the button is let go
-  bool resizes = false;                   ///< the command only sizes what the tool chose last
+  std::string message = {};               ///< for the user, if something failed
+  std::optional<std::size_t> holds = {};  ///< handle to select after the command
+  bool drags_held = false;                ///< drag it in the view plane until the button goes up
+  bool resizes = false;                   ///< the command only resizes the last choice
 
   static ToolAnswer passed_on() { return {}; }
   static ToolAnswer only_taken() { return {.taken = true}; }

@@ -17,16 +17,16 @@ using Eigen::Vector3d;
 
 const std::string kWhere = "the part in hand";
 
-// A loop of a radius between these, in diagonals of the surface, was made for it; another one is
-// made so large.
+// In diagonals of the surface. A loop with a radius between the first two keeps its size; any other
+// is scaled to the third.
 constexpr double kLeastRadius = 0.01;
 constexpr double kMostRadius = 0.12;
 constexpr double kUsualRadius = 0.06;
 
-// Of a hole that was written as the draft writes it, in radii.
+// Tolerance for the centre of a hole that `hole()` wrote, in radii.
 constexpr double kRounding = 1e-6;
 
-// The share of the disk that `hole()` writes; nothing for other regions.
+// Returns the hole_share of a disk that `hole()` wrote; nullopt for other regions.
 std::optional<double> share_of(const RegionSpec& hole, const LoopFrame& frame) {
   const auto* inside = std::get_if<DiskInRegion>(&hole.form);
   if (inside == nullptr || inside->parts.size() != 1) return {};

@@ -15,53 +15,55 @@
 
 namespace lapwing::viewer {
 
-/// A part to be put on a surface, and what a step calls it.
+/// A part to place on a surface, and how a step names it.
 struct TransplantPart {
   std::filesystem::path file;        ///< absolute; empty: the surface itself
-  std::optional<RegionSpec> region;  ///< what is cut from it
+  std::optional<RegionSpec> region;  ///< the region to cut from it
   std::optional<std::size_t> loop_number;
-  Mesh mesh;                          ///< where its file has it
-  std::vector<Eigen::Vector3d> loop;  ///< of `mesh`, in order, the surface on its left
+  Mesh mesh;                          ///< in the coordinates of its file
+  std::vector<Eigen::Vector3d> loop;  ///< points of `mesh` in order, the surface on the left
 };
 
-/// Reads a part by itself, with the loop that its folder says. Throws what `read_part` does.
+/// Reads a part, with the loop that its folder names. Throws what `read_part` throws.
 TransplantPart read_transplant_part(const std::filesystem::path& file);
 
-/// A part on its way onto a surface: where it stands, and how it is to be sewn on.
+/// A part that is being placed on a surface: its placement and how it will be joined.
 struct TransplantDraft {
-  std::shared_ptr<const TransplantPart> part;               ///< null: none is in hand
+  std::shared_ptr<const TransplantPart> part;               ///< null: no part
   Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< of the part's mesh
-  bool stands = false;                                      ///< whether it has been put anywhere
-  double hole_share = 1.15;  ///< how large the hole's disk is, in radii of the part's loop
-  std::optional<RegionSpec> chosen_hole;  ///< in place of the disk
+  bool stands = false;                                      ///< whether it has been placed
+  double hole_share = 1.15;  ///< radius of the hole's disk, in radii of the part's loop
+  std::optional<RegionSpec> chosen_hole;  ///< replaces the disk
   TransplantParameters parameters;
 
-  /// Stands it at a point: from where it is by the least turn, so that it follows a path without
+  /// Moves the part to a point by the smallest rotation, so that it follows a path without
   /// spinning.
   void stand_at(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
-  /// About its normal, and about the middle of its loop; nothing while it stands nowhere.
+  /// Turn the part about its normal, or scale it about the centre of its loop. Do nothing before it
+  /// stands.
   void turn_by(double degrees);
   void scale_by(double factor);
 
-  /// How the part's loop lies where it is.
+  /// Returns the frame of the part's loop as placed.
   LoopFrame frame() const;
-  /// What is cut out of the surface: around the part's loop the largest disk, unless it is chosen.
+  /// Returns the region to cut from the surface: the chosen one, or else the largest disk around
+  /// the part's loop.
   RegionSpec hole() const;
-  /// The same placement to the bit wherever it is replayed.
+  /// Returns the step, whose replay gives the same placement bit for bit.
   TransplantStep step() const;
 };
 
-/// A part in hand that nobody has put anywhere. It keeps its size, unless that is out of proportion
-/// to a surface of that diagonal.
+/// Returns a draft of a part that has not been placed. It is scaled only if its size is out of
+/// proportion to a surface of this diagonal.
 TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double diagonal);
 
-/// A step that names files by absolute paths taken up again; `host` is what it was carried out on.
-/// Throws what `cut_hole` and `place_part` do.
+/// Returns the draft of an earlier step. The step names files by absolute paths; `host` is the
+/// state before it. Throws what `cut_hole` and `place_part` throw.
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host);
 
-/// The outward direction of a surface around `point`: that of the triangles within `radius` along
-/// the surface, the nearer the more, so that small detail does not make a part reel. Of its own
-/// triangle, where there are no others.
+/// Returns the mean outward normal of the triangles within `radius` along the surface, weighted by
+/// nearness, so that small detail does not tilt a part. If there are none, returns the normal of
+/// the point's triangle.
 Eigen::Vector3d normal_around(const SurfacePoint& point, double radius, const Topology& topology,
                               const Positions& positions);
 

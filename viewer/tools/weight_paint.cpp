@@ -15,7 +15,7 @@ WeightPaint::WeightPaint() {
 
 ToolAnswer WeightPaint::handle(const InputEvent& event, const ToolScene& scene) {
   field_.resize(scene.state.rest->vertex_count(), 0.0);
-  // A selection that the brush can add everything to, or take everything from.
+  // An empty or a full selection, so that the brush can add or remove every vertex.
   AppState canvas;
   canvas.rest = scene.state.rest;
   canvas.joined = scene.state.joined;
@@ -35,7 +35,7 @@ ToolAnswer WeightPaint::handle(const InputEvent& event, const ToolScene& scene) 
       set(painted->added, strength);
       set(painted->removed, 0.0);
     }
-    // The field is what changes, not what is chosen.
+    // A stroke changes the field, not the selection.
     answer.command.reset();
   }
   return answer;

@@ -7,8 +7,8 @@
 
 namespace lapwing::viewer {
 
-/// Paints a number from 0 to 1 on every vertex: how much of the second source there is. The brush
-/// sets what it touches to `strength`; with Ctrl it sets it to 0.
+/// Paints a number from 0 to 1 on every vertex, the share of the second source. The brush sets what
+/// it touches to `strength`, or to 0 with Ctrl.
 class WeightPaint final : public SceneTool {
  public:
   WeightPaint();
@@ -20,13 +20,12 @@ class WeightPaint final : public SceneTool {
   }
   ToolMarks marks() const override { return paint_.marks(); }
 
-  /// One number per vertex; 0 everywhere for as many as there are now, where it was of other
-  /// vertices.
+  /// One number per vertex. `handle` resizes it to the scene's vertices; new entries are 0.
   const std::vector<double>& field() const { return field_; }
   void set_field(std::vector<double> field) { field_ = std::move(field); }
   /// The field as it would be if the stroke ended here.
   std::vector<double> live_field() const;
-  /// Averages every number with those around it.
+  /// Averages every number with those of the adjacent vertices.
   void soften(const Topology& topology);
 
   double strength = 1.0;

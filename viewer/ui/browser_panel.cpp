@@ -39,7 +39,7 @@ bool is_pressed_now(ImGuiKey key) {
   return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
-// The folders from the root down to `folder`.
+// Returns the folders from the root down to `folder`.
 std::vector<fs::path> way_to(const fs::path& folder) {
   std::vector<fs::path> way;
   fs::path path;
@@ -54,7 +54,7 @@ std::string name_of_step(const fs::path& folder) {
   return folder.has_filename() ? folder.filename().string() : folder.string();
 }
 
-// "Meshes (*.obj, *.off, ...)"
+// Returns a label such as "Meshes (*.obj, *.off, ...)".
 std::string in_words(const FileKind& kind) {
   constexpr std::size_t kMost = 4;
   std::string text(kind.name);
@@ -77,7 +77,7 @@ void BrowserPanel::open(PathRequest request, std::string trouble) {
   enter_pressed_ = false;
   has_focus_ = false;
   show(request_->folder);
-  // What was refused is to be corrected, a suggestion to be replaced.
+  // A refused name is to be corrected, a suggested one to be replaced.
   is_suggestion_ = trouble_.empty();
   focus(!is_suggestion_);
 }
@@ -139,7 +139,7 @@ std::optional<fs::path> BrowserPanel::accept() {
   fs::path path = path_of(typed_, folder_);
   std::error_code error;
   if (wants == Wants::folder || !fs::is_directory(path, error)) return path;
-  // A folder is gone into.
+  // Enter a folder.
   typed_.clear();
   show(std::move(path));
   focus(true);
@@ -155,14 +155,14 @@ std::optional<fs::path> BrowserPanel::draw() {
                     std::min(kBrowserLetters.y * letter, viewport.WorkSize.y - letter));
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
   ImGui::SetNextWindowPos(viewport.GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-  // A title that changes is another window to ImGui, unless its name after ### stays.
+  // ImGui identifies the window by the name after ###, so the title may change.
   const std::string title = std::string(words_of(request_->purpose).title) + "###browser";
   bool open = true;
   std::optional<fs::path> chosen;
   constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                           ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin(title.c_str(), &open, kFlags)) {
-    // What closed another dialog, or opened this one, is no answer here.
+    // The key that closed another dialog or opened this one is no answer here.
     const bool escapes = !ImGui::IsWindowAppearing() && is_pressed_now(ImGuiKey_Escape) &&
                          !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     chosen = draw_inside();
@@ -214,7 +214,7 @@ std::optional<fs::path> BrowserPanel::draw_inside() {
   return accepts ? accept() : chosen;
 }
 
-// Up, and the folders above as buttons; where there is not enough room those at the end.
+// Draws Up and the folders of the path as buttons; only the last ones if there is not enough room.
 void BrowserPanel::draw_way() {
   const std::vector<fs::path> way = way_to(folder_);
   std::optional<fs::path> wanted;
@@ -227,7 +227,7 @@ void BrowserPanel::draw_way() {
   float left = ImGui::GetContentRegionAvail().x - width_of("Up") - style.ItemSpacing.x;
   std::size_t first = way.size();
   while (first > 0 && (left -= width_of(way[first - 1])) > 0.0F) --first;
-  // At least the folder itself.
+  // Show at least the folder itself.
   first = std::min(first, way.empty() ? 0 : way.size() - 1);
   for (std::size_t k = first; k < way.size(); ++k) {
     ImGui::SameLine(0.0F, k == first ? style.ItemSpacing.x : style.ItemInnerSpacing.x);
@@ -253,7 +253,7 @@ std::optional<fs::path> BrowserPanel::draw_places() {
     const bool is_here = !place.is_file && place.path == folder_;
     if (ImGui::Selectable(place.label.c_str(), is_here)) {
       if (place.is_file) {
-        // As if it had been typed: an error then says it in the field.
+        // As if it had been typed, so that it stays in the field after an error.
         typed_ = place.path.string();
         chosen = place.path;
       } else {
@@ -267,7 +267,7 @@ std::optional<fs::path> BrowserPanel::draw_places() {
   return chosen;
 }
 
-// True when a file was double-clicked, whose name is in the field then.
+// Returns true if a file was double-clicked. Its name is then in the field.
 bool BrowserPanel::draw_list() {
   const bool is_of_folder = listing_.folder == folder_;
   if (is_of_folder && !listing_.trouble.empty()) {
@@ -290,7 +290,7 @@ bool BrowserPanel::draw_list() {
   if (std::exchange(scrolls_to_top_, false)) ImGui::SetScrollY(0.0F);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(listing_.entries.size()));
-  // A folder that is gone into takes the place of the list.
+  // Entering a folder replaces the list, so it waits for the end of the loop.
   std::optional<fs::path> entered;
   while (clipper.Step()) {
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
@@ -312,7 +312,7 @@ bool BrowserPanel::draw_list() {
   return accepts;
 }
 
-// True when it was double-clicked. A click on a file puts its name into the field.
+// Returns true if the entry was double-clicked. A click on a file puts its name into the field.
 bool BrowserPanel::draw_entry(const FolderEntry& entry) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -351,9 +351,9 @@ int BrowserPanel::on_field(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-// True when what is in the field was accepted there.
+// Returns true if Enter was pressed in the field.
 bool BrowserPanel::draw_field() {
-  // Until the field has the keyboard letters come by `take`.
+  // Until the field has the keyboard, letters come through `take`.
   if (!has_focus_) ImGui::GetIO().InputQueueCharacters.resize(0);
   if (std::exchange(asks_for_focus_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0F);

@@ -13,43 +13,43 @@ struct ImGuiInputTextCallbackData;
 
 namespace lapwing::viewer {
 
-/// A short way to somewhere: a folder that is shown, or a file that is used at once.
+/// A shortcut: a folder to show, or a file to use at once.
 struct BrowserPlace {
   std::string label;
   std::filesystem::path path;
   bool is_file = false;
 };
 
-/// What a person is asked for.
+/// A request for a path.
 struct PathRequest {
   PathPurpose purpose = PathPurpose::open;
-  std::filesystem::path folder;  ///< where the person begins, absolute
+  std::filesystem::path folder;  ///< start folder, absolute
   std::string name;              ///< suggested, or typed before
   std::vector<BrowserPlace> places;
 };
 
-/// The built-in file browser, in a window of its own: places, the way up, what is in the folder,
-/// and a field for a name or path that has the keyboard as soon as the browser is there. Tab
-/// completes, Enter accepts, Escape closes.
+/// The built-in file browser, in its own window: places, the path, the contents of the folder, and
+/// a field for a name or path that has the keyboard from the start. Tab completes, Enter accepts,
+/// Escape closes.
 class BrowserPanel {
  public:
   /// `wake` is called, on another thread, when a folder has been read.
   explicit BrowserPanel(std::function<void()> wake);
 
-  /// Begins anew. `trouble` says why what was chosen before cannot be used.
+  /// Opens the browser. `trouble` says why the last choice cannot be used.
   void open(PathRequest request, std::string trouble = {});
   bool is_open() const { return request_.has_value(); }
   void close() { request_.reset(); }
   void say(std::string trouble);
 
-  /// What was typed while the field did not have the keyboard yet, or not any more, is its own.
+  /// Takes keys that are typed while the field does not have the keyboard.
   void take(const InputEvent& event);
 
-  /// Lays one frame out. The absolute path that the person accepts, which may not be there: a
-  /// folder only where one is asked for.
+  /// Lays out one frame. Returns the absolute path that the user accepts, which need not exist. It
+  /// is a folder only if a folder is asked for.
   std::optional<std::filesystem::path> draw();
 
-  const std::filesystem::path& folder() const { return folder_; }  ///< the one that is shown
+  const std::filesystem::path& folder() const { return folder_; }  ///< the folder that is shown
   const std::string& typed() const { return typed_; }
 
  private:
@@ -73,15 +73,15 @@ class BrowserPanel {
   FolderReader reader_;
   std::string typed_;
   std::string trouble_;
-  std::size_t kind_ = 0;  // of the purpose's kinds
+  std::size_t kind_ = 0;  // index into the purpose's kinds
   bool shows_hidden_ = false;
 
-  // The field gets the keyboard a frame or two after it was asked to.
+  // The field gets the keyboard a frame or two after the request.
   bool asks_for_focus_ = false;
   bool has_focus_ = false;       // as of the last frame
-  bool is_suggestion_ = false;   // the next letter takes its place
+  bool is_suggestion_ = false;   // the next letter replaces it
   bool cursor_to_end_ = false;   // once it has the keyboard
-  bool enter_pressed_ = false;   // while it had not
+  bool enter_pressed_ = false;   // while it did not have the keyboard
   bool scrolls_to_top_ = false;  // the list
 };
 

@@ -6,10 +6,10 @@
 namespace lapwing::viewer {
 namespace {
 
-// As it is drawn (shaders/carried.glsl).
+// The colour of carried objects (shaders/carried.glsl).
 const ImVec4 kCarriedColor{0.36F, 0.68F, 0.58F, 1.0F};
 
-// True when its button was pressed.
+// Returns true if the object's button was pressed.
 bool draw_object(const CarriedObject& object, std::size_t number) {
   ImGui::PushID(static_cast<int>(number));
   const char* verb = object.follows ? "Remove" : "Follow";

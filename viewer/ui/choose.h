@@ -6,8 +6,8 @@
 
 namespace lapwing::viewer {
 
-/// One of several on a line behind `label`; `value` becomes the one that is clicked. Whether one
-/// was.
+/// Draws choices on one line after `label`. Sets `value` to the one that is clicked, and returns
+/// whether one was.
 template <typename Value>
 bool choose(const char* label, Value& value,
             std::initializer_list<std::pair<const char*, Value>> choices) {
@@ -25,7 +25,7 @@ bool choose(const char* label, Value& value,
   return clicked;
 }
 
-/// A button that stays lit while it is `on`; whether it was pressed.
+/// Draws a button that is highlighted while `on`. Returns whether it was pressed.
 inline bool toggle_button(const char* label, bool on) {
   if (on) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
@@ -35,7 +35,7 @@ inline bool toggle_button(const char* label, bool on) {
   return pressed;
 }
 
-/// Begins no new line if an item `width` wide still fits on this one, up to `right` on the screen.
+/// Stays on the line if an item of `width` still fits there, up to `right` on the screen.
 inline void stay_on_line(float width, float right) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   if (ImGui::GetItemRectMax().x + spacing + width <= right) ImGui::SameLine();

@@ -24,13 +24,13 @@ bool draw_number(const char* label, double& number, bool& let_go) {
   return changed;
 }
 
-// Without what rounding leaves, which would be long to read.
+// Sets rounding errors to 0, which would be long to read.
 Eigen::Vector3d readable(const Eigen::Vector3d& vector, double size) {
   constexpr double kRounding = 1e-9;
   return (vector.array().abs() > kRounding * size).select(vector, 0.0);
 }
 
-// Whether the handle turns as the surface wants.
+// Draws the checkbox for a handle that turns freely.
 void draw_orientation(Editor& editor, std::size_t handle) {
   const AppState& state = editor.state();
   if (!allows_free_handles(state.parameters)) return;
@@ -58,7 +58,7 @@ HandleMove typed_move(const AppState& state, std::size_t handle, const Similarit
   return {typed, HandleOrientation::free, {}};
 }
 
-// The handle's move from its rest position, typed in.
+// Draws fields for the handle's move from rest.
 void draw_move(Editor& editor, PanelDrafts& drafts) {
   const AppState& state = editor.state();
   const std::size_t handle = editor.handle();

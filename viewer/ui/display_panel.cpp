@@ -41,7 +41,6 @@ void choose_in_pairs(const char* label, Value& value,
                      const std::array<std::pair<const char*, Value>, count>& choices) {
   ImGui::TextDisabled("%s", label);
   for (std::size_t c = 0; c < count; ++c) {
-    // Two in a row.
     if (c % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionMax().x);
     if (ImGui::RadioButton(choices[c].first, value == choices[c].second)) value = choices[c].second;
   }

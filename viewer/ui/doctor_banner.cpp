@@ -15,8 +15,8 @@ namespace {
 // In letters of the font.
 constexpr float kBannerLetters = 52.0F;
 constexpr float kEmptyLetters = 30.0F;
-// Rings around more vertices than this hide the mesh that they are to show: then the colours do,
-// and only what is on no face is ringed.
+// More rings than this hide the mesh. Then colours show the places, and only vertices on no face
+// get rings.
 constexpr std::size_t kMostRings = 200;
 constexpr std::size_t kMostLooseRings = 2000;
 constexpr float kBannerOpacity = 0.98F;
@@ -32,7 +32,7 @@ void write_problem(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-// What each kind means, and what can be done about it.
+// Draws a tooltip with the name and the meaning of each finding.
 void draw_findings(const CheckReport& report) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32.0F);
@@ -78,7 +78,7 @@ void DoctorBanner::update(Editor& editor, bool others_preview) {
     state_ = State::offering;
   }
   if (!has_picture() || (editor.shown().previews() && !others_preview)) return;
-  // An edit, an undo or another preview has taken the picture.
+  // An edit, an undo or another preview has replaced the picture.
   if (state_ == State::marking) editor.point_at({});
   state_ = State::offering;
   repaired_.reset();
@@ -93,7 +93,7 @@ void DoctorBanner::mark(Editor& editor) {
   for (const Index v : places_) classes[v] = VertexClass::handle;
   for (const Index v : faulty.hindering) classes[v] = VertexClass::belt;
   editor.shown().show_preview(mesh_, std::move(classes));
-  // What is framed and ringed is of the edit, which may have come to other vertices.
+  // The edit may have other vertices by now, and only its vertices can be framed and ringed.
   std::erase_if(places_, [&](Index v) { return v >= editor.positions().size(); });
   std::vector<Index> ringed = places_;
   if (ringed.size() > kMostRings) {

@@ -16,46 +16,46 @@
 
 namespace lapwing::viewer {
 
-/// What a person wants of the banner that the viewer has to do.
+/// Requests from the banner to the viewer.
 enum class BannerWish {
   look_at_places,  ///< frame `places`
-  look_back,       ///< as it was before that
-  keep_repair,     ///< ask where to, and open it from there
+  look_back,       ///< restore the view before that
+  keep_repair,     ///< ask for a path, save and open the file
   open_another,
 };
 
-/// What the doctor found in the mesh that was opened, over the picture: which vertices are meant,
-/// and what a repair would come to, shown in place of the mesh before anything is kept. A recipe
-/// begins with a file, so that a repair that is kept is a file of its own. For a mesh in which
-/// there is nothing to see it says so instead.
+/// A banner over the picture with what the doctor found in the opened mesh. It marks the faulty
+/// vertices, and previews a repair in place of the mesh. A repair that is kept becomes a new file,
+/// because a recipe begins with a file. For a mesh without faces the banner says that there is
+/// nothing to see.
 class DoctorBanner {
  public:
-  /// `report`, of `mesh`, lists all places. `wake` is called, on another thread, when a repair is
-  /// there.
+  /// `report` lists all places in `mesh`. `wake` is called on another thread when a repair is
+  /// ready.
   DoctorBanner(std::string name, std::shared_ptr<const Mesh> mesh, CheckReport report,
                std::function<void()> wake);
 
-  /// Whether there is nothing to see or to edit.
+  /// Whether the mesh has no faces, so that there is nothing to see or edit.
   bool is_empty() const { return report_.find(DefectKind::no_faces) != nullptr; }
 
-  /// Once a frame, before `draw`: takes what the worker has, and lets go of the picture what an
-  /// edit, or `others_preview`, shows instead.
+  /// Call this once a frame, before `draw`. Takes a finished repair, and gives up its picture if an
+  /// edit or `others_preview` has replaced it.
   void update(Editor& editor, bool others_preview);
-  /// Lays it out with its upper left corner at `corner`, at most so wide; below `free_height` where
-  /// there is nothing to see. Changes what `editor` shows.
+  /// Draws the banner at `corner`, at most `free_size` large. For an empty mesh it is centred in
+  /// that area. May change what `editor` shows.
   std::optional<BannerWish> draw(Editor& editor, const Eigen::Vector2d& corner,
                                  const Eigen::Vector2d& free_size);
-  /// How much of the picture's height it took in the last frame, in ImGui's units.
+  /// Returns the banner's height in the last frame, in ImGui's units.
   double height() const { return height_; }
 
-  /// Whether the picture shows which vertices are meant.
+  /// Whether the picture marks the faulty vertices.
   bool marks() const { return state_ == State::marking; }
-  /// Whether the picture shows something else than the edit, marks or a repair.
+  /// Whether the picture shows marks or a repair instead of the edit.
   bool has_picture() const { return marks() || state_ == State::previewing; }
   std::span<const Index> places() const { return places_; }
-  /// From where they show (side_of).
+  /// Direction from which the places show (side_of).
   const std::optional<Eigen::Vector3d>& side() const { return side_; }
-  /// The mesh to keep; null unless it is previewed.
+  /// Returns the repaired mesh while it is previewed, else null.
   std::shared_ptr<const Mesh> repair() const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace lapwing::viewer {
 
-/// What is open.
+/// An open mesh with its edit and the desks of the tasks.
 struct Document {
   Document(LoadedFile file, const std::filesystem::path& journals,
            const std::shared_ptr<gpu::Context>& context, Say say, std::function<void()> wake)

@@ -10,11 +10,11 @@ constexpr ImU32 kFrame = IM_COL32(30, 30, 34, 255);
 constexpr ImU32 kSource = IM_COL32(242, 194, 77, 150);
 constexpr ImU32 kTarget = IM_COL32(110, 170, 255, 150);
 constexpr ImU32 kPin = IM_COL32(255, 90, 90, 255);
-constexpr float kPinLetters = 0.27F;  // its radius, in letters of the font
-// More lines than this are a grey area, and cost the panel more than the surface.
+constexpr float kPinLetters = 0.27F;  // radius of a pin, in letters of the font
+// More lines than this are only a grey area, and cost more than drawing the surface.
 constexpr std::size_t kMostEdges = 12'000;
 
-// Where a point of the domain shows.
+// Maps points of the domain to the screen.
 struct DomainWindow {
   ImVec2 corner;
   float width;
@@ -28,7 +28,7 @@ struct DomainWindow {
   }
 };
 
-// Each inner edge once, but for those of midpoints; some of them where there are too many.
+// Draws each inner edge once, or every n-th one if there are too many.
 void draw_edges(ImDrawList& list, const DomainWindow& window, const Patch& patch,
                 const DomainMap& map, ImU32 color) {
   const std::size_t every = patch.triangles.size() * 3 / 2 / kMostEdges + 1;
@@ -65,7 +65,7 @@ void draw_domain(const LayeredCoat* layers, std::size_t source) {
     list.AddCircleFilled(window.at(map.target.points[own]), kPinLetters * ImGui::GetFontSize(),
                          kPin);
   }
-  // Each name in its lines' colour, on the ground that these lie on.
+  // Each name has the colour of its lines and their background.
   const float line = ImGui::GetFontSize();
   list.AddText({corner.x + 0.3F * line, corner.y + 0.1F * line}, kSource | IM_COL32_A_MASK,
                "source");

@@ -6,8 +6,8 @@
 
 namespace lapwing::viewer {
 
-/// The domain with the edges of both patches drawn in it, the source's below, as wide as the panel
-/// is. Without `layers`, only its frame.
+/// Draws the domain with the edges of both patches, the source's below, as wide as the panel.
+/// Without `layers`, draws only the frame.
 void draw_domain(const LayeredCoat* layers, std::size_t source);
 
 }  // namespace lapwing::viewer

@@ -18,7 +18,7 @@ constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
 constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
 constexpr ImU32 kMirror = IM_COL32(90, 190, 255, 28);
 constexpr double kThickPt = 2.5;
-// Around words, in letters.
+// Padding around text, in letters of the font.
 constexpr float kPaddingLetters = 0.27F;
 
 ImU32 color_of(GizmoPart part) {
@@ -28,7 +28,7 @@ ImU32 color_of(GizmoPart part) {
   return axis < 0 ? IM_COL32(235, 235, 235, 255) : kAxes[static_cast<std::size_t>(axis)];
 }
 
-// On a ground so dark that they can be read whatever is behind.
+// Draws text on a dark background, so that it is readable over anything.
 void draw_words(ImDrawList& list, const Vector2d& place, const std::string& words) {
   const ImVec2 from{static_cast<float>(place.x()), static_cast<float>(place.y())};
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
@@ -39,7 +39,7 @@ void draw_words(ImDrawList& list, const Vector2d& place, const std::string& word
   list.AddText(from, kLine, words.c_str());
 }
 
-// Draws at pixels of the picture; how large is in points.
+// Draws at pixels of the picture, with sizes in points.
 class Pen {
  public:
   Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Vector2d>& points,
@@ -53,7 +53,7 @@ class Pen {
 
   const Projection& projection() const { return projection_; }
 
-  // Dark below, so that it shows on every surface.
+  // A dark line below makes it show on every surface.
   void line(std::span<const Vector2d> pixels, bool closed, ImU32 color, double thickness_pt) {
     if (pixels.size() < 2) return;
     for (const auto& [shade, width_pt] :
@@ -78,12 +78,12 @@ class Pen {
     list_.AddCircleFilled(at(pixel), units(4.0), color);
   }
 
-  // So far to the right of the pixel, and below.
+  // Draws text to the right of the pixel and below it.
   void text(const Vector2d& pixel, const Vector2d& offset_pt, const std::string& words) {
     draw_words(list_, (corner_ + pixel) / unit_ + units_per_point_ * offset_pt, words);
   }
 
-  // Where points show, until the next call.
+  // Returns the pixels of points, valid until the next call.
   std::span<const Vector2d> pixels_of(std::span<const Eigen::Vector3d> points) {
     points_.clear();
     for (const Eigen::Vector3d& point : points) {
@@ -92,7 +92,7 @@ class Pen {
     return points_;
   }
 
-  // Where vertices show, until the next call.
+  // Returns the pixels of vertices, valid until the next call.
   std::span<const Vector2d> pixels_of(const Editor& editor, std::span<const Index> vertices) {
     points_.clear();
     for (const Index v : vertices) {
@@ -112,12 +112,12 @@ class Pen {
   ImDrawList& list_;
   const Projection projection_;
   const Vector2d corner_;
-  const double unit_;  // ImGui's, in pixels
+  const double unit_;  // ImGui's unit, in pixels
   const double units_per_point_;
   std::vector<Vector2d>& points_;
 };
 
-// A box at the end of an arm that scales, an arrow's head at one that moves.
+// Draws a box at the end of an arm that scales, an arrowhead at one that moves.
 void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) {
   constexpr double kHalfWidthPt = 5.0;
   constexpr double kHeadPt = 12.0;
@@ -199,7 +199,7 @@ void draw_pins(Pen& pen, const Editor& editor) {
   }
 }
 
-// As large as the mesh, and seen through.
+// Draws the mirror plane, transparent and as large as the mesh.
 void draw_mirror(Pen& pen, const Editor& editor) {
   const auto& plane = editor.state().selection.mirror;
   if (!plane) return;
@@ -212,7 +212,7 @@ void draw_mirror(Pen& pen, const Editor& editor) {
   const std::array<Eigen::Vector3d, 4> corners{center + across + up, center - across + up,
                                                center - across - up, center + across - up};
   const std::span<const Vector2d> pixels = pen.pixels_of(corners);
-  if (pixels.size() < corners.size()) return;  // the eye is within it
+  if (pixels.size() < corners.size()) return;  // the eye is inside the square
   pen.area(pixels, kMirror);
   pen.line(pixels, true, kHole, 1.0);
 }
@@ -223,7 +223,7 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   pen.line(pen.pixels_of(editor, marks.line), false, color, kThickPt);
   for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
   for (std::size_t k = 0; k < marks.grips.size(); ++k) {
-    // Of what is being moved they would stay behind.
+    // On a surface that is being moved the grips would stay behind.
     if (editor.shown().follows() || !marks.grips[k].faces_eye(pen.projection())) continue;
     const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
     if (!pixel) continue;
@@ -234,7 +234,7 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   pen.line(marks.outline, true, kLine, 1.5);
 }
 
-// One end of each pair, 0 on the source and 1 on the target.
+// Draws one end of each pair: 0 on the source, 1 on the target.
 void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optional<Index> half,
                const Positions& positions) {
   const auto mark = [&](Index vertex, ImU32 color, const std::string& name) {
@@ -264,7 +264,7 @@ void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFram
   const CoatSource& source = desk.draft().sources[desk.current()];
   Pen beside(desk.view()->view_frame(), pixels_per_unit, points_, corner);
   draw_ends(beside, source, 0, desk.picked_source(), desk.view()->shown().positions());
-  // Of other triangles their numbers would say nothing.
+  // On other triangles the vertex numbers mean nothing.
   if (!editor.shown().has_triangles_of_state()) return;
   Pen pen(view, pixels_per_unit, points_);
   draw_ends(pen, source, 1, desk.picked_target(), editor.positions());

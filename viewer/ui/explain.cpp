@@ -5,7 +5,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Letters of the font after which a tooltip goes on in the next line.
+// Width at which a tooltip wraps, in letters of the font.
 constexpr float kTooltipLetters = 28.0F;
 
 }  // namespace

@@ -6,9 +6,9 @@
 
 namespace lapwing::viewer {
 
-/// A tooltip of the item before, in lines that wrap: what it is or does, and more below, quietly.
+/// Adds a tooltip to the last item: `what` it is or does, and `more` below in grey. Lines wrap.
 void explain(std::string_view what, std::string_view more = {});
-/// What the action does, and its key.
+/// Likewise, with the description and the key of an action.
 void explain(Action action);
 
 }  // namespace lapwing::viewer

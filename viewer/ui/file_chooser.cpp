@@ -72,7 +72,7 @@ void FileChooser::take_answer() {
   }
 }
 
-// Says why the keys do nothing in this window.
+// Draws a window that says why keys do nothing here.
 void FileChooser::draw_waiting() {
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
   const std::string title = std::string(words_of(request_.purpose).title) + "###waiting";

@@ -11,40 +11,39 @@
 
 namespace lapwing::viewer {
 
-/// A path that a person has chosen, which `trouble_with` finds nothing wrong with.
+/// A path that the user has chosen and `trouble_with` accepts.
 struct ChosenPath {
   PathPurpose purpose = PathPurpose::open;
   std::filesystem::path path;  ///< absolute
 };
 
-/// Asks for a path, whatever for: by the desktop's dialog where there is one, else by the built-in
-/// browser, where also everything is said that is wrong with what was chosen.
+/// Asks for a path, by the desktop's dialog if there is one, else by the built-in browser. The
+/// browser also says what is wrong with a choice.
 class FileChooser {
  public:
   /// `wake` is called, on another thread, when there is news.
   explicit FileChooser(std::function<void()> wake);
 
-  /// Whether the desktop's dialog is asked first, where there is one.
+  /// Whether the desktop's dialog is used if there is one.
   bool uses_system_dialog = true;
 
-  /// In place of what is asked for now.
+  /// Asks for a path, in place of any earlier request.
   void ask(PathRequest request);
-  /// Asks again for what was asked for last, with what was chosen then, and says why, in the
-  /// built-in browser.
+  /// Repeats the last request in the built-in browser, with the last choice, and says why.
   void ask_again(std::string trouble);
-  /// Likewise for something else.
+  /// Likewise for another request.
   void ask_again(PathRequest request, std::string trouble);
   bool is_open() const { return dialog_ != nullptr || browser_.is_open(); }
-  /// What for, now or last.
+  /// The purpose of the current or last request.
   PathPurpose purpose() const { return request_.purpose; }
-  /// What was chosen last, of what was asked for last; empty before.
+  /// The last choice for the last request; empty before.
   const std::filesystem::path& chosen() const { return chosen_; }
   void close();
 
-  /// A key or letter that no field had the keyboard for.
+  /// Takes a key or letter that no field had the keyboard for.
   void take(const InputEvent& event);
 
-  /// Lays one frame out; what was chosen, once, after which this is closed.
+  /// Lays out one frame. Returns the choice once, after which the chooser is closed.
   std::optional<ChosenPath> draw();
 
  private:
@@ -54,7 +53,7 @@ class FileChooser {
   std::optional<ChosenPath> accept(std::filesystem::path path);
 
   std::function<void()> wake_;
-  PathRequest request_;  // as it would be asked again
+  PathRequest request_;  // as it would be repeated
   std::string suggested_;
   std::filesystem::path chosen_;
   std::unique_ptr<SystemDialog> dialog_;

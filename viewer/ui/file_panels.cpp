@@ -1,4 +1,4 @@
-// The questions about files that take no path.
+// The dialogs about files that do not ask for a path.
 
 #include <imgui.h>
 
@@ -15,7 +15,7 @@ void place_in_the_middle() {
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
 }
 
-// What led to the question, in the frame before, is no answer to it.
+// The key that led to the dialog, in the frame before, is no answer to it.
 bool is_pressed(ImGuiKey key) {
   return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }

@@ -4,8 +4,8 @@
 
 namespace lapwing::viewer {
 
-/// What the gizmo shows, along what its axes go, what the handle turns about, and whether it sticks
-/// to the surface: preferences of the view.
+/// Draws the mode, axes and pivot of the gizmo, and whether the handle sticks to the surface. These
+/// are preferences of the view.
 void draw_gizmo_panel(Editor& editor);
 
 }  // namespace lapwing::viewer

@@ -28,7 +28,7 @@ const char* words(Operation operation) {
                "other.";
 }
 
-// Nothing open: what can be begun, and what can be taken up again.
+// While nothing is open, draws what can be begun, and the steps that can be changed.
 void draw_beginnings(LayerDesk& desk, Editor& editor, Operation operation) {
   const bool coats = operation == Operation::coat;
   ImGui::TextWrapped("%s", words(operation));
@@ -47,7 +47,7 @@ void draw_beginnings(LayerDesk& desk, Editor& editor, Operation operation) {
   }
 }
 
-// True when another file is to be chosen.
+// Returns true if another file is to be chosen.
 bool draw_source_file(LayerDesk& desk) {
   const std::size_t k = desk.current();
   const std::filesystem::path& mesh = desk.draft().sources[k].mesh;
@@ -91,7 +91,7 @@ void draw_target(const LayerDesk& desk, const Editor& editor) {
   }
 }
 
-// What changes at once, as long as it is pulled.
+// Draws the sliders whose effect shows while they are dragged.
 void draw_live_sliders(LayerDesk& desk) {
   CoatSource& source = desk.draft().sources[desk.current()];
   if (const SourceView* view = desk.view()) {
@@ -114,7 +114,7 @@ void draw_parameters(LayerDesk& desk, const Editor& editor) {
     draft.parameters.transition->width = 0.05 * size;
   }
   if (draft.parameters.domain != before) {
-    // Another number of them.
+    // Another domain has another number of boundary pairs.
     for (CoatSource& each : draft.sources) each.boundary_pairs.clear();
   }
   ImGui::TreePop();

@@ -27,33 +27,32 @@ struct OpenedMesh {
   std::shared_ptr<const FilePaint> colors = nullptr;  ///< of the file, with notes; null for a shape
 };
 
-/// An edit to show, and what is to be said of it.
+/// An edit to show, with the check of its mesh.
 struct LoadedFile {
   OpenedMesh opened;
   CheckReport report;  ///< of the mesh as it was opened
   History history;
-  bool closed_outward = false;                   ///< as is_closed_outward says
-  std::optional<InterruptedEdit> restored = {};  ///< what the history continues
-  /// Of a replay: how many steps the history had that it goes on from.
+  bool closed_outward = false;                   ///< from is_closed_outward
+  std::optional<InterruptedEdit> restored = {};  ///< the edit that the history continues
+  /// For a replay, the number of steps in the history that it continues.
   std::optional<std::size_t> replayed_from = {};
 };
 
-/// Reads a mesh or, if `path` ends in .json, carries a recipe out on `kernels`, every step one of
-/// the history. `carry` follow the surface from there on. Throws what `read_mesh`, `read_recipe`,
-/// `run_recipe` and `open_carried` throw.
+/// Reads a mesh or, if `path` ends in .json, runs a recipe on `kernels`, every step one of the
+/// history. The files in `carry` follow the surface from then on. Throws what `read_mesh`,
+/// `read_recipe`, `run_recipe` and `open_carried` throw.
 LoadedFile load_file(const std::filesystem::path& path,
                      const std::vector<std::filesystem::path>& carry, Kernels& kernels,
                      const Progress& progress);
 
 LoadedFile load_shape(const NamedShape& shape);
 
-/// Carries the steps of a recipe out on the surface that `history` leads to, whichever mesh it was
-/// written for. Throws as `load_file`.
+/// Runs the steps of a recipe on the surface that `history` leads to, whichever mesh it was written
+/// for. Throws like `load_file`.
 LoadedFile load_replay(const std::filesystem::path& recipe, History history, Kernels& kernels,
                        const Progress& progress);
 
-/// Carries an interrupted edit out again. Throws as `load_file`, and InputError when the mesh is
-/// not what it was.
+/// Runs an interrupted edit again. Throws like `load_file`, and InputError if the mesh has changed.
 LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
                             const Progress& progress);
 

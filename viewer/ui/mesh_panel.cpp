@@ -23,7 +23,7 @@ std::string number(double value) {
   return text;
 }
 
-// What its file says of the mesh's colours.
+// Adds rows for the colours in the mesh's file.
 void color_rows(const OpenedMesh& opened) {
   const MeshAttributes& attributes = opened.mesh->attributes();
   if (!attributes.vertex_colors.empty()) row("colours", "of vertices");

@@ -7,27 +7,27 @@
 
 namespace lapwing::viewer {
 
-/// What has been said to the person: the log, and the toasts, which are what is still to be read.
-/// There is one note at most, the last; warnings and errors stay until they are closed. Times are
-/// in seconds of any clock that does not go back.
+/// The messages to the user: the log, and the toasts, which are still to be read. Only the last
+/// note is a toast; warnings and errors stay until they are closed. Times are in seconds of any
+/// clock that does not go back.
 class Messages {
  public:
   struct Toast {
     Message message;
     double since;
-    int times;  ///< that it was said in a row
+    int times;  ///< said in a row
   };
 
-  /// Adds to log and toasts; an empty message takes the note away.
+  /// Adds to log and toasts. An empty message removes the note.
   void say(Message message, double now);
-  /// Adds to the log alone: it is shown elsewhere.
+  /// Adds only to the log, because the message is shown elsewhere.
   void record(Message message);
-  /// The person did something: a note that there was time to read goes.
+  /// The user did something. Removes a note that was shown long enough to be read.
   void acted(double now);
   void close(std::size_t toast);
   void close_all() { toasts_.clear(); }
 
-  /// The newest last.
+  /// Newest last.
   std::span<const Toast> toasts() const { return toasts_; }
   std::span<const Message> log() const { return log_; }
 

@@ -19,7 +19,7 @@ void draw_colored(const Message& message) {
   ImGui::PopStyleColor();
 }
 
-// Whether the person closes it.
+// Returns whether the user closes it.
 bool draw_toast(const Messages::Toast& toast) {
   bool closes = false;
   if (ImGui::BeginTable("toast", 2)) {
@@ -81,7 +81,7 @@ void draw_toasts(Messages& messages, const PictureArea& area) {
     ImGui::PopID();
   }
   if (is_begun) ImGui::End();
-  // It goes by itself: a hand works through it.
+  // A note disappears by itself and lets the mouse through.
   if (note != nullptr) {
     begin_over_picture("Note", area, Corner::lower, ImGuiWindowFlags_NoInputs);
     ImGui::PushTextWrapPos(kToastLetters * ImGui::GetFontSize() -

@@ -10,7 +10,7 @@ bool draw_slider(const char* label, double& value, double from, double to) {
   return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &from, &to, "%.3g");
 }
 
-// The handle is taken, since it is what a person can choose inside of the ROI.
+// Uses a handle, because that is what the user can choose inside the ROI.
 void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   const auto& handles = editor.state().selection.handles;
   draw_slider("width##ramp", ramp.width, 0.0, 0.5 * editor.bounds().diagonal());
@@ -40,7 +40,7 @@ void draw_form(const char* label, LayerDesk& desk, Editor& editor) {
   if (std::holds_alternative<Form>(form)) return;
   form = Form{};
   desk.paint_weight(std::is_same_v<Form, PaintedWeight>, editor);
-  // A ramp over the domain needs one with two sides.
+  // A ramp over the domain needs opposite sides, which only the square has.
   if (std::is_same_v<Form, DomainRamp>) desk.draft().parameters.domain = Domain::square;
 }
 

@@ -4,15 +4,15 @@
 
 namespace lapwing::viewer {
 
-/// Lays out what there is to choose of a step's parameters, by the descriptions of their keys: a
-/// line each, with the key's sentence where the cursor rests. Nothing of meshes or regions.
+/// Draws the parameters of a step by the descriptions of their keys, one line each, with the key's
+/// help as a tooltip. Leaves out meshes and regions.
 class ParameterPanel final : public KeyVisitor {
  public:
-  /// `size` is what lengths are shares of, such as the mesh's diagonal.
+  /// Limits of lengths are shares of `size`, such as the mesh's diagonal.
   explicit ParameterPanel(double size) : size_(size) {}
 
-  bool edited() const { return edited_; }  ///< something is another than it was
-  /// That is what the person wants: a click, or a slider or field that was let go.
+  bool edited() const { return edited_; }  ///< a value has changed
+  /// Whether a choice is made: by a click, or a slider or field that was released.
   bool chosen() const { return chosen_; }
 
   void number(const StepKey& key, double& value, const Range& range) override;
@@ -26,7 +26,7 @@ class ParameterPanel final : public KeyVisitor {
   bool enter(const StepKey& key, bool& given, ObjectForm form, bool is_default) override;
 
  private:
-  // Of the widget that was laid out last, which changed its value now or not.
+  // Notes whether the last widget changed its value or was released.
   void take(const StepKey& key, bool changed);
   void draw_number(const StepKey& key, const std::string& label, double& value, const Range& range);
 

@@ -4,13 +4,13 @@
 
 namespace lapwing::viewer {
 
-// What the parts of an edit have on the surface (shaders/surface.glsl), for swatches beside their
-// names.
+// The colours of the parts of an edit on the surface (shaders/surface.glsl), for swatches beside
+// their names.
 inline const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
 inline const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
 inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
 
-/// A square of that colour before an item with a frame, on one line with it.
+/// Draws a square of that colour before an item with a frame, on the same line.
 inline void draw_swatch(const ImVec4& color) {
   const float side = 0.7F * ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -12,13 +12,13 @@ namespace lapwing::viewer {
 /// The pictures of a shelf's parts on the device.
 class PartPictures {
  public:
-  /// Before panels are laid out: those of `shelf` as it is now, on `context`, which must outlive
-  /// them.
+  /// Updates the pictures to those of `shelf`, on `context`, which must outlive them. Call it
+  /// before panels are laid out.
   void renew(const PartShelf& shelf, gpu::Context& context);
-  /// Lets all go that is on the device.
+  /// Releases everything on the device.
   void release();
 
-  /// Of the shelf's item `k`; null where there is none.
+  /// Returns the picture of the shelf's item `k`; null if it has none.
   const UiPicture* of(std::size_t k) const { return pictures_[k].get(); }
 
  private:

@@ -1,4 +1,4 @@
-// What is asked for a picture, and for pictures from all around.
+// The dialogs that save a picture or a turntable.
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ void ask_for_size(PicturePlan& plan) {
   plan.height = std::max(1, size[1]);
 }
 
-// By the button or by Enter, which closes the dialog.
+// Returns whether the button or Enter accepts the plan. Then the dialog closes.
 bool is_accepted(PicturePlan& plan) {
   const bool enters = !ImGui::IsAnyItemActive() && !ImGui::IsWindowAppearing() &&
                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
@@ -37,7 +37,7 @@ bool is_accepted(PicturePlan& plan) {
   return accepted;
 }
 
-// True when it is given up.
+// Returns true if the user cancels.
 bool draw_progress(const TurntableRecording& recording) {
   const TurntableRecording::Order& order = recording.order();
   const int written = recording.written();

@@ -53,7 +53,7 @@ const char* words_of_surface(const Editor& editor) {
 void draw_progress(Editor& editor) {
   EditSession& session = editor.session();
   PreparationStatus status = session.preparation().status();
-  // What settles as it is dragged comes and goes with every frame.
+  // During a drag the surface settles in every frame, so the phase would flicker.
   if (status.phase == Phase::settling && editor.is_dragging()) status.phase = Phase::ready;
   ImGui::TextWrapped(
       "%s", words(status.phase, session.preparation(), !editor.state().selection.handles.empty()));
@@ -76,7 +76,7 @@ void draw_progress(Editor& editor) {
   ImGui::TextDisabled("%s", words_of_surface(editor));
 }
 
-// One number of the certificate, in the left or the right half of a line.
+// Draws one number of the certificate, in half a line.
 void draw_number(const char* label, const char* format, double number, const char* meaning) {
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", label);
@@ -109,7 +109,7 @@ void draw_numbers(const Editor& editor, const Certificate& certificate) {
   ImGui::EndTable();
 }
 
-// True where a person wants a warning's vertices shown.
+// Returns true if the user wants to see the warning's vertices.
 bool draw_warning(const CertificateWarning& warning) {
   ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
   ImGui::TextWrapped("%s", warning.text.c_str());

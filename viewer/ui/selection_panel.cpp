@@ -12,7 +12,7 @@ namespace {
 
 using Role = Part::Role;
 
-// A row that chooses `part`, in the colour that it has on the surface.
+// Draws a row that chooses a handle, with the colour of handles on the surface.
 void draw_part(Editor& editor, const char* name, const Part& part) {
   ImGui::PushID(name);
   draw_swatch(kHandleColor);
@@ -31,7 +31,8 @@ std::string name_of_handle(const AppState& state, std::size_t h) {
   return "pin " + std::to_string(h + 1) + ", vertex " + std::to_string(handle.vertices.front());
 }
 
-// All handles, and one more to come. Many of them scroll, so that what follows stays where it is.
+// Draws all handles, and a row for one more. A long list scrolls, so that what follows stays in
+// place.
 void draw_handles(Editor& editor) {
   const std::size_t handles = editor.state().selection.handles.size();
   constexpr std::size_t kRowsShown = 6;
@@ -71,7 +72,7 @@ void draw_paint_options(Editor& editor) {
   explain("Radius of the brush.", "[ and ], Ctrl + wheel");
 }
 
-// One step of the history for a whole pull of the slider.
+// A whole drag of the slider is one step of the history.
 void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   const auto& fraction = editor.state().selection.belt_fraction;
   float percent = static_cast<float>(drafts.belt_percent.value_or(100.0 * fraction.value_or(0.0)));
@@ -84,7 +85,7 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   if (chosen) editor.perform(SetBeltWidth{0.01 * *chosen});
 }
 
-// How firmly the handle in hand holds; one step of the history for a whole pull of a slider.
+// Draws how firmly the current handle holds. A whole drag of a slider is one step of the history.
 void draw_grading(Editor& editor, PanelDrafts& drafts) {
   const std::size_t handle = editor.handle();
   if (handle >= editor.state().selection.handles.size()) return;

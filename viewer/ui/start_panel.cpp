@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Meshes of one piece with detail that an edit could lose, and the recipes of the demo.
+// Connected meshes with detail that an edit could lose, and the recipes of the demo.
 constexpr std::array kSamples{
     "models/cgal/meshes/armadillo.off", "models/cgal/meshes/cactus.off",
     "models/cgal/meshes/camel.off",     "models/cgal/meshes/elephant.off",
@@ -23,7 +23,7 @@ float column_width() {
   return 9.0F * ImGui::GetFontSize();
 }
 
-// Buttons in rows of three; the number of the one that was pressed.
+// Draws buttons in rows of three. Returns the index of the one that was pressed.
 template <typename Items, typename NameOf>
 std::optional<std::size_t> pressed_button(const Items& items, const NameOf& name_of) {
   std::optional<std::size_t> chosen;
@@ -43,7 +43,7 @@ void draw_start_trouble(const std::string& trouble) {
   ImGui::Spacing();
 }
 
-// The newest few, as lines: their folders tell files of one name apart.
+// Draws the newest files as lines. Their folders distinguish files of the same name.
 std::optional<fs::path> draw_recent(std::span<const RecentFiles::Item> items) {
   constexpr std::size_t kMost = 6;
   std::optional<fs::path> chosen;

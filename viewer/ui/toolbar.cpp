@@ -14,7 +14,7 @@ float button_width(const char* label) {
   return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-// A button that chooses what the tools choose, in the colour that it has on the surface.
+// Draws a button that makes the tools choose `part`, with its colour on the surface.
 void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color,
                Action action) {
   draw_swatch(color);
@@ -34,7 +34,7 @@ double draw_toolbar(Editor& editor, const PictureArea& area) {
   ImGui::SetNextWindowPos(
       {static_cast<float>(area.corner.x()), static_cast<float>(area.corner.y())});
   const float across = static_cast<float>(area.size.x());
-  // As high as its rows, which is known once it has been laid out.
+  // The height follows from the rows, and is known after the layout.
   ImGui::SetNextWindowSizeConstraints({across, 0.0F}, {across, 1e6F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {style.WindowPadding.x, style.FramePadding.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});

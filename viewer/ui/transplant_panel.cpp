@@ -32,8 +32,7 @@ void draw_trouble(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-// One part, picture and name: true as soon as it is pressed. Let go over the surface it stays
-// there.
+// Draws the picture and name of a part. Returns true as soon as it is pressed.
 bool draw_part(const PartShelf::Item& item, const UiPicture* picture, bool in_hand, float side) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size{side, side + ImGui::GetTextLineHeight()};
@@ -87,7 +86,7 @@ void draw_strip(TransplantDesk& desk, const PartPictures& pictures) {
       if (draw_part(items[k], pictures.of(k), is_in_hand(desk, items[k]), side)) {
         taken = items[k].file;
       }
-      // Dragged out of the strip and let go over the surface.
+      // The part was dragged out of the strip and released over the surface, where it stays.
       const bool outside = !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
       if (ImGui::IsItemDeactivated() && outside) desk.tool().set_down();
       ImGui::PopID();
@@ -147,7 +146,7 @@ void draw_hole(TransplantDesk& desk, const Editor& editor) {
   ImGui::TextDisabled("hole");
   ImGui::SameLine();
   if (ImGui::RadioButton("disk", !chosen)) desk.take_roi(false);
-  // What an earlier step was chosen on is not what is chosen now.
+  // The hole of an earlier step does not follow the ROI that is chosen now.
   if (chosen || !desk.taken_up()) {
     ImGui::SameLine();
     const bool pressed = ImGui::RadioButton(desk.taken_up() ? "as it was" : "the ROI", chosen);
@@ -168,7 +167,7 @@ void draw_computed(TransplantDraft& draft) {
   std::optional<Transition>& transition = draft.parameters.transition;
   const bool had_transition = transition.has_value();
   const double radius = draft.stands ? draft.frame().radius : 0.0;
-  // Sliders go to a quarter of the size: to twice the radius.
+  // Sliders go to a quarter of this size, which is twice the radius.
   ParameterPanel panel(8.0 * radius);
   describe(draft.parameters, panel);
   if (transition && !had_transition) transition->width = 0.5 * radius;

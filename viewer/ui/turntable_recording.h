@@ -13,25 +13,24 @@
 
 namespace lapwing::viewer {
 
-/// A turntable that is being saved: its pictures are drawn between the window's frames, and written
-/// beside the window. When it goes before it is done, numbered pictures stay as far as they are
-/// written, and of a video nothing.
+/// Saves a turntable: draws its pictures between the window's frames, and writes them on another
+/// thread. If it is destroyed early, the numbered pictures written so far stay, but no video.
 class TurntableRecording {
  public:
   struct Order {
-    std::filesystem::path output;  ///< open_frames'
-    int count = 1;                 ///< of the pictures
+    std::filesystem::path output;  ///< for open_frames
+    int count = 1;                 ///< number of pictures
     double per_second = 30.0;
   };
 
-  /// Throws what open_frames and ImageRenderer do. The context must outlive it. `wake` is called
-  /// beside the window when there is news.
+  /// `wake` is called on another thread when there is progress. The context must outlive this.
+  /// Throws what open_frames and ImageRenderer throw.
   TurntableRecording(Order order, const Turntable& way, gpu::Context& context,
                      const RenderOptions& options, std::function<void()> wake);
   ~TurntableRecording();
 
-  /// Once a frame: draws the next picture, unless one waits to be written. Throws, once, what
-  /// writing threw.
+  /// Call this once a frame. Draws the next picture, unless one waits to be written. Throws, once,
+  /// what writing threw.
   void go_on(Surface& surface, const SurfacePaint& paint, std::span<const CarriedDrawing> carried);
 
   const Order& order() const { return order_; }
@@ -45,7 +44,7 @@ class TurntableRecording {
   Order order_;
   Turntable way_;
   ImageRenderer renderer_;
-  std::unique_ptr<FrameWriter> writer_;  // the worker's
+  std::unique_ptr<FrameWriter> writer_;  // used by the worker
   int drawn_ = 0;
 
   // Guarded by the worker's mutex.

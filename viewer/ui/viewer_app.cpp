@@ -24,7 +24,7 @@ ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept)
 
 void ViewerApp::offer_interrupted() {
   interrupted_ = find_interrupted(kept_.journals);
-  // Nothing of these would come back.
+  // An empty edit has nothing to restore.
   std::erase_if(interrupted_, [](const InterruptedEdit& edit) {
     if (edit.is_empty()) discard(edit);
     return edit.is_empty();
@@ -52,7 +52,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
 void ViewerApp::open(const std::filesystem::path& file,
                      const std::vector<std::filesystem::path>& carry,
                      std::optional<PathPurpose> asked_for) {
-  // What is dropped on the window answers what is asked.
+  // A file dropped on the window answers the dialog.
   if (chooser_.is_open() && chooser_.purpose() == PathPurpose::open) chooser_.close();
   leave_for([this, file, carry, asked_for] {
     load({file, asked_for}, [file, carry](Kernels& kernels, const Progress& progress) {
@@ -88,7 +88,7 @@ void ViewerApp::take_loaded() {
     }
   } catch (const Error& error) {
     if (can_load_again && dynamic_cast<const GpuError*>(&error) != nullptr) {
-      // Once more, for the device that the main loop opens next.
+      // Load again, for the device that the main loop opens next.
       load(loading_, load_again_);
       load_again_ = {};
       throw;
@@ -128,7 +128,7 @@ void ViewerApp::show(LoadedFile file) {
   say_of_colors();
 }
 
-// One note at a time is shown; the log has all.
+// Only one note shows at a time. The log has all.
 void ViewerApp::say_of_colors() {
   if (!document_->opened.colors) return;
   const std::vector<std::string>& notes = document_->opened.colors->colors.notes;
@@ -145,7 +145,7 @@ void ViewerApp::take_preferred_tools() {
   editor.set_settles_while_dragging(preferences_.settles_while_dragging);
   editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
   editor.paint_tool().options().through = preferences_.paints_through;
-  // An edit that was begun already goes on with its gizmo.
+  // An edit that has begun goes on with its gizmo.
   if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
   for (const ToolRow& row : tool_rows()) {
     if (row.name == preferences_.tool && chooses(row)) editor.take(row);
@@ -190,7 +190,7 @@ std::string_view ViewerApp::title() const {
                                                          : document_->title;
 }
 
-// Whether the eye is, give or take.
+// Whether the eye is inside `bounds`.
 bool ViewerApp::is_inside(const Bounds& bounds) const {
   return (bounds.min.array() <= camera_.eye.array()).all() &&
          (camera_.eye.array() <= bounds.max.array()).all();
@@ -198,7 +198,7 @@ bool ViewerApp::is_inside(const Bounds& bounds) const {
 
 SurfaceStyle ViewerApp::shown_style() const {
   SurfaceStyle style = style_of(display_, document_->editor);
-  // What the doctor means is marked in the colours of regions.
+  // The doctor marks its places in the colours of regions.
   if (document_->banner.marks()) style.color = SurfaceColor::regions;
   return style;
 }
@@ -245,7 +245,7 @@ RenderOptions ViewerApp::picture_options(VkExtent2D size) const {
   options.height = size.height;
   options.background = display_.background;
   options.style = shown_style();
-  // Lines are as thick beside the rest as in the window.
+  // Lines keep their share of the picture, as in the window.
   options.style.pixels_per_point =
       static_cast<float>(pixels_per_point_ * static_cast<double>(size.height) / size_.y());
   if (options.style.color == SurfaceColor::scalar) {
@@ -257,7 +257,7 @@ RenderOptions ViewerApp::picture_options(VkExtent2D size) const {
 void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) const {
   const Editor& editor = document_->editor;
   Camera camera = view_frame().camera;
-  // Nothing covers a part of this picture.
+  // No panel covers a part of this picture.
   camera.target_across = 0.0;
   write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera,
                                picture_options(size), editor.carried().drawn()));

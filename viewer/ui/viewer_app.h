@@ -25,40 +25,39 @@
 
 namespace lapwing::viewer {
 
-/// A picture to take once the mesh is on the screen, after which the program ends, with an error
-/// if there is one.
+/// A picture to save once the mesh is on the screen. Then the program ends, with an error if there
+/// is one.
 struct PictureOrder {
   std::filesystem::path path;
-  std::optional<VkExtent2D> size;  ///< the window's unless given
+  std::optional<VkExtent2D> size;  ///< the window's by default
 };
 
-/// Where the viewer keeps what outlives it. Without a name nothing of that kind is kept.
+/// Where the viewer keeps files between runs. It keeps nothing for an empty path.
 struct KeptFiles {
   std::filesystem::path journals;  ///< a folder
   std::filesystem::path preferences;
   std::filesystem::path recent;
 };
 
-/// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
-/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_turntable
-/// (what is saved from all around), viewer_input (mouse and keys), viewer_menus, viewer_sidebar,
-/// viewer_dialogs (what is asked and offered over the picture), and viewer_frame (the rest of a
-/// frame).
+/// The viewer: the open document, its view, and the panels around it. There is a source file per
+/// concern: viewer_app (the document), viewer_files (reading and writing), viewer_turntable,
+/// viewer_input (mouse and keys), viewer_menus, viewer_sidebar, viewer_dialogs (over the picture),
+/// and viewer_frame (the rest of a frame).
 class ViewerApp final : public App {
  public:
   ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
-  /// What is open; null where nothing is.
+  /// Returns the open document; null if there is none.
   const Document* document() const { return document_.get(); }
-  /// A file or folder, by the desktop's dialog or the browser.
+  /// Whether the desktop's dialog or the browser asks for a path.
   bool asks_for_path() const { return chooser_.is_open(); }
-  /// Offers edits that a crash interrupted.
+  /// Offers to restore edits that a crash interrupted.
   void offer_interrupted();
 
   bool handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override { open(file, {}); }
-  /// `carry` follow the surface from the first edit by hand on.
+  /// The files in `carry` follow the surface from the first edit by hand on.
   void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry,
             std::optional<PathPurpose> asked_for = {});
   void resize(const Eigen::Vector2d& size, double pixels_per_point) override;
@@ -73,48 +72,48 @@ class ViewerApp final : public App {
  private:
   // Files.
   using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
-  /// What is loaded, and what the person was asked for: where it cannot be, that is asked again.
+  /// What is loaded, and for which purpose. If it cannot be loaded, the user is asked again.
   struct Loading {
     std::filesystem::path file;
     std::optional<PathPurpose> asked_for = {};
   };
-  /// Begins with `load`, beside the window; what is still being loaded is given up.
+  /// Starts `load` on another thread, and gives up what is still being loaded.
   void load(Loading what, Load load);
   void show(LoadedFile file);
   void go_on_with(LoadedFile replay);
   void take_loaded();
-  /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
+  /// Runs `action`, which closes the document, once nothing is lost by that.
   void leave_for(std::function<void()> action);
   void ask_for_path(PathPurpose purpose);
-  /// Says what is wrong with `path`, which was chosen or known for `purpose`, and asks for another.
+  /// Says what is wrong with `path`, and asks for another one for `purpose`.
   void ask_again(PathPurpose purpose, const std::filesystem::path& path, std::string trouble);
   std::string suggested_name(PathPurpose purpose) const;
   std::filesystem::path folder_to_ask_in(PathPurpose purpose) const;
   std::vector<BrowserPlace> places(PathPurpose purpose) const;
-  /// Does `write`; where `file` is there already only after the person has said so, `otherwise`
-  /// where not.
+  /// Runs `write`. If `file` exists, asks the user first, and runs `otherwise` after a no.
   void write_to(const std::filesystem::path& file, std::function<void()> write,
                 std::function<void()> otherwise = {});
   void answer_overwriting(bool writes);
-  /// Does `action` once the surface has settled, now or after a frame to come; where it does not
-  /// settle, says that nothing was saved.
+  /// Runs `action` once the surface has settled, now or in a later frame. If it does not settle,
+  /// says that nothing was saved.
   void once_settled(std::function<void()> action);
   void take_settled();
   void take_recipe_check();
-  /// And then does `then`, if it was saved.
+  /// Saves the mesh, and runs `then` if that succeeds.
   void save_to(const std::filesystem::path& path, std::function<void()> then = {});
   void save_carried();
   void save_recipe(const std::filesystem::path& path);
   void use_path(const ChosenPath& chosen);
-  /// What the editor and its desks say; of a file that was just chosen, that is asked for again.
+  /// Takes a message of the editor or its desks. If it is about the file that was just chosen, asks
+  /// again.
   void hear(Message message);
   void save_repaired(const std::filesystem::path& path);
   void save_chosen_picture(const std::filesystem::path& path);
-  /// As the view shows it.
+  /// Returns the options of a picture as the view shows it.
   RenderOptions picture_options(VkExtent2D size) const;
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
-  /// In a toast and the log.
+  /// Shows a message in a toast and adds it to the log.
   void say(Message message);
   void say(const WriteReport& report);
   double now() const;
@@ -169,7 +168,7 @@ class ViewerApp final : public App {
   void draw_view_menu();
 
   // The sidebar.
-  /// What panels take, from the font of this frame: outside of frames that may be gone.
+  /// Measures the panels by the font of this frame, which may be gone outside of frames.
   void measure_panels();
   void draw_sidebar();
   void draw_sidebar_edge(float right, float top, float height);
@@ -181,7 +180,7 @@ class ViewerApp final : public App {
   void show_vertices(const std::vector<Index>& vertices);
   void look_back();
 
-  // What else is in a frame.
+  // The rest of a frame.
   void update_document();
   double pixels_per_unit() const;
   SurfaceStyle shown_style() const;
@@ -196,7 +195,8 @@ class ViewerApp final : public App {
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
-  /// At the top of the picture, which goes from `corner` to `end`; how much of the height it takes.
+  /// Draws the banner at the top of the picture, which goes from `corner` to `end`. Returns its
+  /// height.
   double draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end);
   void draw_unsaved();
   void draw_picture();
@@ -205,18 +205,18 @@ class ViewerApp final : public App {
   std::shared_ptr<gpu::Context> context_;
   KeptFiles kept_;
   Preferences preferences_;
-  Preferences kept_preferences_;  ///< as the file has them
+  Preferences kept_preferences_;  ///< as in the file
   Job<LoadedFile> loader_;
   Loading loading_;
-  Load load_again_;  ///< what is loading, where the device that is to show it fails; empty then
+  Load load_again_;  ///< repeats the load once if the device fails; empty afterwards
   std::unique_ptr<Document> document_;
   Camera camera_;
-  Camera camera_before_;  ///< the doctor showed its places
+  Camera camera_before_;  ///< before the doctor showed its places
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
   double pixels_per_point_ = 1.0;
-  std::optional<Motion> motion_;  ///< of the camera, under way
+  std::optional<Motion> motion_;  ///< camera motion under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
   bool show_panels_ = true;
@@ -225,28 +225,28 @@ class ViewerApp final : public App {
   bool show_machine_ = false;
   bool show_messages_ = false;
   bool show_start_ = true;
-  Task task_ = Task::deform;           ///< whose tab is in front
-  std::optional<Task> task_to_show_;   ///< in the next frame
-  Task begun_task_ = Task::deform;     ///< the one that is open
-  std::optional<Camera> view_before_;  ///< vertices were shown
+  Task task_ = Task::deform;           ///< the tab in front
+  std::optional<Task> task_to_show_;   ///< the tab to bring to the front
+  Task begun_task_ = Task::deform;     ///< the task that is open
+  std::optional<Camera> view_before_;  ///< before vertices were shown
   double sidebar_width_ = 0.0;         ///< in ImGui's units
-  double covered_top_ = 0.0;           ///< likewise, of the picture, while the panels are shown
+  double covered_top_ = 0.0;           ///< likewise, of menu and tools, while the panels are shown
   double toolbar_height_ = 0.0;        ///< likewise
   double guide_height_ = 0.0;          ///< likewise
   double banner_height_ = 0.0;         ///< likewise
   PanelDrafts drafts_;
   EditMarks marks_;
-  bool transplants_ = false;    ///< a part was in hand in the last frame
-  PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
+  bool transplants_ = false;    ///< a transplant was open in the last frame
+  PartPictures part_pictures_;  ///< outlive the document, which a frame may show
   PicturePlan picture_plan_;
   TurntablePlan turntable_plan_;
   std::unique_ptr<TurntableRecording> recording_;
   FileChooser chooser_;
-  std::optional<ChosenPath> chosen_;  ///< that the editor or a desk is reading
+  std::optional<ChosenPath> chosen_;  ///< being read by the editor or a desk
   RecentFiles recent_;
-  std::filesystem::path last_folder_;  ///< that a file was chosen in
+  std::filesystem::path last_folder_;  ///< where a file was last chosen
   std::vector<InterruptedEdit> interrupted_;
-  /// A file that is there already, and what to do once the person has said.
+  /// A file that exists, and what to do after the user's answer.
   struct Overwriting {
     std::filesystem::path file;
     std::function<void()> write;
@@ -254,16 +254,16 @@ class ViewerApp final : public App {
   };
   std::optional<Overwriting> overwriting_;
   std::function<void()> saving_;       ///< waits for the surface to settle
-  std::function<void()> leaving_for_;  ///< waits for the person to say what becomes of the edit
+  std::function<void()> leaving_for_;  ///< waits for the user to save or discard the edit
   std::vector<std::filesystem::path> samples_;
-  std::string start_trouble_;  ///< why what was to be opened is not
+  std::string start_trouble_;  ///< why the last file could not be opened
   Stopwatch started_;
   Messages messages_;
-  std::string status_line_;  ///< kept from one frame to the next
+  std::string status_line_;  ///< reused from frame to frame
   std::string state_line_;
   std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
-  std::exception_ptr order_failure_;  ///< what no other device mends
+  std::exception_ptr order_failure_;  ///< an error that another device would not fix
   int frames_shown_ = 0;              ///< of the document
   bool quit_ = false;
 };

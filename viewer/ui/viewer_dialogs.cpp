@@ -1,4 +1,4 @@
-// What is asked and offered over the picture.
+// Dialogs and the banner over the picture.
 
 #include <cmath>
 #include <imgui.h>
@@ -10,10 +10,11 @@
 namespace lapwing::viewer {
 namespace {
 
-// Of what the doctor shows, how much smaller it is than the picture.
+// The picture is this much larger than what the doctor shows.
 constexpr double kRoomForBanner = 1.4;
 
-// From that side, a little towards where the person looked from: so it shows where that is.
+// Returns a camera that looks from `side`, turned a little towards the view before, so that the
+// user sees where it is.
 Camera looking_at_side(const Camera& camera, const Eigen::Vector3d& side,
                        const Eigen::Vector3d& up) {
   constexpr double kTowardsBefore = 0.4;
@@ -21,7 +22,7 @@ Camera looking_at_side(const Camera& camera, const Eigen::Vector3d& side,
   const Eigen::Matrix4d view = camera.view();
   const Eigen::Vector3d before = view.block<1, 3>(2, 0).transpose();
   const Eigen::Vector3d toward_eye = (side + kTowardsBefore * before).normalized();
-  // What is up on the screen stays so where the view goes along what is up in the mesh.
+  // If the view goes along the mesh's up axis, keep what is up on the screen.
   const Eigen::Vector3d on_screen = view.block<1, 3>(1, 0).transpose();
   const bool along_up = std::abs(toward_eye.dot(up)) > kParallel;
   return looking_from(camera, {toward_eye, along_up ? on_screen : up});

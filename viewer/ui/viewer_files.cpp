@@ -1,4 +1,4 @@
-// What is read and written, and the paths that a person is asked for.
+// Reading and writing files, and asking the user for paths.
 
 #include <algorithm>
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside the mesh that was opened, and not over it.
+// Returns a path beside the opened mesh that does not overwrite it.
 fs::path path_beside(const OpenedMesh& opened, const char* ending) {
   if (!opened.file) return opened.name + ".ply";
   const fs::path& path = opened.file->path;
@@ -51,8 +51,8 @@ std::string ViewerApp::suggested_name(PathPurpose purpose) const {
   }
 }
 
-// Where a person begins: beside the open mesh, or where a file was chosen last. The first that is
-// there.
+// Returns the first folder that exists: that of the open mesh, or where a file was last chosen, or
+// the working folder.
 fs::path ViewerApp::folder_to_ask_in(PathPurpose purpose) const {
   std::error_code error;
   std::vector<fs::path> folders;
@@ -103,13 +103,13 @@ void ViewerApp::ask_for_path(PathPurpose purpose) {
 void ViewerApp::once_settled(std::function<void()> action) {
   EditSession& session = document_->editor.session();
   if (!needs_settling(session.state())) return action();
-  // Settling that was given up begins again: half of a step is never saved.
+  // Settling that was cancelled begins again, because half of a step is never saved.
   if (!session.awaits_result()) session.prepare();
   saving_ = std::move(action);
   say("the drag is settling; saved once it has");
 }
 
-// Says so if running the recipe that was saved makes another surface.
+// Warns if running the saved recipe makes another surface.
 void ViewerApp::take_recipe_check() {
   constexpr double kSameSurface = 1e-3;
   if (!document_) return;
@@ -147,7 +147,7 @@ void ViewerApp::save_to(const fs::path& path, std::function<void()> then) {
       say("saved " + path.string() + and_carried(document_->editor.state()));
       if (then) then();
     } catch (const Error& error) {
-      // Whoever wanted to leave is asked again once there is a place for it.
+      // The user who wanted to leave is asked again once the mesh has a path.
       leaving_for_ = then;
       ask_again(PathPurpose::save_mesh, path, error.what());
     }
@@ -186,9 +186,9 @@ void ViewerApp::save_recipe(const fs::path& path) {
 }
 
 void ViewerApp::ask_again(PathPurpose purpose, const fs::path& path, std::string trouble) {
-  // Something else is being asked by now.
+  // Another request is open by now.
   if (chooser_.is_open()) return say({std::move(trouble), Tone::error});
-  // It stands where it is to be corrected, and no longer than that.
+  // The dialog shows the message while it matters, so it needs no toast.
   messages_.record({trouble, Tone::error});
   if (chooser_.purpose() == purpose && chooser_.chosen() == path) {
     return chooser_.ask_again(std::move(trouble));
@@ -273,7 +273,7 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
 }
 
 void ViewerApp::hear(Message message) {
-  // Whatever cannot be read is named first.
+  // A message about a file that cannot be read begins with its path.
   const bool is_of_chosen = chosen_ && message.text.starts_with(chosen_->path.string());
   if (!is_of_chosen) return say(std::move(message));
   const ChosenPath chosen = *std::exchange(chosen_, std::nullopt);

@@ -1,4 +1,4 @@
-// What surrounds the picture and lies over it, but for menu and sidebar.
+// The parts of a frame other than menu and sidebar.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Without memory of its own: a frame allocates nothing.
+// Formats into a local array, so that a frame allocates nothing.
 void append(std::string& text, const char* format, auto... values) {
   std::array<char, 128> more{};
   std::snprintf(more.data(), more.size(), format, values...);
@@ -25,7 +25,7 @@ void append_part(std::string& text, const char* format, auto... values) {
   append(text, format, values...);
 }
 
-// What the worker does, and what a drag shows.
+// Appends what the worker does and what a drag shows.
 void append_state(std::string& text, const Editor& editor) {
   using At = PreparationStatus::Phase;
   const PreparationStatus status = editor.session().preparation().status();
@@ -36,7 +36,7 @@ void append_state(std::string& text, const Editor& editor) {
       append_part(text, "preparing: %s %.0f%%", status.stage.c_str(), percent);
       break;
     case At::settling:
-      // What settles as it is dragged comes and goes with every frame.
+      // During a drag the surface settles in every frame, so the text would flicker.
       if (!editor.is_dragging()) append_part(text, "settling %.0f%%", percent);
       break;
     case At::failed:
@@ -96,7 +96,7 @@ double ViewerApp::pixels_per_unit() const {
   return std::max(1.0, size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x));
 }
 
-// What the panels leave free of the picture.
+// Returns the part of the picture that the panels leave free.
 PictureArea ViewerApp::picture_area() const {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const double left = sidebar_pixels() / pixels_per_unit();
@@ -122,7 +122,7 @@ void ViewerApp::draw_marks() {
 void ViewerApp::draw_over_picture() {
   toolbar_height_ = guide_height_ = banner_height_ = 0.0;
   const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture();
-  // Also over what the banner shows, which must not move under the cursor.
+  // Drawn also while the banner has the picture, so that the banner does not move under the cursor.
   if (show_panels_ && !document_->banner.is_empty()) {
     toolbar_height_ = draw_toolbar(document_->editor, picture_area());
   }
@@ -141,7 +141,7 @@ void ViewerApp::draw_machine(const FrameTimings& last) {
   draw_machine_panel(context_->description(), last, certificate, show_machine_);
 }
 
-// Once nothing is being pulled any more.
+// Writes changed preferences once no mouse button is down.
 void ViewerApp::keep_preferences() {
   if (document_) {
     Editor& editor = document_->editor;
@@ -160,7 +160,7 @@ void ViewerApp::keep_preferences() {
     write_preferences(preferences_, kept_.preferences);
   } catch (const Error& error) {
     say({error.what(), Tone::warning});
-    kept_.preferences.clear();  // said once
+    kept_.preferences.clear();  // so that it is said only once
   }
 }
 
@@ -170,7 +170,7 @@ void ViewerApp::update_document() {
   LayerDesk& desk = document_->desk;
   TransplantDesk& transplant = document_->transplant;
   editor.update();
-  // Both preview on the surface: the one begun last stays.
+  // Both preview on the surface, so the one begun last closes the other.
   if (desk.is_open() && transplant.is_open()) {
     transplants_ ? transplant.close(editor) : desk.close(editor);
   }
@@ -182,7 +182,7 @@ void ViewerApp::update_document() {
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size, pixels_per_point_);
   camera_.target_across = covered_share();
-  // What is left of the window is another part of it.
+  // The free part of the window has changed.
   if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
 }
 
@@ -193,7 +193,7 @@ void ViewerApp::draw_dialogs() {
     draw_start();
   }
   if (overwriting_) {
-    // Before the dialogs that lead to it: what is pressed there is no answer here.
+    // Before the dialogs that lead to it, because a key pressed there is no answer here.
     if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
   } else {
     if (picture_plan_.open && document_) draw_picture();
@@ -232,7 +232,7 @@ void ViewerApp::draw_unsaved() {
   if (*choice == UnsavedChoice::discard) action();
 }
 
-// What is open and chosen, and what to do where no guide says it.
+// Returns what is open and chosen, and what to do if no guide says it.
 const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
   text.clear();
@@ -254,7 +254,7 @@ const std::string& ViewerApp::status_text() {
   return text;
 }
 
-// What the worker does, and what of a drag is on the screen.
+// Returns what the worker does and what a drag shows.
 const std::string& ViewerApp::state_text() {
   state_line_.clear();
   if (document_) append_state(state_line_, document_->editor);
@@ -271,8 +271,7 @@ void ViewerApp::draw_status() {
                       ImVec2(style.WindowPadding.x, style.FramePadding.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
   if (ImGui::Begin("Status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) {
-    // What the worker does changes its width with every frame: it stands at the right end, where
-    // it moves no other word.
+    // The state changes its width with every frame. At the right end it moves no other word.
     const std::string& state = state_text();
     const float at =
         viewport.WorkSize.x - style.WindowPadding.x - ImGui::CalcTextSize(state.c_str()).x;

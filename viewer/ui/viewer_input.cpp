@@ -1,4 +1,4 @@
-// What mouse and keys do: the editor's tools come first, then the camera.
+// Mouse and keys: the editor's tools come first, then the camera.
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,15 @@ using Eigen::Vector3d;
 // A press and release within so many points is a click, not a drag.
 constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
-// Of a drag that zooms: points that make things e times as large.
+// Points of a zooming drag that make things e times as large.
 constexpr double kZoomPt = 150.0;
-// Arrow keys turn by a twelfth of half a turn, 15 degrees.
+// Arrow keys turn by a twelfth of a half turn, 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
-// Of what the mesh measures.
+// In diagonals of the mesh.
 constexpr ZoomRange kZoomRange{1e-4, 1e2};
-// Of half the window's height, however low that is.
+// Smallest free share of half the window's height.
 constexpr double kLeastFree = 0.5;
-// Vertices are framed with so much around them, of what the mesh measures.
+// Room around a single framed vertex, in diagonals of the mesh.
 constexpr double kSurroundings = 0.02;
 
 }  // namespace
@@ -54,7 +54,8 @@ std::optional<ViewerApp::Area> ViewerApp::source_area() const {
   return Area{{left, 0.0}, {width, size_.y()}};
 }
 
-// How far right of the window's middle the free part's middle is, from 0 to 1.
+// Returns the covered share of the window's width, which is also the offset of the free part's
+// middle in half widths.
 double ViewerApp::covered_share() const {
   const auto source = source_area();
   return (sidebar_pixels() + (source ? source->size.x() : 0.0)) / size_.x();
@@ -70,7 +71,7 @@ GizmoKeys ViewerApp::gizmo_keys() const {
   return keymap().name == "Maya" ? GizmoKeys::maya : GizmoKeys::blender;
 }
 
-// The one that a preference of another version may name is not there.
+// Preferences of another version may name a keymap that does not exist here.
 const Keymap& ViewerApp::keymap() const {
   for (const Keymap& each : keymaps()) {
     if (each.name == preferences_.mouse) return each;
@@ -117,7 +118,7 @@ void ViewerApp::frame_points(std::span<const Vector3d> points) {
   camera_ = fit(points, axes, size_.x() / size_.y(), framing);
   camera_.target_across = framing.legend;
   if (!show_panels_) return;
-  // What is fitted to the window stays clear of menu and tools, too.
+  // Keep the points clear of menu and tools, too.
   const double half = 0.5 * size_.y();
   const double free = std::max(half - covered_top_ * pixels_per_unit(), kLeastFree * half);
   zoom_by(free / half, {0.5 * (1.0 + framing.legend) * size_.x(), half});
@@ -154,20 +155,20 @@ void ViewerApp::drag_to(const InputEvent& event) {
   }
 }
 
-// While a dialog waits for an answer keys are its own.
+// Whether a dialog waits for an answer. Then it gets the keys.
 bool ViewerApp::asks() const {
   return leaving_for_ || overwriting_ || !interrupted_.empty() || chooser_.is_open() ||
          picture_plan_.open || turntable_plan_.picture.open || recording_;
 }
 
-// By a list or a menu, which Escape closes before it means anything to the tool in hand.
+// Whether a list or menu is open, which Escape closes before it reaches the tool.
 bool ViewerApp::is_covered() const {
   return show_controls_ || (show_start_ && document_) ||
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-// Of what a person does over the source, unless a drag that began elsewhere goes on there: whether
-// the picture changes. Nothing for what is not the source's.
+// Handles an event over the source, unless a drag that began elsewhere goes on there. Returns
+// whether the picture changes; nullopt if the event is not the source's.
 std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
   const auto area = source_area();
   const bool of_pointer = event.kind != InputKind::key && event.kind != InputKind::text;
@@ -184,7 +185,7 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
   if (recording_) {
-    // What is being saved stays as it is.
+    // The scene must not change while it is being saved.
     if (event.kind == InputKind::key && event.key == kEscape) escape();
     return true;
   }
@@ -243,7 +244,7 @@ void ViewerApp::escape() {
   show_messages_ = false;
   picture_plan_.open = false;
   turntable_plan_.picture.open = false;
-  // One thing at a time: what the file was asked for is there again.
+  // Close one thing at a time, so that what led to the chooser shows again.
   if (chooser_.is_open()) return chooser_.close();
   leaving_for_ = nullptr;
   interrupted_.clear();
@@ -251,7 +252,7 @@ void ViewerApp::escape() {
   loader_.cancel();
 }
 
-// As large as the window.
+// Returns a plan for a picture as large as the window.
 PicturePlan ViewerApp::window_picture() const {
   return {document_ != nullptr, static_cast<int>(size_.x()), static_cast<int>(size_.y())};
 }
@@ -351,7 +352,7 @@ void ViewerApp::perform(Action action) {
     case Action::quit:
       return ask_to_close();
     default:
-      return;  // the editor's, without a mesh
+      return;  // an action of the editor, but no mesh is open
   }
 }
 

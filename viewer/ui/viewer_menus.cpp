@@ -15,14 +15,14 @@ struct Item {
 };
 constexpr Item kDivider{nullptr, Action::quit};
 
-// Escape closes it. Between this, if true, and ImGui::EndMenu are its items.
+// Begins a menu that Escape closes. If it returns true, draw items and call ImGui::EndMenu.
 bool begin_menu(const char* label) {
   if (!ImGui::BeginMenu(label)) return false;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
   return true;
 }
 
-// The action of the item that was chosen, of those that an edit is needed for.
+// Draws items that are enabled if `is_open`. Returns the action of the one that was chosen.
 std::optional<Action> draw_items(std::span<const Item> items, bool is_open) {
   std::optional<Action> chosen;
   for (const Item& item : items) {

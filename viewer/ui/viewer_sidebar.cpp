@@ -1,4 +1,4 @@
-// The sidebar: tabs by task, what came of the task, and the history, each in a place of its own.
+// The sidebar: tabs by task, the result of the task, and the history, each in a fixed place.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr auto kOpen = ImGuiTreeNodeFlags_DefaultOpen;
 constexpr float kGripLetters = 0.4F;
 constexpr float kResultLines = 8.0F;
 constexpr float kHistoryLines = 5.0F;
-// Of the height: on a low window the tabs keep the greater part.
+// Largest share of the height. On a low window the tabs keep the greater part.
 constexpr float kMostOfHeight = 0.27F;
 constexpr double kMostOfWidth = 0.5;
 
@@ -29,7 +29,7 @@ constexpr Tab kTabs[]{{"Deform", Task::deform}, {"Coat", Task::coat},
                       {"Mix", Task::mix},       {"Transplant", Task::transplant},
                       {"Mesh", Task::mesh},     {"Display", Task::display}};
 
-// So wide that no tab's name is cut off, in letters of the font.
+// Returns the smallest width, in letters of the font, at which no tab's name is cut off.
 double least_letters() {
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = 2.0F * style.WindowPadding.x;
@@ -49,7 +49,7 @@ float height_of_lines(float lines, float most) {
 void ViewerApp::measure_panels() {
   sidebar_width_ = std::max(preferences_.sidebar_letters, least_letters()) *
                    static_cast<double>(ImGui::GetFontSize());
-  // Menu and tools, which in the first frame are not there yet.
+  // Menu and tools are not there yet in the first frame.
   const double row = static_cast<double>(ImGui::GetFrameHeight());
   const double menu = static_cast<double>(ImGui::GetMainViewport()->WorkPos.y);
   const double one_row = row + 2.0 * static_cast<double>(ImGui::GetStyle().FramePadding.y);
@@ -61,7 +61,7 @@ double ViewerApp::sidebar_pixels() const {
   return std::min(pixels_per_unit() * sidebar_width_, kMostOfWidth * size_.x());
 }
 
-// The edge that the sidebar is made wider and narrower by.
+// Draws the edge by which the user resizes the sidebar.
 void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
   const float grip = kGripLetters * ImGui::GetFontSize();
   ImGui::SetNextWindowPos({right - grip, top});
@@ -88,7 +88,7 @@ void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
   ImGui::PopStyleVar(3);
 }
 
-// A task that a key or a menu began comes to the front.
+// Brings a task to the front that a key or a menu has begun.
 void ViewerApp::follow_task() {
   const LayerDesk& desk = document_->desk;
   const Task begun = document_->transplant.is_open()                         ? Task::transplant
@@ -153,7 +153,7 @@ void ViewerApp::draw_task(Task task) {
   }
 }
 
-// Of what is open; its place never moves, however much there is to say.
+// Draws the result of what is open, always in the same place.
 void ViewerApp::draw_result() {
   Editor& editor = document_->editor;
   if (document_->desk.is_open()) return draw_layer_result(document_->desk, editor);

@@ -1,4 +1,4 @@
-// A turntable that is saved: what is asked, and the pictures that are drawn meanwhile.
+// Saving a turntable: its dialog, and the pictures that are drawn meanwhile.
 
 #include <imgui.h>
 #include <utility>
@@ -57,7 +57,7 @@ void ViewerApp::record_turntable() {
   }
 }
 
-// Says how far it came.
+// Stops the recording and says how far it came.
 void ViewerApp::give_up_turntable(const std::string& why) {
   if (!recording_) return;
   const auto given_up = std::exchange(recording_, nullptr);

@@ -4,11 +4,11 @@
 
 namespace lapwing::viewer {
 
-/// Of a window that is part of the layout: it stays where it is and behind what opens over it.
+/// Flags of a window in the layout: it stays where it is and behind what opens over it.
 inline constexpr ImGuiWindowFlags kFixed =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-/// And scrolls not.
+/// Flags of a window that does not scroll.
 inline constexpr ImGuiWindowFlags kWithoutScrolling =
     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 

@@ -19,7 +19,7 @@ enum Moment : std::uint32_t {
   kMomentCount
 };
 
-// A new image is waited for where it is first written: submissions wait for its `ready` there.
+// Submissions wait for an image's `ready` at the stage that first writes it.
 constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                VK_ACCESS_2_NONE};
 
@@ -30,7 +30,7 @@ VkSemaphoreSubmitInfo at_stage(VkSemaphore semaphore, VkPipelineStageFlags2 stag
   return info;
 }
 
-// A semaphore, if there is one, as a list.
+// Returns the semaphore as a list, empty if it is null.
 std::span<const VkSemaphoreSubmitInfo> listed(const VkSemaphoreSubmitInfo& info) {
   return {&info, info.semaphore == VK_NULL_HANDLE ? 0U : 1U};
 }
@@ -115,7 +115,7 @@ void FramePainter::record(const Screen::Image& image, const Scene& scene,
   picture_.record_copy(commands, image.handle);
   recorder.timestamp();
 
-  // Panels have straight edges and antialiased texts: one sample is enough for them.
+  // One sample is enough for panels: their edges are straight and their text is antialiased.
   transition(kCopyTarget, kColorTarget);
   VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   color.imageView = image.view;

@@ -11,9 +11,9 @@
 
 namespace lapwing::viewer {
 
-/// Draws frames on a screen, one at a time: the picture of the scene, which is kept from one frame
-/// to the next (KeptPicture), and panels over it. Allocates nothing from one
-/// frame of a size to the next. The context and the screen must outlive it.
+/// Draws frames on a screen, one at a time: the picture of the scene, which stays from frame to
+/// frame (KeptPicture), and panels over it. Allocates nothing while the size stays the same. The
+/// context and the screen must outlive it.
 class FramePainter {
  public:
   FramePainter(gpu::Context& context, Screen& screen, const PaintingOptions& options = {});
@@ -21,24 +21,23 @@ class FramePainter {
   FramePainter(const FramePainter&) = delete;
   FramePainter& operator=(const FramePainter&) = delete;
 
-  /// Waits for the last frame: then whatever it drew may be changed. Puts its times on the device
-  /// into `timings`.
+  /// Waits for the last frame, so that what it drew may change. Writes its times on the device to
+  /// `timings`.
   void finish_frame(FrameTimings& timings);
 
-  /// Takes over the fonts of ImGui. After `finish_frame`.
+  /// Uploads the fonts of ImGui. Call `finish_frame` first.
   void set_fonts() { ui_.set_fonts(); }
 
-  /// Draws one frame of a window of `pixels` and hands it to the screen, after `finish_frame`.
-  /// False where it could not be shown because the window changed or has no size: if it still has
-  /// one, another frame is needed. Throws SurfaceLost and gpu::DeviceLost, after which only the
-  /// destructor may be called. `at_rest`: nothing in the scene has changed for a while, and what
-  /// was drawn quickly is drawn finely.
+  /// Draws one frame of a window of `pixels` and shows it. Call `finish_frame` first. Returns false
+  /// if the window changed or has no size; if it has one, another frame is needed. `at_rest`: the
+  /// scene has not changed for a while, so a quickly drawn picture is drawn finely. Throws
+  /// SurfaceLost and gpu::DeviceLost, after which only the destructor may be called.
   bool paint(VkExtent2D pixels, const Scene& scene, const ImDrawData& panels, bool at_rest = true);
 
-  /// What the last frame did about the picture.
+  /// How the last frame got its picture.
   PictureWay way() const { return way_; }
   const KeptPicture& picture() const { return picture_; }
-  /// The next frame draws its picture anew.
+  /// Makes the next frame redraw its picture.
   void forget_picture() { picture_.forget(); }
 
  private:
@@ -52,10 +51,10 @@ class FramePainter {
   PictureWay way_ = PictureWay::keep;
   UiRenderer ui_;
   gpu::CommandList commands_;
-  VkExtent2D fitted_{};  ///< the window that the screen's images were made for
+  VkExtent2D fitted_{};  ///< window size that the screen's images fit
   bool outdated_ = true;
-  std::optional<SurfaceTimes> painted_;  ///< of a frame submitted since `finish_frame`
-  bool moved_ = false;                   ///< whether kernels of that moved the surface
+  std::optional<SurfaceTimes> painted_;  ///< times of a frame submitted since `finish_frame`
+  bool moved_ = false;                   ///< whether kernels of that frame moved the surface
 };
 
 }  // namespace lapwing::viewer

@@ -85,7 +85,7 @@ void KeptPicture::record(VkCommandBuffer commands, const Scene& scene, PictureWa
   drawing.image->transition(commands, kDiscarded, kColorTarget);
   drawing.scope->begin(commands, drawing.image->view());
   drawing.renderer.begin(commands, drawing.extent, scene.background);
-  // All else is told the window's size: lines and points are as wide there, however coarse.
+  // `draw` gets the window's size, so lines and points keep their width in a coarse picture.
   SurfaceStyle style = scene.style;
   style.pixels_per_point /= static_cast<float>(drawing.pixels);
   if (scene.surface != nullptr) {

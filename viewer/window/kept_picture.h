@@ -12,70 +12,72 @@
 
 namespace lapwing::viewer {
 
-/// What a frame does about the picture under the panels.
+/// How a frame gets the picture under the panels.
 enum class PictureWay {
-  keep,   ///< shows the one that is there
-  quick,  ///< draws it without antialiasing, and coarsely where that would take too long
-  fine,   ///< draws it as well as it can be
+  keep,   ///< shows the last one
+  quick,  ///< draws it without antialiasing, and coarsely if that would take too long
+  fine,   ///< draws it in full quality
 };
 
-/// What that hangs on.
+/// The conditions that decide it.
 struct PictureNeed {
-  bool changed = true;         ///< the scene's contents are not those of the picture
-  bool in_view_alone = false;  ///< ...but it is the same seen from elsewhere
+  bool changed = true;         ///< the scene's contents differ from the picture's
+  bool in_view_alone = false;  ///< only the cameras differ
   bool is_quick = false;       ///< the picture was drawn quickly
   bool moving = false;         ///< Scene::moving
   bool at_rest = false;        ///< nothing in the scene has changed for a while
-  bool fine_is_slow = false;   ///< to draw it finely takes longer than a frame may
+  bool fine_is_slow = false;   ///< a fine picture takes longer than a frame may
 };
 
-/// A picture is drawn anew when what it shows has changed: quickly while that moves, and, where
-/// antialiasing is slow, when the eye jumps, as with a wheel. Finely again at rest.
+/// Returns how to get the picture. It is redrawn if its contents have changed: quickly while
+/// something moves, or if the view jumps (as by the wheel) and antialiasing is slow. At rest it is
+/// redrawn finely.
 PictureWay picture_way(const PictureNeed& need);
 
-/// For measures and tests: as it is by default, the window's.
+/// Options for benchmarks and tests. The window uses the defaults.
 struct PaintingOptions {
   bool keeps_pictures = true;
-  /// Pixels of the window, across and down, for one that is drawn while something moves; without,
-  /// as many as frames take time (MovingResolution).
+  /// Window pixels, across and down, per pixel drawn while something moves. By default
+  /// MovingResolution chooses them by the frame times.
   std::optional<std::uint32_t> moving_pixels;
   Renderer::Pipelines pipelines = Renderer::Pipelines::by_style;
 };
 
-/// The picture of a scene in an image of its own, kept from one frame to the next and copied under
-/// the panels of each. The context must outlive it, and be done with the last frame at every call.
+/// Holds the picture of a scene in an image, from one frame to the next, and copies it under the
+/// panels. The context must outlive it, and have finished the last frame at every call.
 class KeptPicture {
  public:
   KeptPicture(gpu::Context& context, VkFormat color, const PaintingOptions& options);
 
-  /// For frames of this size. Where it is another one, the images are let go.
+  /// Sets the size of frames. Releases the images if it changes.
   void resize(VkExtent2D extent);
 
-  /// What the next frame, which shows `scene`, is going to do.
+  /// Returns how the next frame, which shows `scene`, gets its picture.
   PictureWay choose(const Scene& scene, bool at_rest);
-  /// Draws the picture in that way, unless it is kept, outside a rendering scope.
+  /// Draws the picture in that way, unless it is kept. Must be called outside a rendering scope.
   void record(VkCommandBuffer commands, const Scene& scene, PictureWay way);
-  /// Copies it to the whole of `target`, in the layout of kCopyTarget, enlarged if it is coarse.
+  /// Copies the picture to all of `target`, in the layout of kCopyTarget. Enlarges a coarse
+  /// picture.
   void record_copy(VkCommandBuffer commands, VkImage target) const;
-  /// How long it took on the device to draw and show the last frame, in that way.
+  /// Reports how long the device took to draw and show the last frame in that way.
   void took(PictureWay way, double milliseconds);
 
-  /// The next frame draws it anew.
+  /// Makes the next frame redraw the picture.
   void forget() { shown_ = nullptr; }
-  /// Whether it may be drawn better, and will be at rest.
+  /// Whether the picture was drawn quickly, so that it will be redrawn at rest.
   bool is_quick() const { return shown_ == &quick_; }
-  /// Pixels of the window, across and down, that one pixel drawn stands for.
+  /// Window pixels, across and down, per pixel of the picture.
   std::uint32_t pixels_per_pixel() const { return shown_ != nullptr ? shown_->pixels : 1; }
 
  private:
-  /// What is drawn with so many samples per pixel.
+  /// A picture with a certain number of samples per pixel.
   struct Drawing {
     Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples,
             Renderer::Pipelines pipelines);
 
     TargetFormat format;
     Renderer renderer;
-    std::uint32_t pixels = 1;  ///< of the window for one of the picture's, across and down
+    std::uint32_t pixels = 1;  ///< window pixels per pixel of the picture, across and down
     VkExtent2D extent{};       ///< of the picture
     std::optional<DeviceImage> image;
     std::optional<DrawScope> scope;
@@ -90,14 +92,14 @@ class KeptPicture {
   VkExtent2D extent_{};
   Drawing fine_;
   Drawing quick_;
-  const Drawing* shown_ = nullptr;  ///< which of them holds what was drawn last
-  SceneContents contents_;          ///< of that
-  SceneContents next_;              ///< of the scene that `choose` was asked about
+  const Drawing* shown_ = nullptr;  ///< the one that was drawn last
+  SceneContents contents_;          ///< of *shown_
+  SceneContents next_;              ///< of the scene last given to `choose`
   MovingResolution resolution_;
-  double fine_ms_ = 0.0;  ///< what a frame took last that was drawn finely
+  double fine_ms_ = 0.0;  ///< time of the last fine frame
 };
 
-/// How an image is used while it is copied to.
+/// State of an image that is copied to.
 inline constexpr ImageState kCopyTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                         VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                         VK_ACCESS_2_TRANSFER_WRITE_BIT};

@@ -17,13 +17,13 @@
 namespace lapwing::viewer {
 namespace {
 
-// ImGui lays out from what the last frame knew: a change is settled after this many.
+// ImGui lays out with sizes of the last frame, so a change needs this many frames.
 constexpr int kFramesPerChange = 3;
-// A desktop may lose an event; the window then looks again after so long.
+// A desktop may lose an event, so the window checks again after this time.
 constexpr double kLongestWaitSeconds = 0.5;
-// What was drawn quickly because it moved is drawn finely once it has stood still for so long.
+// A quickly drawn picture is drawn finely after the scene has not changed for this time.
 constexpr double kRestSeconds = 0.15;
-// A screen or a device that is lost so often without a frame between is not coming back.
+// The loop gives up after so many losses without a frame in between.
 constexpr int kMostLosses = 5;
 
 class MainLoop {
@@ -43,7 +43,7 @@ class MainLoop {
         if (++losses_ > kMostLosses) throw;
         close_screen();
       } catch (const GpuError&) {
-        // Lost or out of memory: it may have what it takes when all is made anew.
+        // The device is lost or out of memory. It may work again once everything is recreated.
         if (++losses_ > kMostLosses) throw;
         device_lost_ = true;
       }
@@ -68,7 +68,7 @@ class MainLoop {
   void open_screen() {
     screen_ = graphics_.open_screen(*context_);
     painter_.emplace(*context_, *screen_);
-    scale_ = 0.0;  // the fonts are to be handed over anew
+    scale_ = 0.0;  // the fonts must be uploaded again
     frames_due_ = kFramesPerChange;
   }
 
@@ -98,7 +98,7 @@ class MainLoop {
     if (window_.take_changed() || resized) frames_due_ = kFramesPerChange;
   }
 
-  /// For how long nothing in the scene has changed.
+  /// Returns for how long the scene has not changed.
   double still_seconds() const { return 1e-3 * since_change_.elapsed_ms(); }
 
   void fit_look() {
@@ -108,7 +108,7 @@ class MainLoop {
     if (scale != scale_) {
       set_fonts(scale);
       painter_->set_fonts();
-      pixels_ = {};  // the app is to be told
+      pixels_ = {};  // so that the app is told
     }
     scale_ = scale;
     theme_ = theme;
@@ -122,7 +122,7 @@ class MainLoop {
     }
   }
 
-  // False while there is nothing to draw into: the window is minimized.
+  // Returns false while the window is minimized, because there is nothing to draw into.
   bool tell_size() {
     const VkExtent2D now = window_.pixels();
     if (now.width == 0 || now.height == 0) {
@@ -136,9 +136,9 @@ class MainLoop {
     return true;
   }
 
-  // In the order in which it happened, however long a frame takes: what the panels could not tell
-  // from what came before waits until they are laid out, which takes a small part of a frame. What
-  // follows on an event that lost the device is handed on in the next turn.
+  // Hands on events in order, however long a frame takes. If the panels could not tell an event
+  // from earlier ones, they are laid out first, which takes a small part of a frame. Events after
+  // one that lost the device wait for the next turn.
   void hand_on_input() {
     if (window_.take_close_request()) app_.ask_to_close();
     while (window_.has_input()) {
@@ -150,7 +150,7 @@ class MainLoop {
     for (const std::filesystem::path& file : window_.take_dropped_files()) app_.open(file);
   }
 
-  // Until it is said who gets the next key.
+  // Lays the panels out until it is known where the next key goes.
   void lay_out_panels() {
     for (int k = 0; k < kFramesPerChange; ++k) {
       lay_out();
@@ -164,7 +164,7 @@ class MainLoop {
     try {
       app_.draw_ui(timings_);
     } catch (...) {
-      // The next frame, if there is one, must find this one ended.
+      // ImGui must end this frame before the next.
       ImGui::ErrorCheckEndFrameRecover(nullptr);
       ImGui::EndFrame();
       throw;
@@ -201,7 +201,7 @@ class MainLoop {
   double scale_ = 0.0;
   Theme theme_ = Theme::dark;
   std::string title_;
-  Stopwatch since_change_;  // of what the scene shows
+  Stopwatch since_change_;  // since the scene changed
   int frames_due_ = kFramesPerChange;
 };
 
@@ -225,7 +225,7 @@ std::shared_ptr<gpu::Context> WindowGraphics::open_device() {
     try {
       return open(std::to_string(device.index));
     } catch (const GpuError&) {
-      continue;  // the failure of the device that was asked for is the one that is told
+      continue;  // report the failure of the requested device
     }
   }
   std::rethrow_exception(failure);

@@ -8,20 +8,20 @@
 
 namespace lapwing::viewer {
 
-/// What frames are drawn with: opened at the start, and again when it is lost.
+/// Opens the device and the screen for frames, at the start and again after a loss.
 class Graphics {
  public:
   virtual ~Graphics() = default;
-  /// Both throw GpuError when there is none.
+  /// Both throw GpuError if there is none.
   virtual std::shared_ptr<gpu::Context> open_device() = 0;
   virtual std::unique_ptr<Screen> open_screen(gpu::Context& context) = 0;
 };
 
-/// A window's.
+/// The graphics of a window.
 class WindowGraphics final : public Graphics {
  public:
-  /// `device` as in gpu::ContextOptions. Where it was open and cannot be opened again, another one
-  /// is. The window must outlive it.
+  /// `device` as in gpu::ContextOptions. If it was open and cannot be reopened, another one is
+  /// used. The window must outlive this.
   WindowGraphics(const Window& window, std::string device);
   std::shared_ptr<gpu::Context> open_device() override;
   std::unique_ptr<Screen> open_screen(gpu::Context& context) override;
@@ -34,12 +34,12 @@ class WindowGraphics final : public Graphics {
   bool was_open_ = false;
 };
 
-/// Shows `app` in `window` until the person or the app quits. Draws only when something happened:
-/// an idle window takes no time. `context`, which `app` uses too, is of `graphics`.
+/// Shows `app` in `window` until the user or the app quits. Draws only after events, so an idle
+/// window takes no time. `context` is from `graphics`; `app` uses it too.
 ///
-/// A screen that is lost is opened again, and so is a device that is lost or out of memory, which
-/// `App::use_device` is then told. Throws GpuError when the device cannot draw into the window, and
-/// when screen or device fail again and again without a frame between.
+/// Reopens a screen that is lost, and a device that is lost or out of memory, which
+/// `App::use_device` then gets. Throws GpuError if the device cannot draw into the window, or if
+/// screen or device fail repeatedly without a frame in between.
 void run_main_loop(Window& window, Graphics& graphics, std::shared_ptr<gpu::Context> context,
                    App& app);
 

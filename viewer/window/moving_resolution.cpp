@@ -6,7 +6,7 @@ namespace lapwing::viewer {
 namespace {
 
 constexpr double kTimeToSpare = MovingResolution::kLongestFrame / 2.0;
-// A single one may have compiled a shader, or waited for something else.
+// A single slow frame may have compiled a shader, or waited for something else.
 constexpr int kSlowFrames = 2;
 constexpr int kMostPatience = 256;
 

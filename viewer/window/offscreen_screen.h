@@ -7,8 +7,8 @@
 
 namespace lapwing::viewer {
 
-/// One image that nobody sees and that waits for no display: for benchmarks and tests of frames.
-/// The context must outlive it.
+/// A single image without a display, for benchmarks and tests of frames. The context must outlive
+/// it.
 class OffscreenScreen final : public Screen {
  public:
   explicit OffscreenScreen(gpu::Context& context) : context_(context) {}
@@ -20,7 +20,7 @@ class OffscreenScreen final : public Screen {
   ImageState shown() const override;
   bool present(const Image& image) override;
 
-  /// What was presented last, once it is drawn. After the first `present`.
+  /// Returns the last presented image once it is drawn. Call `present` first.
   lapwing::Image picture();
 
  private:

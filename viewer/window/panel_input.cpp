@@ -41,7 +41,7 @@ void PanelInput::hand_on(const DesktopEvent& event) {
                                  event.modifiers);
       break;
     case Kind::text:
-      // What the picture gets must not be typed into a field that opens by it.
+      // A key for the picture must not type into a field that it opens.
       if (want_keys()) {
         ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned int>(event.code));
       }
@@ -72,7 +72,7 @@ bool PanelInput::focus_is_on_its_way() const {
   return popups_changed_ || context.NavMoveSubmitted || context.NavNextActivateId != 0;
 }
 
-// ImGui itself knows only at the next frame.
+// ImGui would tell only at the next frame.
 bool PanelInput::is_over_panel(const Eigen::Vector2d& cursor) {
   const ImVec2 place(static_cast<float>(cursor.x()), static_cast<float>(cursor.y()));
   for (const ImGuiWindow* panel : ImGui::GetCurrentContext()->Windows) {
@@ -88,8 +88,8 @@ bool PanelInput::want_mouse(const Eigen::Vector2d& cursor) {
   return is_over_panel(cursor) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
 }
 
-// Likewise: ImGui::GetIO().WantTextInput is a frame late. A slider that was typed into keeps its
-// number as that of the field, and what is dragged is no field.
+// ImGui::GetIO().WantTextInput is a frame late, too. InputTextState.ID alone is not enough: a
+// slider that was typed into keeps it while it is dragged.
 bool PanelInput::want_keys() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return context.WantTextInputNextFrame == 1 && context.ActiveId != 0 &&

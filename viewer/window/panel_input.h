@@ -10,8 +10,8 @@ struct GLFWwindow;
 
 namespace lapwing::viewer {
 
-/// Tells the panels what happened, in its order: as much before each frame as they can tell apart.
-/// ImGui's GLFW backend for this window must be there as long as this.
+/// Hands events to the panels in order, before each frame as many as they can tell apart. ImGui's
+/// GLFW backend for this window must outlive it.
 class PanelInput {
  public:
   explicit PanelInput(GLFWwindow* window) : window_(window) {}
@@ -19,29 +19,30 @@ class PanelInput {
   /// Whether `event` may be handed on before the panels are laid out again (FrameInput).
   bool fits(const DesktopEvent& event) const { return frame_.fits(event); }
   void hand_on(const DesktopEvent& event);
-  /// In place of the backend's: what it asks of the desktop is how that is by now, not how it was
-  /// at the event that was handed on last.
+  /// Begins a frame with the mouse as it was at the last event handed on. The backend alone would
+  /// take its current state.
   void new_frame();
-  /// The panels are laid out: `ImGui::Render` was called.
+  /// Call this after `ImGui::Render`.
   void laid_out();
-  /// Whether who gets the keys is not said before the next frame or the one after: a dialog has
-  /// opened, or a field is about to be typed into.
+  /// Whether the keyboard focus changes in the next two frames, because a dialog has opened or a
+  /// field is about to be typed into.
   bool focus_is_on_its_way() const;
 
-  /// As the panels were laid out last. `cursor` in screen units.
+  /// Whether `cursor`, in screen units, is over a panel of the last layout.
   static bool is_over_panel(const Eigen::Vector2d& cursor);
-  /// Over a panel, or a menu is open: a click beside that closes it.
+  /// Whether the panels take the mouse: it is over one, or a menu is open that a click beside it
+  /// closes.
   static bool want_mouse(const Eigen::Vector2d& cursor);
-  /// Keys that type go into a field of theirs.
+  /// Whether typed keys go into a text field of the panels.
   static bool want_keys();
 
  private:
-  static constexpr std::size_t kButtons = 5;  // ImGui's
+  static constexpr std::size_t kButtons = 5;  // as in ImGui
 
   GLFWwindow* window_;
   FrameInput frame_;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
-  bool is_inside_ = false;  // the cursor, the window
+  bool is_inside_ = false;  // the cursor is in the window
   std::array<bool, kButtons> down_{};
   int popups_ = 0;  // open before the last frame
   bool popups_changed_ = false;

@@ -15,7 +15,7 @@ bool PictureInput::gets(InputKind kind, MouseButton button, const Eigen::Vector2
     case InputKind::scroll:
       return !PanelInput::want_mouse(cursor);
     case InputKind::key:
-      // What a key types goes where the key went, whatever that has opened.
+      // The text of a key goes where the key went, even if that opened a field.
       types_into_panel_ = PanelInput::want_keys();
       return !types_into_panel_;
     case InputKind::text:

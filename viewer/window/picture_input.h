@@ -4,11 +4,12 @@
 
 namespace lapwing::viewer {
 
-/// Whether what a person does is for the picture, by how the panels were laid out last. To be asked
-/// of everything that happens, in its order.
+/// Decides which events are for the picture, by the last layout of the panels. Call `gets` for
+/// every event, in order.
 class PictureInput {
  public:
-  /// `cursor` in screen units; `button` of presses and releases.
+  /// Whether the picture gets an event. `cursor` is in screen units, `button` for presses and
+  /// releases.
   bool gets(InputKind kind, MouseButton button, const Eigen::Vector2d& cursor);
 
   /// The button that was pressed over the picture and is still down.
@@ -19,7 +20,7 @@ class PictureInput {
   bool gets_release(MouseButton button);
 
   MouseButton dragging_ = MouseButton::none;
-  bool types_into_panel_ = false;  // the key pressed last
+  bool types_into_panel_ = false;  // the last key did
 };
 
 }  // namespace lapwing::viewer

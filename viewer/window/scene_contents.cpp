@@ -8,7 +8,7 @@ namespace lapwing::viewer {
 
 SceneContents::Seen SceneContents::seen(const SurfaceScene& scene) {
   Seen all;
-  // Without a surface only the background shows, from wherever one looks.
+  // Without a surface only the background shows, whatever the camera.
   if (scene.surface == nullptr) return all;
   all.surface = scene.surface->revision();
   all.paint = scene.paint->revision();

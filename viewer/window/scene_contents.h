@@ -8,20 +8,19 @@
 
 namespace lapwing::viewer {
 
-/// All that a picture of a scene shows, as a value: a picture that is kept stands for every scene
-/// of equal contents. These are the surfaces, what is carried and their colours (by revision), the
-/// cameras, the styles, the background, and where the second surface stands.
+/// What a picture of a scene depends on, as a value. A kept picture serves every scene with equal
+/// contents: surfaces, carried objects and their colours (by revision), cameras, styles,
+/// background, and the place of the second surface.
 ///
-/// How well it is drawn is no part of it: neither `Scene::moving` nor `SurfaceStyle::sides`, which
-/// leaves out only what does not show. Neither are panels, nor the marks of tools, which ImGui
-/// draws over the picture.
+/// Quality is not part of it: neither `Scene::moving` nor `SurfaceStyle::sides`, which omits only
+/// what does not show. Nor are panels and the marks of tools, which ImGui draws over the picture.
 class SceneContents {
  public:
-  /// Those of `scene`. Allocates nothing where as much is carried as before.
+  /// Takes the contents of `scene`. Allocates nothing if as much is carried as before.
   void take(const Scene& scene);
 
   bool operator==(const SceneContents&) const = default;
-  /// Whether what there is looks alike, but is seen from elsewhere.
+  /// Whether only the cameras differ.
   bool differs_in_view_alone(const SceneContents& other) const;
 
  private:

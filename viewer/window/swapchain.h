@@ -16,11 +16,11 @@ namespace lapwing::viewer {
 
 class Window;
 
-/// The images of a window that the desktop shows in turn, at its own pace. The context and the
-/// window must outlive it; one at a time for a window.
+/// The images of a window, which the desktop shows in turn at its own rate. The context and the
+/// window must outlive it. A window has at most one.
 class Swapchain final : public Screen {
  public:
-  /// Throws GpuError when the context's device cannot show anything in the window.
+  /// Throws GpuError if the context's device cannot show anything in the window.
   Swapchain(gpu::Context& context, const Window& window);
   ~Swapchain() override;
   Swapchain(const Swapchain&) = delete;
@@ -49,7 +49,7 @@ class Swapchain final : public Screen {
   std::vector<VkImage> images_;
   std::vector<VkImageView> views_;
   VkSemaphore ready_ = VK_NULL_HANDLE;
-  /// One per image, kept from one swapchain to the next: the screen may still wait for one of them
+  /// One per image. They outlive a swapchain, because the screen may still wait for one of them
   /// when its images are replaced.
   std::vector<VkSemaphore> drawn_;
 };

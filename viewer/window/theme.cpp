@@ -8,14 +8,14 @@ namespace lapwing::viewer {
 namespace {
 
 constexpr float kFontPixels = 15.0F;         // of DejaVu Sans, at scale 1
-constexpr float kClickUnits = 6.0F;          // ImGui's own, at scale 1
-constexpr float kBuiltInFontPixels = 13.0F;  // what ImGui's own bitmap is drawn for
+constexpr float kClickUnits = 6.0F;          // ImGui's default, at scale 1
+constexpr float kBuiltInFontPixels = 13.0F;  // size of ImGui's bitmap font
 
 void load_font(float scale) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
   if (std::filesystem::exists(LAPWING_VIEWER_FONT)) {
-    // Letters of other languages in file names.
+    // File names may have letters of other languages.
     fonts.AddFontFromFileTTF(LAPWING_VIEWER_FONT, kFontPixels * scale, nullptr,
                              fonts.GetGlyphRangesCyrillic());
     return;
@@ -29,7 +29,7 @@ ImVec4 gray(float level, float opacity = 1.0F) {
   return {level, level, std::min(1.02F * level, 1.0F), opacity};
 }
 
-// What the themes differ in.
+// The colours in which the themes differ.
 struct Palette {
   float text;
   float quiet_text;
@@ -37,13 +37,13 @@ struct Palette {
   float popup;
   float menu;
   float border;
-  float frame;  // of fields; lit and pressed ones are `step` and twice that beyond
+  float frame;  // of fields; plus `step` under the cursor, twice that when pressed
   float step;
   float header;
   float button;
-  ImVec4 accent;         // under text
-  ImVec4 strong_accent;  // under text that is pressed
-  ImVec4 mark;           // of check marks and grips: no text stands on it
+  ImVec4 accent;         // behind text
+  ImVec4 strong_accent;  // behind text that is pressed
+  ImVec4 mark;           // of check marks and grips, without text on it
   std::array<ImVec4, 3> tones;
 };
 
@@ -113,7 +113,7 @@ void set_colors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_PlotHistogram, p.accent);
   set(ImGuiCol_TextSelectedBg, p.accent);
   set(ImGuiCol_TableHeaderBg, gray(p.header));
-  // The picture stays to be seen beside a dialog that all else waits for.
+  // The picture stays visible behind a modal dialog.
   set(ImGuiCol_ModalWindowDimBg, {});
 }
 
@@ -141,11 +141,11 @@ void set_theme(Theme theme, double scale) {
   style.ItemSpacing = {8.0F, 5.0F};
   style.ScaleAllSizes(static_cast<float>(scale));
   ImGuiIO& io = ImGui::GetIO();
-  // Panels have their places; a blinking cursor would need frames while nothing happens.
+  // Panels have fixed places. A blinking cursor would need frames while nothing happens.
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;
-  // How far a hand may go that clicks.
+  // How far the cursor may move in a click.
   io.MouseDragThreshold = kClickUnits * static_cast<float>(scale);
   io.MouseDoubleClickMaxDist = kClickUnits * static_cast<float>(scale);
 }

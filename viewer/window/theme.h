@@ -7,14 +7,13 @@
 
 namespace lapwing::viewer {
 
-/// Fonts of the panels on a desktop that enlarges by `scale`: those of the current ImGui context
-/// are made anew.
+/// Rebuilds the fonts of the current ImGui context for a desktop that enlarges by `scale`.
 void set_fonts(double scale);
-/// Colours and sizes of the panels. Text has a contrast of 4.5 : 1 or more to whatever panel,
-/// field or button it stands on (WCAG 2.1, 1.4.3).
+/// Sets the colours and sizes of the panels. Text has a contrast of at least 4.5 : 1 to its
+/// background (WCAG 2.1, 1.4.3).
 void set_theme(Theme theme, double scale);
 
-/// The colour of text of that tone, in the theme that was set last.
+/// Returns the colour of text of that tone in the current theme.
 const ImVec4& text_color(Tone tone);
 
 }  // namespace lapwing::viewer

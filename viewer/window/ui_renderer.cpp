@@ -52,7 +52,7 @@ std::span<const ImDrawList* const> lists_of(const ImDrawData& panels) {
   return {panels.CmdLists, static_cast<std::size_t>(panels.CmdListsCount)};
 }
 
-// The part of the picture that a command may draw into, in pixels.
+// Returns the part of the picture, in pixels, that a command may draw into.
 VkRect2D scissor_of(const ImVec4& clip, const ImDrawData& panels, VkExtent2D extent) {
   const auto pixel = [](float place, float origin, float scale, std::uint32_t limit) {
     return static_cast<std::int32_t>(
@@ -94,7 +94,7 @@ void UiRenderer::set_fonts() {
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&opacities, &width, &height);
   atlas_width_ = static_cast<std::uint32_t>(width);
   atlas_height_ = static_cast<std::uint32_t>(height);
-  // Whole words: ImGui's pictures are as wide as a power of two.
+  // A multiple of 4 bytes, because the width of ImGui's atlas is a power of two.
   const std::size_t bytes = std::size_t{atlas_width_} * atlas_height_;
   atlas_.emplace(context_, "font", bytes);
   gpu::Transfer(context_).upload(*atlas_, std::as_bytes(std::span(opacities, bytes)));

@@ -23,7 +23,7 @@ namespace {
 
 using Kind = DesktopEvent::Kind;
 
-// There is one window, and whoever wakes it may not know it.
+// There is only one window, and a thread that wakes it may not know it.
 std::atomic<bool> woken = false;
 
 int code_without_display = 0;
@@ -52,7 +52,7 @@ Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
 }
 
-// As GLFW's bits.
+// Returns the pressed modifiers as GLFW's bits.
 int pressed_modifiers(GLFWwindow* window) {
   const auto bit_if_down = [&](int bit, int left, int right) {
     const bool is_down =
@@ -90,7 +90,7 @@ constexpr std::array<std::pair<int, int>, 12> kNamedKeys{{{GLFW_KEY_ESCAPE, kEsc
                                                           {GLFW_KEY_DOWN, kDown},
                                                           {GLFW_KEY_F1, kF1}}};
 
-// A letter's key is the one that types it, wherever the person's layout has it.
+// A letter's key is the one that types it in the user's keyboard layout.
 int key_of(int key, int scancode) {
   for (const auto& [glfw, ours] : kNamedKeys) {
     if (key == glfw) return ours;
@@ -109,7 +109,7 @@ int key_of(int key, int scancode) {
 
 }  // namespace
 
-// GLFW's callbacks: what they say waits, in its order, until it is handed on.
+// GLFW's callbacks. They queue events, in order, until these are handed on.
 struct WindowCallbacks {
   static Window& of(GLFWwindow* handle) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
@@ -129,8 +129,8 @@ struct WindowCallbacks {
   static void on_move(GLFWwindow* handle, double x, double y) {
     Window& window = of(handle);
     window.cursor_ = {x, y};
-    // A lasso is all of its way, however long a frame takes; otherwise where the cursor is by now
-    // is enough.
+    // A lasso needs the whole path of the cursor, however long a frame takes. With no button down,
+    // the latest position is enough.
     if (window.buttons_down_ == 0 && window.has_input() &&
         window.waiting_.back().kind == Kind::move) {
       window.waiting_.pop_back();
@@ -219,7 +219,7 @@ Window::~Window() {
 }
 
 std::vector<const char*> Window::instance_extensions() const {
-  // Says in the project's own words when there is no Vulkan at all.
+  // Throws a readable error if there is no Vulkan at all.
   gpu::open_loader();
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
@@ -240,7 +240,7 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
 }
 
 void Window::exit_when_display_goes(int code) {
-  // GLFW brought Xlib along, unless it runs on something else that closes windows in order.
+  // GLFW has loaded Xlib, unless it runs on a platform that closes windows properly.
   using Handler = int (*)(void* display);
   auto* const set_handler =
       reinterpret_cast<Handler (*)(Handler)>(dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
@@ -260,7 +260,7 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-// Of what waits those at the front are handed on already: the list keeps its memory.
+// Events at the front of waiting_ may be handed on already, so that the list keeps its memory.
 std::optional<InputEvent> Window::hand_on() {
   const DesktopEvent event = waiting_[handed_on_++];
   if (!has_input()) {
@@ -268,7 +268,7 @@ std::optional<InputEvent> Window::hand_on() {
     handed_on_ = 0;
   }
   const bool over_panel = PanelInput::is_over_panel(event.cursor) || ImGui::IsAnyItemActive();
-  // Panels light up under the cursor; what changes in the picture the app says.
+  // Panels light up under the cursor. The app tells when the picture changes.
   if (event.kind != DesktopEvent::Kind::move || over_panel || was_over_panel_) changed_ = true;
   was_over_panel_ = over_panel;
   const auto input = input_event(event);
@@ -280,7 +280,7 @@ std::optional<InputEvent> Window::hand_on() {
   return is_release_or_unknown ? std::nullopt : input;
 }
 
-// Nothing where it means nothing to a picture.
+// Returns nullopt if the event means nothing to a picture.
 std::optional<InputEvent> Window::input_event(const DesktopEvent& event) const {
   InputEvent input;
   input.position = in_pixels(event.cursor);

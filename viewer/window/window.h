@@ -17,51 +17,49 @@ struct GLFWwindow;
 
 namespace lapwing::viewer {
 
-/// A window of the desktop, by GLFW, and what a person does to it. One at a time, on the main
-/// thread.
+/// A window of the desktop, by GLFW, and its input. One at a time, on the main thread.
 class Window {
  public:
-  /// Throws WindowError, with GLFW's reason, when there is no display. Sizes in screen units.
+  /// Sizes are in screen units. Throws WindowError, with GLFW's reason, if there is no display.
   Window(const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// The instance extensions that `create_surface` needs. Throws GpuError when the Vulkan loader
-  /// knows no way to this desktop.
+  /// Returns the instance extensions that `create_surface` needs. Throws GpuError if Vulkan cannot
+  /// draw on this desktop.
   std::vector<const char*> instance_extensions() const;
-  /// The caller's to destroy. Throws GpuError.
+  /// Creates a surface, which the caller must destroy. Throws GpuError.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// From now on, a display that goes away (its server ends, its connection breaks) ends the
-  /// program at once, with `code` and a word on standard error. Nothing is put down in order then:
-  /// what draws waits for the display, too.
+  /// From now on, the loss of the display (its server ends, its connection breaks) ends the program
+  /// at once, with `code` and a message on standard error. There is no orderly shutdown, because
+  /// drawing waits for the display, too.
   static void exit_when_display_goes(int code);
 
-  /// Waits for something to happen, at most `seconds`.
+  /// Waits for an event, at most `seconds`.
   void wait(double seconds);
-  /// Takes what has happened without waiting.
+  /// Takes pending events without waiting.
   void poll();
   /// Wakes `wait` for another frame. May be called from any thread.
   static void wake();
 
-  /// Whether something that happened is yet to be handed on.
+  /// Whether an event waits to be handed on.
   bool has_input() const { return handed_on_ < waiting_.size(); }
-  /// Of that the oldest, to the panels; returned if it is (also) for the picture. As the panels
-  /// were laid out last: first they are to be laid out again where it does not fit
-  /// (`panels().fits(next_input())`).
+  /// Hands the oldest event to the panels. Returns it if it is (also) for the picture, by the last
+  /// layout. If it does not fit, lay the panels out first (`panels().fits(next_input())`).
   std::optional<InputEvent> hand_on();
   const DesktopEvent& next_input() const { return waiting_[handed_on_]; }
   PanelInput& panels() { return *panels_; }
   std::vector<std::filesystem::path> take_dropped_files();
-  /// Whether anything was handed on or happened since the last call that may change the panels.
+  /// Whether anything since the last call may change the panels.
   bool take_changed();
 
-  /// Whether the person wanted the window closed since the last call.
+  /// Whether the user asked to close the window since the last call.
   bool take_close_request();
-  /// In pixels; 0 while minimized.
+  /// Returns the size in pixels; 0 while minimized.
   VkExtent2D pixels() const;
-  /// Pixels of a point (Projection's): what is to be seen and touched is enlarged by it.
+  /// Returns the pixels per point (Projection), the scale of panels and marks.
   double content_scale() const;
   void set_title(const std::string& title);
 
@@ -74,12 +72,12 @@ class Window {
   GLFWwindow* handle_ = nullptr;
   std::unique_ptr<PanelInput> panels_;
   std::vector<DesktopEvent> waiting_;
-  std::size_t handed_on_ = 0;  ///< of those that wait
+  std::size_t handed_on_ = 0;  ///< number of waiting_ handed on
   std::vector<std::filesystem::path> dropped_;
-  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units, by now
-  int buttons_down_ = 0;                              ///< by now
+  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< latest, in screen units
+  int buttons_down_ = 0;                              ///< now
   PictureInput picture_;
-  bool was_over_panel_ = false;  ///< the cursor
+  bool was_over_panel_ = false;  ///< the cursor, at the last event
   bool changed_ = true;
 };
 

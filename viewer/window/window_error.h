@@ -4,7 +4,7 @@
 
 namespace lapwing::viewer {
 
-/// No window can be opened: no display, or one that refuses.
+/// No window can be opened: there is no display, or it refuses.
 class WindowError : public Error {
  public:
   using Error::Error;

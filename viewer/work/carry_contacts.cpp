@@ -22,7 +22,7 @@ CarryContacts::Known CarryContacts::of(const std::shared_ptr<const CarriedFile>&
         surface.find_all(file->positions(), kMostShares));
   };
   const std::lock_guard lock(mutex_);
-  // Another thread went on to another surface.
+  // Another thread has changed to another surface.
   if (&surface != surface_.get()) return find();
   const auto at = known_.find(file);
   if (at != known_.end()) return at->second;

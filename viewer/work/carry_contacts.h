@@ -10,38 +10,38 @@
 
 namespace lapwing::viewer {
 
-/// Carries objects along with one deform of a surface after the other, by the SurfaceCarrier that a
-/// run uses, to the same bits. What they follow of the surface at rest is found once per object and
-/// kept: after that a deform costs a fit of a rotation per vertex that may move and a mean per
-/// point. Threads may share one.
+/// Carries objects along with successive deforms of a surface, by the SurfaceCarrier of a run and
+/// with the same bits. Finds once per object what it follows on the rest surface. After that, a
+/// deform costs a rotation fit per vertex that may move and a mean per point. Threads may share
+/// one.
 class CarryContacts {
  public:
-  /// Where `objects`, at rest with the surface of `rest`, are once that went to `deformed`, in
-  /// their order; nothing for one that stays. Throws what SurfaceContacts does, Cancelled when
-  /// `progress`, asked once per object, says so.
+  /// Returns where `objects`, at rest with the surface of `rest`, are after it moved to `deformed`,
+  /// in their order; nothing for one that stays. Throws what SurfaceContacts throws, and Cancelled
+  /// if `progress`, asked once per object, says so.
   std::vector<std::optional<CarriedPoints>> carry(std::span<const CarriedObject> objects,
                                                   const std::shared_ptr<const Mesh>& rest,
                                                   const Deformed& deformed,
                                                   const Progress& progress);
 
-  /// Of an object, 128 MB. One whose points follow more, as a large one far from a fine surface
-  /// does, is carried all the same, but what it follows is found anew each time.
+  /// Limit per object, 128 MB. If the points of an object follow more, such as those of a large one
+  /// far from a fine surface, it is carried, too, but what it follows is found each time.
   static constexpr std::size_t kMostShares = 8'000'000;
 
  private:
-  // Nothing where it is too much to be kept.
+  // Empty if it is too much to keep.
   using Known = std::shared_ptr<const std::optional<CarryShares>>;
 
   std::shared_ptr<const SurfaceContacts> with(const std::shared_ptr<const Mesh>& rest);
   Known of(const std::shared_ptr<const CarriedFile>& file, const SurfaceContacts& surface);
 
-  std::mutex mutex_;  // what one thread finds the others wait for
+  std::mutex mutex_;  // the others wait for what one thread finds
   std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const SurfaceContacts> surface_;
   std::map<std::weak_ptr<const CarriedFile>, Known, std::owner_less<>> known_;
 };
 
-/// `objects` as files, where `carried` puts them.
+/// Returns `objects` as files, moved to `carried`.
 CarriedFiles files_of(std::span<const CarriedObject> objects,
                       std::vector<std::optional<CarriedPoints>> carried);
 

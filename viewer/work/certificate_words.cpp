@@ -13,7 +13,7 @@ std::string formatted(const char* format, double a) {
   return text.data();
 }
 
-// Its ring too: one vertex alone has no size to frame.
+// Adds the ring, because a single vertex has no size to frame.
 std::vector<Index> with_ring(Index vertex, const Topology& topology) {
   return with_ring_neighbours(std::array{vertex}, topology.rings);
 }
@@ -36,7 +36,7 @@ CertificateWarning not_settled(const Certificate& certificate) {
           {}};
 }
 
-// Of a region that is everything already, nobody can choose a larger one.
+// A region that is the whole mesh cannot be enlarged.
 std::string advice(const Certificate& certificate) {
   return certificate.region_is_whole
              ? " Move the handle less, or in smaller steps."

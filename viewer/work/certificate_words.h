@@ -7,20 +7,20 @@
 
 namespace lapwing::viewer {
 
-/// Something about a result that a person should look at.
+/// Something about a result that a user should check.
 struct CertificateWarning {
-  std::string text;             ///< one sentence or two: what it is, and what to do
-  std::vector<Index> vertices;  ///< to frame, ascending; empty where all of the edit is meant
+  std::string text;             ///< the problem and the next step, in one or two sentences
+  std::vector<Index> vertices;  ///< to frame, ascending; empty for the whole edit
 };
 
-/// A ring that grew or shrank by more than this factor: beyond it details are crowded or pulled
+/// Largest factor by which a ring may grow or shrink. Beyond it details are crowded or pulled
 /// apart.
 inline constexpr double kMostRingScale = 2.0;
-/// Above this part of the details lost the difference shows beside the rest shape.
+/// Largest share of lost details. Above it the difference from the rest shape is visible.
 inline constexpr double kMostDetailLost = 0.25;
 
-/// What the certificate says that is not as it should be, the gravest first, handles and edges as
-/// lapwing's `warnings_of` judges them; empty when all is well.
+/// Returns the problems in the certificate, the gravest first; empty if there are none. Judges
+/// handles and edges as lapwing's `warnings_of` does.
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                                             const Topology& topology);
 

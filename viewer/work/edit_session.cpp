@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The file that the edit was begun on. One that was saved over is named by its copy's stamp: the
-// copy is what counts.
+// Returns the file with which the edit began. If it was saved over, the stamp is that of its copy,
+// from which the steps start.
 MeshStamp file_of(const InterruptedEdit& edit) {
   if (!edit.has_copy()) return edit.mesh;
   return {edit.opened, edit.mesh.bytes, edit.mesh.modified};
@@ -37,7 +37,7 @@ bool same_surface(const AppState& a, const AppState& b) {
          a.carried == b.carried;
 }
 
-// Whether the file that the mesh was read from is a .gltf with its numbers in other files.
+// Returns whether the mesh was read from a .gltf with numbers in other files.
 bool has_external_buffers(const Mesh& mesh) {
   if (!mesh.source || !mesh.source->gltf) return false;
   return std::ranges::any_of(mesh.source->gltf->file.buffers(), [](const GltfBuffer& buffer) {
@@ -67,7 +67,7 @@ bool has_path(const Step& step) {
          });
 }
 
-// The largest distance of a vertex, as a share of the diagonal; 1 for other vertices.
+// Returns the largest distance of a vertex, as a share of the diagonal; 1 for other vertices.
 double share_apart(const Positions& a, const Positions& b) {
   if (a.size() != b.size()) return 1.0;
   double largest = 0.0;
@@ -105,7 +105,7 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
   start_journal(journals, &edit);
   if (edit.has_copy()) {
     original_ = FileBytes::read(edit.mesh.path);
-    // What was saved over the file cannot be told from the history.
+    // The history does not tell which state was saved over the file.
     history_.mark_unsaved();
   }
   follow();
@@ -119,7 +119,7 @@ void EditSession::start_journal(const fs::path& journals, const InterruptedEdit*
     if (restored->has_copy()) journal_->keep_mesh(restored->mesh.path);
     journal_->keep_results_of(*restored);
   } catch (const Error& error) {
-    // Steps that start from a mesh that nobody kept would be no help.
+    // Steps are useless without the mesh from which they start.
     if (journal_) journal_->close();
     journal_.reset();
     warning_ = error.what();
@@ -152,7 +152,7 @@ void EditSession::continue_with(History history) {
   follow();
 }
 
-// What was asked for before may not be wanted any more.
+// Cancels settling first, because an earlier request may be outdated.
 void EditSession::follow(std::shared_ptr<const DragState> shown) {
   preparation_.cancel_settling();
   prepare(std::move(shown));
@@ -266,14 +266,14 @@ std::shared_ptr<const DragState> EditSession::pose() const {
   if (!state().settled || !preview) return nullptr;
   auto pose = std::make_shared<DragState>(
       preview->response()->pose_at(positions_of(state()), motions_of(state())));
-  // Where nothing moves the handles nothing is to move.
+  // Without a motion of the handles, nothing is left to settle.
   pose->last_result.settled = true;
   return pose;
 }
 
 void EditSession::settle_live(std::span<const HandleMove> moves,
                               std::shared_ptr<const DragState> from, bool rests) {
-  // A copy of the state costs the selection: only where it is going to be used.
+  // A copy of the state costs as much as the selection, so make it only if it is used.
   if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
   AppState dragged = state();
   dragged.moves.assign(moves.begin(), moves.end());
@@ -289,7 +289,7 @@ const Certificate* EditSession::certificate() const {
   return state().settled ? state().settled->certificate.get() : nullptr;
 }
 
-// What is carried along as it is now, if all of it can be written beside `path`.
+// Returns the carried files as they are now. Throws if they cannot all be written beside `path`.
 std::vector<CarriedFile> EditSession::carried_for(const fs::path& path) const {
   std::vector<CarriedFile> files;
   std::vector<fs::path> inputs;

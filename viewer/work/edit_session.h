@@ -17,26 +17,26 @@
 
 namespace lapwing::viewer {
 
-/// What carrying a step out beside the window has led to.
+/// The effect of a step that was carried out in the background.
 struct StepTaken {
-  bool changed_triangles = false;  ///< then nothing is chosen any more
+  bool changed_triangles = false;  ///< then the selection was cleared
   std::vector<std::string> warnings;
 };
 
-/// One mesh being edited: its history, the journal that follows every step, the worker that
-/// prepares and settles what the state asks for, and the one that carries whole steps out. All but
-/// the drawing.
+/// One mesh being edited: its history, the journal that records every step, the worker that
+/// prepares and settles the state, and the one that carries out whole steps. Everything except
+/// drawing.
 class EditSession {
  public:
-  /// `file` is what was opened; without it, for a generated mesh, nothing is journalled. `journals`
-  /// is a folder. The rest is Preparation's.
+  /// `file` is what was opened. Without it, for a generated mesh, there is no journal. `journals`
+  /// is a folder. The other arguments are those of Preparation.
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
               Preparation::Upload upload = {});
 
-  /// Goes on with an interrupted edit: `history` is what `restore` made of it. Journals under the
-  /// name that the mesh was opened by, and keeps the results of the edit and its copy of the mesh
-  /// where it has one, so that `discard(edit)` may follow unless there is a `warning`.
+  /// Continues an interrupted edit; `history` is the result of `restore`. Journals under the name
+  /// of the opened mesh. Keeps the results of the edit and its copy of the mesh, if there is one,
+  /// so that `discard(edit)` may follow unless there is a `warning`.
   EditSession(const InterruptedEdit& edit, History history, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
               Preparation::Upload upload = {});
@@ -44,87 +44,85 @@ class EditSession {
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
   const Preparation& preparation() const { return preparation_; }
-  /// What was opened, also of a restored edit, and not the copy that its steps start from: where
-  /// saving goes. Empty for a generated mesh.
+  /// Returns the opened file, where saving goes. For a restored edit, this is not the copy from
+  /// which its steps start. Empty for a generated mesh.
   std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
-  /// A new step, or joined to the last. Throws what `apply` does. Wherever the state waits for a
-  /// result, after undo and redo, too, that is under way on return.
-  /// A result that it waits for is the one that the pose `shown` leads to, if there is one: the
-  /// surface on the screen.
+  /// Performs a command. Throws what `apply` throws. If the state then waits for a result, as it
+  /// may after undo and redo, too, the result is under way on return. It starts from the pose
+  /// `shown`, the surface on the screen, if that is given.
   void perform(const Command& command, Joining joining = Joining::own_step,
                std::shared_ptr<const DragState> shown = nullptr);
   void undo();
   void redo();
   void go_to(std::size_t steps);
-  /// Goes on with a history that began as this one does, with steps more or fewer.
+  /// Continues with a history that has the same start, but more or fewer steps.
   void continue_with(History history);
-  /// Gives up the result under way; the handle stays moved, and can be undone.
+  /// Cancels the result under way. The handle stays moved, and the move can be undone.
   void cancel_settling() { preparation_.cancel_settling(); }
 
-  /// Gives up the preparation and all that settles, until `prepare` or the next step.
+  /// Cancels preparation and settling, until `prepare` or the next step.
   void cancel_preparation() { preparation_.cancel(); }
-  /// Starts what was given up again, with the result that the state waits for.
+  /// Starts them again, with the result that the state waits for.
   void prepare(std::shared_ptr<const DragState> shown = nullptr);
 
-  /// The device was lost: goes on with kernels on another one, prepared anew.
+  /// Continues with kernels on another device, after the first was lost, and prepares again.
   void use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload = {});
 
-  /// Performs the result that has come, if one has. Call it when woken.
+  /// Performs the result if it is ready, and returns whether it was. Call this when woken.
   bool take_result();
-  /// Whether the result that the state waits for is still to come; false where it was given up or
-  /// failed.
+  /// Returns whether the result that the state waits for is still to come; false if it was
+  /// cancelled or has failed.
   bool awaits_result() const { return needs_settling(state()) && preparation_.will_settle(); }
 
-  /// Where the surface stands for a drag to begin from: at the result that the state has. Null for
-  /// the rest shape, where the state waits for its result, and while no preview is ready.
+  /// Returns the pose from which a drag starts: the state's result. Null for the rest shape, if the
+  /// state waits for its result, and while no preview is ready.
   std::shared_ptr<const DragState> pose() const;
 
-  /// Which handles the next drag moves (Preparation::drag_by).
+  /// Sets the handles that the next drag moves (Preparation::drag_by).
   void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
 
-  /// Asks for the result of `moves`, one per handle, which are not in the state: those of a drag
-  /// under way, brought on from the pose `from` (Preparation::settle_live). Only if nothing else
-  /// settles; does nothing otherwise, so call it as often as they change. Every step, undo and redo
-  /// wins over it, as `cancel_settling` does where it is given up.
+  /// Asks for the result of `moves`, one per handle, which are those of a drag under way and not in
+  /// the state. Continues from the pose `from` (Preparation::settle_live). Does nothing while
+  /// something else settles, so call this whenever the moves change. Steps, undo, redo and
+  /// `cancel_settling` cancel it.
   void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const DragState> from,
                    bool rests = false);
-  /// That result, once. Never a step of the history.
+  /// Returns that result, once. It is never a step of the history.
   std::optional<LiveResult> take_live_result();
 
-  /// Carries `step` out beside the window, on the surface as it is; its result becomes one step of
-  /// the history by `take_step`. Takes the place of what is being carried out. Files that it names
-  /// are looked for in `folder()`. Throws InputError while a drag waits for its result.
+  /// Carries out `step` in the background, on the present surface. `take_step` makes the result one
+  /// step of the history. Replaces a step that is being carried out. Looks for files in `folder()`.
+  /// Throws InputError while a drag waits for its result.
   void carry_out(const Step& step);
-  /// Takes the `index`th step of the recipe up again, as `step` is now, and carries out anew what
-  /// follows it; one step of the history, likewise. Throws what `revision_of` does, and InputError
-  /// while a drag waits for its result.
+  /// Replaces the `index`th step of the recipe by `step`, and carries out the steps after it again.
+  /// This is one step of the history, too. Throws what `revision_of` throws, and InputError while a
+  /// drag waits for its result.
   void replace_step(std::size_t index, const Step& step);
-  /// Reads `files` beside the window, looked for in `folder()`, to be carried along from the open
-  /// step on: one step of the history each, likewise. Throws InputError while something is carried
-  /// out, which would be lost.
+  /// Reads `files` from `folder()` in the background, to carry them from the open step on; each is
+  /// one step of the history. Throws InputError while a step is being carried out, because it would
+  /// be lost.
   void carry_along(const std::vector<std::filesystem::path>& files);
-  /// Gives it up; nothing has changed then.
+  /// Cancels the step under way, without any change.
   void cancel_step();
-  /// Whether a step is, until it is taken or given up.
+  /// Returns whether a step is under way, until it is taken or cancelled.
   bool is_carrying_out() const { return carried_out_on_.has_value(); }
   WorkStatus step_status() const { return carrying_out_.status(); }
-  /// Performs what has been carried out, if something has. Throws what carrying it out threw, once,
-  /// and nothing has changed then. Where meanwhile the surface has become another one, or for
-  /// `replace_step` what is chosen, it was given up. Call it when woken.
+  /// Performs a step that has been carried out, if there is one. Throws the exception of carrying
+  /// it out, once, without any change. A step is cancelled if the surface changes meanwhile or, for
+  /// `replace_step`, the selection. Call this when woken.
   std::optional<StepTaken> take_step();
 
-  /// Where files that steps name are looked for: the mesh file's folder, or the current one.
+  /// Returns the folder for the files of steps: the mesh file's folder, or the current one.
   std::filesystem::path folder() const;
 
-  /// Of the result that the state shows; null without one.
+  /// Returns the certificate of the state's result; null without a result.
   const Certificate* certificate() const;
 
-  /// Writes the surface as it is, and before it what is carried along, as a run does beside its
-  /// result at `path`. Throws what `write_mesh` does, what `require_targets` does before anything
-  /// is written, and InputError while a drag waits for its result: half of a step is never saved.
-  /// Also throws InputError if `path` is a file that a step reads, or the opened file is a .gltf
-  /// whose numbers are in other files, which no copy of it would keep.
+  /// Writes the surface to `path`, and before it the carried files, as a run does beside its
+  /// result. Throws what `write_mesh` throws, and what `require_targets` throws before anything is
+  /// written. Throws InputError while a drag waits for its result, if a step reads `path`, or if
+  /// `path` is the opened file and a .gltf with numbers in other files, which no copy would keep.
   WriteReport save(const std::filesystem::path& path);
   /// The same without the surface.
   WriteReport save_carried(const std::filesystem::path& path) const;
@@ -134,16 +132,16 @@ class EditSession {
   /// an empty path. Throws IoError; InputError without a file, and while a drag waits for its
   /// result.
   std::filesystem::path save_recipe(const std::filesystem::path& path);
-  /// How far the surface is from what a run of the recipe saved last makes of it, as a share of the
-  /// mesh's diagonal: once, when that is known. Carried out beside the window, and only where a
-  /// handle went far, since elsewhere a run ends in the same minimum. Throws what the run threw,
-  /// once. Call it when woken.
+  /// Returns, once it is known, how far the surface is from a run of the recipe saved last, as a
+  /// share of the mesh's diagonal; nothing otherwise. The recipe runs in the background, and only
+  /// if a handle has a path, because otherwise a run ends in the same minimum. Throws the exception
+  /// of the run, once. Call this when woken.
   std::optional<double> take_recipe_check();
 
-  /// Saved or given up: nothing to restore is left.
+  /// Ends the edit, saved or given up. Nothing is left to restore.
   void close();
 
-  /// Why the journal cannot be written, once that is so; empty otherwise. Editing goes on.
+  /// Says why the journal cannot be written; empty while it can. Editing goes on.
   const std::string& warning() const { return warning_; }
 
  private:
@@ -153,13 +151,13 @@ class EditSession {
   void keep_original_of(const std::filesystem::path& path);
   void keep_step_if_wanted();
 
-  // What comes of carrying a step out, to be performed.
+  // The commands that perform a step which was carried out.
   struct StepResult {
     std::vector<Command> commands;
     std::vector<std::string> warnings;
   };
 
-  // What of the state must stay as it is while a step is carried out.
+  // What must not change in the state while a step is carried out.
   enum class Needs { nothing, surface, surface_and_choice };
 
   History history_;

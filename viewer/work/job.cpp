@@ -76,13 +76,13 @@ void JobThread::carry_out(const Work& work, std::uint64_t ticket, const MakeKern
   std::exception_ptr error;
   bool finished = true;
   try {
-    const ProgressScope scope(progress);  // of what takes none, such as reading
+    const ProgressScope scope(progress);  // for functions without a Progress, such as reading
     work(make_kernels(), progress);
   } catch (const Cancelled&) {
-    return;  // whoever cancelled has set the status
+    return;  // the call that cancelled it has set the status
   } catch (const GpuError&) {
     error = std::current_exception();
-    finished = false;  // the device may be lost, and on the next one it goes well
+    finished = false;  // the device may be lost; the work may succeed on the next one
   } catch (...) {
     error = std::current_exception();
   }

@@ -8,7 +8,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// What is smaller than so many edges is a bump to most eyes.
+// Most people see features smaller than so many edges as bumps.
 constexpr double kEdgesPerDetail = 8.0;
 
 bool is_chosen(const RegionSpec& region) {

@@ -91,7 +91,7 @@ bool LayerPreview::take_result() {
   return place();
 }
 
-// True if there is another result at once.
+// Returns whether there is another result already.
 bool LayerPreview::go_on() {
   if (!wanted_ || wanted_ == failed_) return false;
   const auto alike = [this](const std::optional<Wanted>& other) {
@@ -103,7 +103,7 @@ bool LayerPreview::go_on() {
   return false;
 }
 
-// What is prepared serves for what is wanted, too.
+// Answers a request for which `prepared_` still serves.
 bool LayerPreview::slide() {
   if (!same_sizes(shown_->draft, wanted_->draft)) {
     change_sizes(*wanted_);
@@ -119,7 +119,7 @@ bool LayerPreview::slide() {
 }
 
 void LayerPreview::prepare(const Wanted& wanted) {
-  // The worker may be changing what was prepared for a while yet.
+  // The worker may still be changing `prepared_`.
   if (is_lent()) shown_.reset();
   asked_ = wanted;
   changes_sizes_ = false;
@@ -132,7 +132,7 @@ void LayerPreview::prepare(const Wanted& wanted) {
 LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
                                             const std::shared_ptr<Kernels>& kernels,
                                             const Progress& progress) {
-  step_of(wanted.draft);  // says what is missing
+  step_of(wanted.draft);  // throws if something is missing
   auto result = std::make_shared<Prepared>(Prepared{kernels, wanted.target, wanted.draft, nullptr});
   report_progress(progress, "source", 0.0);
   result->layers = std::make_unique<LayeredCoat>(
@@ -141,7 +141,7 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
   return result;
 }
 
-// On the prepared one, which is the worker's meanwhile.
+// Works on `prepared_`, which belongs to the worker meanwhile.
 void LayerPreview::change_sizes(const Wanted& wanted) {
   asked_ = wanted;
   changes_sizes_ = true;

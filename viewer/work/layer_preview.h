@@ -11,43 +11,43 @@
 
 namespace lapwing::viewer {
 
-/// What a coat or mix comes to while a person still changes it. Prepared beside the window; then
-/// the amplitude of a coat is at once, and another detail size first by one back-substitution,
-/// which leaves the transition as it was, and once nothing else is wanted exactly. What is asked
-/// for meanwhile is done as soon as the worker is free, or in place of what is under way.
+/// The result of a coat or mix while the user still changes it. The preparation runs in the
+/// background. After it, a coat's amplitude takes effect at once. Another detail size first costs
+/// one back-substitution, which keeps the old transition; the exact result follows if nothing else
+/// is wanted. A new request waits for the worker, or replaces the work under way.
 class LayerPreview {
  public:
-  /// JobThread's.
+  /// Takes the arguments of JobThread.
   explicit LayerPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake = {});
 
-  /// Wants the result of `draft` on `target`. Nothing happens where that is what was wanted last.
+  /// Asks for the result of `draft` on `target`. Does nothing if that was asked for last.
   void follow(std::shared_ptr<const Mesh> target, const LayerDraft& draft);
-  /// Wants nothing any more.
+  /// Drops the request and the result.
   void stop();
   void use_kernels(JobThread::MakeKernels make_kernels);
 
-  /// Takes what the worker has, and gives it more to do. True if there is another result. Call it
-  /// when woken, and after `follow`.
+  /// Takes finished work and starts more. Returns true if there is another result. Call this when
+  /// woken, and after `follow`.
   bool update();
 
-  /// Whether what is wanted is still to come.
+  /// Returns whether the requested result is still to come.
   bool is_behind() const { return busy() || (wanted_ && wanted_ != failed_ && wanted_ != shown_); }
-  /// Whether the result is that of the step, bit for bit, but for `is_behind`.
+  /// Returns whether the result equals that of the step, bit for bit, unless `is_behind()`.
   bool is_exact() const { return is_exact_; }
   WorkStatus status() const { return job_.status(); }
-  /// Why the last thing wanted cannot be had; empty if it can.
+  /// Says why the last request failed; empty if it did not.
   const std::string& message() const { return message_; }
 
-  /// Whether there is a result. It holds while the next one is made.
+  /// Returns whether there is a result. It stays while the next one is computed.
   bool has_result() const { return prepared_ != nullptr; }
-  /// Whose vertices `positions` are. Where nothing was remeshed it shares the target's faces.
+  /// Returns the mesh of `positions`. Without remeshing it shares the target's faces.
   std::shared_ptr<const Mesh> mesh() const;
   const Positions& positions() const { return positions_; }
-  /// Patches, maps and warnings of the result; null while the worker has them.
+  /// Returns patches, maps and warnings of the result; null while the worker uses them.
   const LayeredCoat* layers() const;
 
  private:
-  // The request, what its result refers to, and what came of it.
+  // A request, the data that its result refers to, and the result.
   struct Prepared {
     std::shared_ptr<Kernels> kernels;
     std::shared_ptr<const Mesh> target;
@@ -65,7 +65,7 @@ class LayerPreview {
   using Result = std::shared_ptr<Prepared>;
 
   bool busy() const { return asked_.has_value(); }
-  // Whether the worker may be changing what is prepared.
+  // Whether the worker may be changing `prepared_`.
   bool is_lent() const { return busy() && changes_sizes_; }
   bool take_result();
   bool go_on();
@@ -77,9 +77,9 @@ class LayerPreview {
                          const Progress& progress);
 
   std::optional<Wanted> wanted_;
-  std::optional<Wanted> asked_;  // of the worker:
-  bool changes_sizes_ = false;   // of what is prepared, rather than preparing anew
-  std::optional<Wanted> shown_;  // what is prepared, and `positions_` are
+  std::optional<Wanted> asked_;  // the request under way
+  bool changes_sizes_ = false;   // it changes sizes of `prepared_` instead of preparing
+  std::optional<Wanted> shown_;  // the request of `prepared_` and `positions_`
   bool is_exact_ = false;
   std::optional<Wanted> failed_;
   Result prepared_;

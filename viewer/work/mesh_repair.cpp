@@ -87,7 +87,7 @@ std::vector<Index> places_of(const Mesh& mesh, const FaultyVertices& vertices) {
 }
 
 std::optional<Eigen::Vector3d> side_of(const Mesh& mesh, std::span<const Index> places) {
-  // Below this length of their mean, normals go all ways.
+  // If the mean of the normals is shorter than this, they have no common direction.
   constexpr double kShortMean = 0.3;
   std::vector<unsigned char> is_place(mesh.vertex_count(), 0);
   for (const Index v : places) is_place[v] = 1;

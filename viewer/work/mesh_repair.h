@@ -12,31 +12,30 @@
 
 namespace lapwing::viewer {
 
-/// A mesh as `fix` leaves it, ready to be shown.
+/// A mesh repaired by `fix`, ready to show.
 struct RepairedMesh {
   std::shared_ptr<const Mesh> mesh;
   FixReport done;
   CheckReport left;  ///< what is still wrong
 };
 
-/// Throws what `fix` does, and Cancelled between its stages.
+/// Throws what `fix` throws, and Cancelled between its stages.
 RepairedMesh repaired(const Mesh& mesh, const Progress& progress);
 
-/// The vertices that the problems of `report` are about, ascending: corners of faces, ends of
-/// edges. What is no problem, as that there are several components, is left out. As many as the
-/// report lists.
+/// The vertices of the problems in `report`, ascending: corners of faces, ends of edges. Leaves out
+/// mere information, such as several components. Has no more vertices than the report lists.
 struct FaultyVertices {
   std::vector<Index> hindering;  ///< an edit cannot include these
   std::vector<Index> others;
 };
 FaultyVertices faulty_vertices(const Mesh& mesh, const CheckReport& report);
 
-/// Where to look for `vertices`: those that are finite, and for the others the finite corners of
+/// Returns where to look for `vertices`: the finite ones and, for the others, the finite corners of
 /// their faces. Ascending.
 std::vector<Index> places_of(const Mesh& mesh, const FaultyVertices& vertices);
 
-/// From which side `places` show, whichever way their faces are turned: a unit vector. Nothing
-/// where they are on no face, or about as many on opposite sides.
+/// Returns the direction from which `places` are visible, whatever the orientation of their faces:
+/// a unit vector. Returns nothing if they are on no face, or equally on opposite sides.
 std::optional<Eigen::Vector3d> side_of(const Mesh& mesh, std::span<const Index> places);
 
 }  // namespace lapwing::viewer

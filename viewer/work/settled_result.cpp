@@ -55,14 +55,14 @@ std::shared_ptr<const MovedVertices> result_again(const AppState& state, const M
 
 }  // namespace
 
-// With commits on the way every part but the first prepares anew.
+// In substeps, each part but the first needs a new preparation.
 SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels, CarryContacts& contacts,
                              const Progress& progress) {
   if (goes_in_substeps(state.parameters, state.moves)) {
     return {state.moves, solve_open_step(state, kernels, progress)};
   }
-  // Any other pose is of what was chosen before.
+  // Any other pose belongs to an earlier selection.
   const bool goes_on = from != nullptr && from->displacement.size() == state.rest->vertex_count() &&
                        from->motions.maps.size() == solver.region().handles.size();
   DeformResult solved = goes_on ? solver.solve_from(*from, motions_of(state), progress)

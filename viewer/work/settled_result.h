@@ -13,15 +13,15 @@
 
 namespace lapwing::viewer {
 
-/// What settling came to.
+/// The result of settling.
 struct SettledResult {
   std::vector<HandleMove> moves;               ///< those of the state that asked
   std::shared_ptr<const MovedVertices> moved;  ///< certified
 };
 
-/// What the state's moves come to by `solver`, which was prepared for it: from the pose `from`, if
-/// that is one of the same region, and otherwise as a run of the recipe does it. Throws what those
-/// do.
+/// Computes the result of the state's moves with `solver`, which was prepared for it: from the pose
+/// `from` if that is of the same region, and otherwise as a run of the recipe does. Throws what
+/// these throw.
 SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels, CarryContacts& contacts,
                              const Progress& progress);

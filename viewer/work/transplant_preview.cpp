@@ -43,7 +43,7 @@ bool TransplantPreview::update() {
     auto result = job_.take();
     if (!result) return false;
     result_ = std::move(result);
-    message_.clear();  // of a device that was lost on the way
+    message_.clear();  // it may be from a device that was lost
   } catch (const Error& error) {
     message_ = error.what();
   }

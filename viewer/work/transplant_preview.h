@@ -9,34 +9,33 @@
 
 namespace lapwing::viewer {
 
-/// What a transplant came to.
+/// The result of a transplant.
 struct TransplantResult {
   CarriedOut carried_out;
   std::vector<Eigen::Vector3d> hole;  ///< the loop that was cut into the surface
 };
 
-/// What a transplant comes to while a person still changes it, carried out beside the window.
+/// The result of a transplant while the user still changes it, computed in the background.
 class TransplantPreview {
  public:
-  /// JobThread's.
+  /// Takes the arguments of JobThread.
   explicit TransplantPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake = {});
 
-  /// Wants the result of `step`, which names files by absolute paths, on `host`, which waits for no
-  /// result. Nothing happens where that is what was wanted last; else what is under way is given
-  /// up.
+  /// Asks for the result of `step`, which names files by absolute paths, on `host`, which waits for
+  /// no result. Does nothing if that was asked for last; otherwise cancels work under way.
   void follow(const AppState& host, const TransplantStep& step);
-  /// Wants nothing any more.
+  /// Drops the request and the result.
   void stop();
   void use_kernels(JobThread::MakeKernels make_kernels);
 
-  /// Takes what the worker has. True if there is news. Call it when woken.
+  /// Takes finished work. Returns true if there is news. Call this when woken.
   bool update();
 
   bool is_behind() const { return wanted_ && !result_ && message_.empty(); }
   WorkStatus status() const { return job_.status(); }
-  /// Of what was wanted last; null while it is made.
+  /// Returns the result of the last request; null until it is computed.
   const TransplantResult* result() const { return result_ ? &*result_ : nullptr; }
-  /// Why there is none; empty if there is, or will be.
+  /// Says why there is no result; empty if there is one or it is still to come.
   const std::string& message() const { return message_; }
 
  private:

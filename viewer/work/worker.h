@@ -10,17 +10,17 @@
 
 namespace lapwing::viewer {
 
-/// A thread that carries out one piece of work after the other beside the window. What is wanted is
-/// its owner's, guarded by `mutex`; the owner cancels by counting a ticket up.
+/// A thread that carries out one piece of work after another in the background. The owner holds the
+/// requests, guarded by `mutex`, and cancels work by increasing a ticket.
 class Worker {
  public:
   using Work = std::function<void()>;
   using Note = std::function<void(std::string_view stage, double fraction)>;
 
-  /// `next` is called on the thread, the mutex held, after each `notify` and each piece of work:
-  /// what to do next, or nothing. `wake` is called after each piece.
+  /// `next` returns the next piece of work, or nothing. It is called on the thread, with the mutex
+  /// held, after each `notify` and each piece of work. `wake` is called after each piece.
   Worker(std::function<Work()> next, std::function<void()> wake);
-  /// Waits for the end of what is under way, which the owner has cancelled before.
+  /// Waits for the end of the work under way, which the owner has cancelled before.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -29,8 +29,9 @@ class Worker {
   void notify() { asked_.notify_one(); }
   void wake() const;
 
-  /// Of work under `ticket`: it is cancelled once `current`, which the mutex guards, is another
-  /// one. `note` hears the stages, the mutex held; then the window is woken where it `wakes`.
+  /// Returns a Progress for work under `ticket`. It cancels the work once `current`, guarded by the
+  /// mutex, differs. It calls `note` for each stage, with the mutex held, and then wakes the window
+  /// if `wakes`.
   Progress progress(const std::uint64_t& current, std::uint64_t ticket, Note note,
                     bool wakes = true) const;
 

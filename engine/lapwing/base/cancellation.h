@@ -7,24 +7,24 @@
 
 namespace lapwing {
 
-/// Long loops ask no more often than this. A person takes what answers within 0.2 s for immediate;
-/// this leaves most of that for whatever runs between two checks.
+/// Shortest time between two calls of Progress in long loops. A response within 0.2 s feels
+/// immediate; this leaves most of that for the work between two checks.
 inline constexpr std::chrono::milliseconds kAskEvery{20};
 
-/// What a thread's checks go by.
+/// The scope that the checks of a thread use.
 struct ScopeInForce {
   class State;
-  State* state = nullptr;  ///< the innermost scope's; null for none
-  /// Of a thread that works for another one: set when that one has given up. Null on the thread
-  /// that made the scope, which alone may ask it.
+  State* state = nullptr;  ///< of the innermost scope; null for none
+  /// On a helper thread: set when the thread that it works for has given up. Null on the thread
+  /// that created the scope, the only one that may call Progress.
   const std::atomic<bool>* given_up = nullptr;
 };
 
-/// While one lives, `check_cancelled` on this thread, and on the threads that `parallel_for` and
-/// `parallel_invoke` take for it, asks `progress`, so that loops without a Progress of their own
-/// can be cancelled too. Every operation that takes a Progress makes one; make one around a call
-/// that takes none, such as `read_mesh`. An empty `progress` leaves the scope around this one in
-/// force. `progress` is called on this thread alone. Scopes end in the reverse order.
+/// While a ProgressScope exists, `check_cancelled` calls `progress`, also on the threads of
+/// `parallel_for` and `parallel_invoke`. Loops without a Progress parameter can thus be cancelled.
+/// Every operation with a Progress creates a scope; create one around a call without, such as
+/// `read_mesh`. An empty `progress` keeps the enclosing scope in force. `progress` is only called
+/// on this thread. Scopes must end in reverse order.
 class ProgressScope {
  public:
   explicit ProgressScope(Progress progress);
@@ -37,16 +37,16 @@ class ProgressScope {
   ScopeInForce::State* own_ = nullptr;  // null for an empty progress
 };
 
-/// The scope in force where this is made, lent to threads that work for this one meanwhile.
+/// Lends the current scope to threads that work for this one.
 class LentScope {
  public:
   LentScope();
 
-  /// What they do is not wanted any more.
+  /// Tells the helpers that their work is no longer needed.
   void give_up() { given_up_ = true; }
 
-  /// While one lives, `check_cancelled` on this thread throws once the lender has heard "no" or
-  /// has given up.
+  /// While a Borrowed exists, `check_cancelled` on this thread throws if the lender was cancelled
+  /// or has given up.
   class Borrowed {
    public:
     explicit Borrowed(const LentScope& lent);
@@ -63,7 +63,8 @@ class LentScope {
   std::atomic<bool> given_up_ = false;
 };
 
-/// While one lives, checks on this thread do nothing: what is being written is finished.
+/// While an Uncancelled exists, checks on this thread do nothing, so that files are written
+/// completely.
 class Uncancelled {
  public:
   Uncancelled();
@@ -75,11 +76,11 @@ class Uncancelled {
   ScopeInForce before_;
 };
 
-/// For loops that may take long, every 0.01 to 10 ms: asks the scope in force, at most every
-/// `kAskEvery`, and throws Cancelled when the answer is no. Does nothing where there is no scope.
+/// For long loops, every 0.01 to 10 ms. Calls Progress of the current scope, at most every
+/// `kAskEvery`, and throws Cancelled if that returns false. Does nothing without a scope.
 void check_cancelled();
 
-/// `check_cancelled` for loops whose rounds are as short as reading a clock: every 256th call.
+/// For loops with iterations as short as reading a clock: every 256th call checks.
 class CancelCheck {
  public:
   void operator()() {
@@ -91,15 +92,16 @@ class CancelCheck {
   unsigned calls_ = 0;
 };
 
-/// Whether `check_cancelled` may ever throw here.
+/// Returns whether `check_cancelled` may throw on this thread.
 bool can_be_cancelled();
 
-/// For whoever must not throw, such as a thread that waits for its helpers: asks as
-/// `check_cancelled` does, which then throws. False where this thread has nothing to ask.
+/// For code that must not throw, such as a thread that waits for its helpers. Calls Progress as
+/// `check_cancelled` does; the next `check_cancelled` then throws. Returns false if this thread has
+/// no Progress to call.
 bool ask_whether_cancelled() noexcept;
 
-/// While one lives, every check of the program asks, whatever the time: for tests that cancel at
-/// each point.
+/// While one exists, every check of the program calls Progress, regardless of the time. For tests
+/// that cancel at every check.
 class AskAtEveryCheck {
  public:
   AskAtEveryCheck();

@@ -10,30 +10,30 @@
 
 namespace lapwing {
 
-/// Base of everything the engine throws. `what()` names the place (file and line, vertex, JSON
-/// pointer, device) and the next step, in words a user of the command line can act on; it is one
-/// line of printable text (see printable), whatever the names and files say that it quotes.
+/// Base of all exceptions of the engine. `what()` names the place (file and line, vertex, JSON
+/// pointer, device) and the next step, in terms of the command line. It is one line of printable
+/// text, even if it quotes names or files (see printable).
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& what, std::vector<std::uint32_t> vertices = {})
       : std::runtime_error(printable(what)), vertices_(std::move(vertices)) {}
 
-  /// The vertices that the message is about, all of them where it names the first few; empty where
-  /// it is about none. Of a transplant or coat they may be those of the other mesh.
+  /// All vertices that the message is about, even if it names only some; empty if it is about none.
+  /// For a transplant or coat they may belong to the other mesh.
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
  private:
   std::vector<std::uint32_t> vertices_;
 };
 
-/// What the caller gave cannot be used: a malformed file, a recipe with an unknown key, a region
-/// that does not fit the mesh.
+/// The input is invalid: a malformed file, a recipe with an unknown key, a region that does not fit
+/// the mesh.
 class InputError : public Error {
  public:
   using Error::Error;
 };
 
-/// A system that cannot be solved, or a result that its certificate rejects.
+/// A system cannot be solved, or the certificate of a result fails.
 class SolverError : public Error {
  public:
   using Error::Error;
@@ -51,7 +51,7 @@ class IoError : public Error {
   using Error::Error;
 };
 
-/// The caller's progress callback asked to stop. Nothing was changed.
+/// The progress callback returned false. Nothing was changed.
 class Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}

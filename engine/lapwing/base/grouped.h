@@ -5,7 +5,7 @@
 
 namespace lapwing {
 
-/// "14,290"
+/// Returns `number` with thousands separators, such as "14,290".
 inline std::string grouped(std::size_t number) {
   std::string digits = std::to_string(number);
   for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');

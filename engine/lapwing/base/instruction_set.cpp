@@ -20,7 +20,7 @@ std::string_view instruction_set_name(InstructionSet set) {
 
 namespace {
 
-// Others say nothing.
+// Other values have no effect.
 InstructionSet best_allowed() {
   const char* const value = std::getenv("LAPWING_INSTRUCTION_SET");
   const std::string_view name = value != nullptr ? value : "";

@@ -16,7 +16,7 @@ using std::filesystem::path;
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-// A file of one number; nothing where there is none ("max" is no limit).
+// Returns the number in a file, or nothing if there is none ("max" is no limit).
 std::optional<std::size_t> number_in(const path& file_name) {
   std::ifstream file(file_name);
   std::size_t number = 0;
@@ -24,7 +24,7 @@ std::optional<std::size_t> number_in(const path& file_name) {
   return std::nullopt;
 }
 
-// The number that follows `word` in a file of words and numbers.
+// Returns the number that follows `word` in a file of words and numbers.
 std::optional<std::size_t> number_after(const std::string& word, const path& file_name) {
   std::ifstream file(file_name);
   std::string read;
@@ -39,7 +39,7 @@ std::size_t what_is_left(std::size_t limit, std::size_t used) {
   return limit - std::min(limit, used);
 }
 
-// The names that a version of control groups has for the same things.
+// The file names of a version of control groups.
 struct GroupFiles {
   const char* limit;
   const char* used;
@@ -58,8 +58,8 @@ std::size_t left_in_group(const path& folder, const GroupFiles& files) {
   return what_is_left(*limit, what_is_left(used, cached));
 }
 
-// Of the group at `inside` and all around it. In a container the outermost ones may be hidden, and
-// the mounted folder be the group itself.
+// Returns what is left in the group at `inside` and all groups around it. In a container, the
+// outermost groups may be hidden, and the mounted folder may be the group itself.
 std::size_t left_in_groups(const path& mounted, path inside, const GroupFiles& files) {
   std::size_t left = left_in_group(mounted, files);
   for (inside = inside.relative_path(); !inside.empty(); inside = inside.parent_path()) {

@@ -5,17 +5,17 @@
 
 namespace lapwing {
 
-/// Largest resident size of this process so far, in bytes; 0 where the system does not tell.
+/// Returns the largest resident size of this process so far in bytes, or 0 if unknown.
 std::size_t peak_memory_bytes();
 
-/// What this process may still take before the machine, a control group that it is in (of either
-/// version, or one around that), or its own limit (`ulimit -v`, `ulimit -d`) refuses or ends it; 0
-/// where the system does not tell. Files in a group's cache count as free, since the system drops
-/// them first. Reads some files: about 0.1 ms.
+/// Returns the bytes that this process can still allocate, or 0 if unknown. Considers the memory of
+/// the machine, the control groups around the process (version 1 and 2), and its own limits
+/// (`ulimit -v`, `ulimit -d`). The file cache of a control group counts as free, since the system
+/// drops it first. Reads some files: about 0.1 ms.
 std::size_t available_memory_bytes();
 
-/// What files under `root`, laid out like those of a Linux system under "/", say of the machine and
-/// of control groups.
+/// The same from files under `root`, laid out as under "/" on Linux. Considers only the machine and
+/// the control groups.
 std::size_t available_memory_bytes(const std::filesystem::path& root);
 
 }  // namespace lapwing

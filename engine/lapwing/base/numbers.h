@@ -10,9 +10,9 @@
 
 namespace lapwing {
 
-/// Allocates like std::allocator; elements that are given no value get none, where a vector would
-/// clear them. The memory of a large array is then first touched by what fills it, on all threads:
-/// the system hands it out page by page, which takes longer than much that is done with it.
+/// Allocates like std::allocator, but does not clear elements without a value. The memory of a
+/// large array is then first touched by the threads that fill it. The system provides it page by
+/// page, which takes longer than many computations.
 template <typename T>
 struct Uncleared : std::allocator<T> {
   static_assert(std::is_trivially_default_constructible_v<T>);
@@ -28,14 +28,14 @@ struct Uncleared : std::allocator<T> {
   }
 };
 
-/// `x`, finite and not negative, rounded to 24 significant bits, which are seven digits. For
-/// comparisons whose outcome must not depend on the last bits of what was computed.
+/// Returns `x`, which must be finite and not negative, rounded to 24 significant bits (seven
+/// digits). For comparisons that must not depend on the last bits.
 inline double rounded_to_seven_digits(double x) {
   constexpr std::uint64_t kDropped = (std::uint64_t{1} << 29) - 1;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + (kDropped + 1) / 2) & ~kDropped);
 }
 
-/// A large array of numbers. `resize` leaves the new ones undefined.
+/// A large array of numbers. `resize` leaves new elements uninitialized.
 using Numbers = std::vector<double, Uncleared<double>>;
 
 }  // namespace lapwing

@@ -5,12 +5,12 @@
 
 namespace lapwing {
 
-/// Makes something in the first call, whichever thread that is; others wait for it. A call that
-/// throws, as a cancelled one does, has made nothing, and the next one tries again. (After a throw,
-/// `std::call_once` waits forever under ThreadSanitizer, and with libstdc++ on some systems.)
+/// Runs an initialization in the first call; calls of other threads wait for it. If it throws, for
+/// instance Cancelled, the next call tries again. (After an exception, `std::call_once` waits
+/// forever under ThreadSanitizer, and with libstdc++ on some systems.)
 class Once {
  public:
-  /// Calls make() unless a call of it has returned. `make` must not come back here.
+  /// Calls make() unless an earlier call has returned. `make` must not call this object.
   template <typename Make>
   void operator()(const Make& make) {
     if (made_.load(std::memory_order_acquire)) return;

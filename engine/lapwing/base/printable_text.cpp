@@ -15,7 +15,7 @@ struct Character {
   bool valid = false;
 };
 
-// RFC 3629: no longer forms than needed, no surrogates, nothing above U+10FFFF.
+// RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
 Character decode(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char first = byte(0);
@@ -37,10 +37,10 @@ bool is_plain(std::uint32_t code) {
   const auto within = [&](std::uint32_t first, std::uint32_t last) {
     return code >= first && code <= last;
   };
-  return !(code < 0x20 || within(0x7F, 0x9F) ||  // controls of ASCII and of Latin-1
+  return !(code < 0x20 || within(0x7F, 0x9F) ||  // controls of ASCII and Latin-1
            code == 0x061C || within(0x200E, 0x200F) || within(0x202A, 0x202E) ||
-           within(0x2066, 0x2069) ||                   // direction of writing
-           within(0x2028, 0x2029) || code == 0xFEFF);  // separators of lines, byte order mark
+           within(0x2066, 0x2069) ||                   // direction marks
+           within(0x2028, 0x2029) || code == 0xFEFF);  // line separators, byte order mark
 }
 
 void append_escape(std::string& out, char kind, int digits, unsigned value) {
@@ -49,7 +49,7 @@ void append_escape(std::string& out, char kind, int digits, unsigned value) {
   out += escape.data();
 }
 
-// Whether `text` can be cut before the byte `at`: not within a character.
+// Returns whether the byte `at` begins a character.
 bool is_boundary(std::string_view text, std::size_t at) {
   return (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
 }

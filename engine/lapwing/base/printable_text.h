@@ -6,15 +6,14 @@
 
 namespace lapwing {
 
-/// The most bytes of a message: what a terminal of 80 columns shows on 24 lines.
+/// Largest size of a message in bytes: 24 lines of 80 columns.
 inline constexpr std::size_t kLongestMessage = 80 * 24;
 
-/// `text` as one line that any terminal, log or JSON document can hold: what is not valid UTF-8,
-/// and every character that a terminal or reader could take for more than a letter (controls,
-/// escapes, ends of lines, marks that turn the direction of writing), stands there as "\x1B" or
-/// "\u202E". What does not fit into `longest` bytes is left out in the middle, where " ... "
-/// stands, since a message begins with its place and ends with the next step. Text of other
-/// programs, names and contents of files are shown to people through this alone.
+/// Returns `text` as one line for any terminal, log or JSON document. Bytes that are not UTF-8, and
+/// characters that a terminal or reader could interpret (controls, escapes, line ends, direction
+/// marks), become "\x1B" or "\u202E". Text beyond `longest` bytes is replaced by " ... " in the
+/// middle, since a message begins with its place and ends with the next step. All text from other
+/// programs, file names and file contents is shown through this function.
 std::string printable(std::string_view text, std::size_t longest = kLongestMessage);
 
 }  // namespace lapwing

@@ -5,7 +5,7 @@
 
 namespace lapwing {
 
-/// Runs `body` as a stage: announced to `progress`, and its time added to `timings`.
+/// Runs `body` as a stage: reports it to `progress` and adds its time to `timings`.
 template <typename Body>
 void stage(const char* name, StageTimings& timings, const Progress& progress, Body body) {
   report_progress(progress, name, 0.0);

@@ -21,7 +21,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Milliseconds by stage name, in the order in which the stages ran. Repeated names add up.
+/// Milliseconds by stage name, in the order of the stages. Repeated names add up.
 class StageTimings {
  public:
   void add(std::string_view stage, double milliseconds) {

@@ -7,15 +7,15 @@
 
 namespace lapwing {
 
-/// Disjoint sets of the numbers 0 .. count - 1. A set is named by its smallest member, so that the
-/// names do not depend on the order of the unions. Near-linear in practice.
+/// Disjoint sets of the numbers 0 .. count - 1. The smallest member represents a set, independent
+/// of the order of the unions. Near-linear in practice.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
   }
 
-  /// The smallest member of the set that holds `x`.
+  /// Returns the smallest member of the set of `x`.
   std::uint32_t find(std::uint32_t x) {
     while (parents_[x] != x) {
       parents_[x] = parents_[parents_[x]];
@@ -24,7 +24,7 @@ class UnionFind {
     return x;
   }
 
-  /// Joins the sets of `a` and `b`. Returns whether they were apart.
+  /// Joins the sets of `a` and `b`. Returns whether they were different.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The parts of a round, from the lowest bit.
+// Bit fields of a round, lowest first.
 constexpr std::uint64_t kJoined = (std::uint64_t{1} << 32) - 1;
 constexpr std::uint64_t kOpen = kJoined + 1;
 constexpr std::uint64_t kNextRound = 2 * kOpen;
@@ -22,18 +22,18 @@ std::uint64_t number_of(std::uint64_t round) {
   return round / kNextRound;
 }
 
-// A round that was joined is not joined again.
+// A helper joins a round only once.
 bool may_be_joined(std::uint64_t round, std::uint64_t last) {
   return (round & kOpen) != 0 && number_of(round) != last;
 }
 
-// Jobs come in rows, and to sleep and be woken takes about 50 microseconds, as long as many a job.
-// So whoever waits looks around for a while before it sleeps.
+// Jobs follow each other closely, and sleeping and waking takes about 50 microseconds, as long as
+// many a job. A waiting thread therefore spins for a while before it sleeps.
 constexpr std::chrono::microseconds kHelperLooks{100};
 constexpr std::chrono::microseconds kCallerLooks{50};
 constexpr int kLooksBetweenClocks = 16;
 
-// How many WorkAlone there are on this thread.
+// Number of WorkAlone objects on this thread.
 thread_local int alone = 0;
 
 void pause() {
@@ -42,7 +42,7 @@ void pause() {
 #endif
 }
 
-// Whether `holds` comes to hold within a time.
+// Waits for `holds`, at most for `time`. Returns whether it held.
 template <typename Condition>
 bool look_for(std::chrono::microseconds time, const Condition& holds) {
   const Clock::time_point end = Clock::now() + time;
@@ -86,7 +86,7 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   }
   job_ = &job;
   round_ += kNextRound + kOpen;
-  // Whoever goes to sleep from here on has seen the round.
+  // A helper that goes to sleep from here on has seen the round.
   if (sleepers_ > 0) {
     keep_helpers_off(sched_getcpu());
     { const std::scoped_lock lock(mutex_); }
@@ -98,9 +98,9 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   taken_ = false;
 }
 
-// The caller's processor. Where the system knows of no cache that processors share, as in many
-// virtual machines, it would put a thread that the caller wakes there, to wait for as long as the
-// caller works.
+// Keeps helpers off the caller's processor. On systems that report no shared caches, such as many
+// virtual machines, the kernel would put a woken thread there, to wait until the caller has
+// finished.
 void WorkerPool::keep_helpers_off(int processor) {
   if (processor == kept_off_ || processor < 0 || processor >= CPU_SETSIZE) return;
   kept_off_ = processor;
@@ -112,7 +112,7 @@ void WorkerPool::keep_helpers_off(int processor) {
   }
 }
 
-// Meanwhile the caller is asked whether to go on: what the helpers are at may take long.
+// Helpers may take long, so the caller checks for cancellation meanwhile.
 void WorkerPool::wait_for_helpers() {
   const auto all_left = [this] { return (round_ & kJoined) == 0; };
   if (look_for(kCallerLooks, all_left)) return;
@@ -143,7 +143,7 @@ void WorkerPool::help(int thread) {
   }
 }
 
-// False where the round was closed meanwhile.
+// Returns false if the round was closed in the meantime.
 bool WorkerPool::join(std::uint64_t& last) {
   std::uint64_t round = round_;
   while (may_be_joined(round, last)) {

@@ -11,13 +11,13 @@
 
 namespace lapwing {
 
-/// Threads that wait for work. A job is one function that every thread may call; it must be
-/// written so that any number of them, the caller alone included, completes it: a helper that the
-/// system wakes late is then never waited for. May be used from several threads: whoever finds the
-/// helpers taken, by another thread or by the job it is itself a part of, works alone.
+/// Threads that wait for work. A job is a function that every thread may call. Any number of
+/// threads, even the caller alone, must complete it, so that the pool never waits for a helper that
+/// wakes late. Thread-safe: if the helpers are busy, with another thread's job or with one that
+/// encloses this one, the caller works alone.
 class WorkerPool {
  public:
-  /// `threads` counts the caller. Makes do with fewer when the system gives no more.
+  /// `threads` includes the caller. Uses fewer if the system provides no more.
   explicit WorkerPool(unsigned threads);
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -25,9 +25,9 @@ class WorkerPool {
 
   int size() const { return static_cast<int>(helpers_.size()) + 1; }
 
-  /// Calls job(t) on the caller with t = 0 and, as they wake, on helpers with t = 1, 2, ...
-  /// Returns when the caller's call and all calls that were begun have returned. The job must not
-  /// throw. Helpers that sleep are woken on other processors than the caller's. Allocates nothing.
+  /// Calls job(0) on the caller and job(1), job(2), ... on helpers as they wake. Returns when all
+  /// calls that began have returned. The job must not throw. Sleeping helpers wake on other
+  /// processors than the caller's. Allocates nothing.
   void run(const std::function<void(int thread)>& job);
 
  private:
@@ -39,23 +39,23 @@ class WorkerPool {
 
   std::atomic<bool> taken_ = false;
   const std::function<void(int)>* job_ = nullptr;
-  /// Which job it is, whether helpers may join it, and how many have.
+  /// Number of the job, whether helpers may join it, and how many have.
   std::atomic<std::uint64_t> round_ = 0;
   std::atomic<bool> quit_ = false;
 
-  std::mutex mutex_;  ///< of those that sleep
+  std::mutex mutex_;  ///< for sleeping threads
   std::condition_variable wake_;
   std::condition_variable idle_;
   std::atomic<int> sleepers_ = 0;
   std::atomic<bool> caller_sleeps_ = false;
   std::vector<std::thread> helpers_;
 
-  cpu_set_t allowed_;  ///< the processors that the program may use
-  int kept_off_ = -1;  ///< the one that helpers may not
+  cpu_set_t allowed_;  ///< processors available to the program
+  int kept_off_ = -1;  ///< processor that helpers must not use
 };
 
-/// As long as one lives, its thread uses no helpers of any pool: for threads that share the
-/// processors by work of their own.
+/// While a WorkAlone exists, its thread uses no helpers of any pool. For threads that divide the
+/// processors among themselves.
 class WorkAlone {
  public:
   WorkAlone();
@@ -64,7 +64,7 @@ class WorkAlone {
   ~WorkAlone();
 };
 
-/// The pool that the whole program shares, of `thread_count()` threads.
+/// Returns the pool of the whole program, with `thread_count()` threads.
 WorkerPool& shared_workers();
 
 }  // namespace lapwing

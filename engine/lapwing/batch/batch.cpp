@@ -28,13 +28,13 @@ std::span<const Job> part_of(std::span<const Job> jobs, const std::optional<Shar
   return jobs.subspan(begin, jobs.size() * shard->number / shard->count - begin);
 }
 
-// Empty where no job can be carried out.
+// Returns an empty path if no job can run.
 fs::path first_mesh(const JobFile& file) {
   for (const Job& job : file.jobs()) {
     try {
       if (job.error.empty()) return file.recipe_of(job).mesh_path();
     } catch (const InputError&) {
-      // It fails when its turn comes.
+      // This job fails when its turn comes.
     }
   }
   return {};
@@ -51,7 +51,7 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
   return groups;
 }
 
-// A batch under way.
+// A running batch.
 class Batch {
  public:
   Batch(const BatchRequest& request, const BatchWatch& watch)
@@ -97,7 +97,7 @@ class Batch {
         carry_out(*job, session);
       }
     } catch (const Cancelled&) {
-      // What was in hand is not done.
+      // The job in progress stays undone.
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
@@ -120,7 +120,7 @@ class Batch {
     add(&BatchCount::done);
   }
 
-  // Why a job cannot be carried out, where that is its own fault.
+  // Thrown if the job itself fails; other errors end the batch.
   struct JobFailed {
     std::string why;
   };

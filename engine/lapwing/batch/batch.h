@@ -10,45 +10,46 @@
 
 namespace lapwing {
 
-/// Many edits: a recipe with values that vary from job to job.
+/// Many edits of one or more recipes with values that vary from job to job.
 struct BatchRequest {
-  std::filesystem::path jobs;         ///< as JobFile reads it
-  std::filesystem::path recipe = {};  ///< of jobs that name none
-  std::filesystem::path folder;       ///< for what comes out
+  std::filesystem::path jobs;         ///< read by JobFile
+  std::filesystem::path recipe = {};  ///< for jobs that name none
+  std::filesystem::path folder;       ///< for the results
   BatchOutput output = {};
-  bool resume = false;                 ///< go on from what is in the folder
-  std::filesystem::path sandbox = {};  ///< what recipes must not leave (JobFile); empty: they may
+  bool resume = false;                 ///< continue from the results in the folder
+  std::filesystem::path sandbox = {};  ///< the only folder that recipes may use; empty: any
   std::optional<Shard> shard = {};
-  unsigned threads = 0;  ///< 0: as many as there are processors
+  unsigned threads = 0;  ///< 0: thread_count()
 };
 
-/// How far a batch is; of a shard, that shard.
+/// Progress of a batch, or of a shard.
 struct BatchCount {
   std::size_t jobs = 0;
-  std::size_t done = 0;    ///< those that were done before among them
-  std::size_t before = 0;  ///< done when it began
+  std::size_t done = 0;    ///< including those done before
+  std::size_t before = 0;  ///< done when the run began
   std::size_t failed = 0;
 
   bool is_complete() const { return done + failed == jobs; }
 };
 
-/// Who watches a batch; both may be empty.
+/// Callbacks of a batch; both may be empty.
 struct BatchWatch {
-  /// Hears of every job that ends, and first of all of those done before. One call at a time.
+  /// Called at the start with the jobs done before, and after every job. Calls do not overlap.
   std::function<void(const BatchCount&)> count = {};
-  /// Asked often, by several threads at once: false ends the batch, without what is in hand.
+  /// Called often, by several threads at once. Returning false ends the batch and discards the jobs
+  /// in progress.
   std::function<bool()> go_on = {};
 };
 
-/// Carries out the jobs, those of one region one after the other by one thread, which prepares once
-/// for them (Session); each thread computes by itself, on the processor. What comes out is
-/// written as ResultFolder and ResultWriter say, each file in one step and before its line, so that
-/// nothing that was done is lost whenever it ends, and is the same to the bit whatever the threads,
-/// shards and interruptions, while a thread's memory suffices for exact preparations. A job that
-/// fails is a line of failed.jsonl. Complete but for BatchWatch::go_on.
+/// Runs the jobs on the processor, one job per thread. A thread takes the jobs of one region one
+/// after another, so that it prepares once for them (Session). Each file is written in one step and
+/// before the line of its job (ResultFolder, ResultWriter), so that an interruption loses no
+/// finished job. The results have the same bits for any threads, shards and interruptions, as long
+/// as a thread has the memory for exact preparations. A job that fails becomes a line of
+/// failed.jsonl. The batch is complete unless BatchWatch::go_on ended it.
 ///
-/// Throws InputError before anything is run for what JobFile and ResultFolder refuse, and IoError
-/// where a file of the batch cannot be read or written; what was done until then stays.
+/// Throws InputError before the first job if JobFile or ResultFolder do. Throws IoError if a file
+/// of the batch cannot be read or written; finished jobs stay.
 BatchCount run_batch(const BatchRequest& request, const BatchWatch& watch = {});
 
 }  // namespace lapwing

@@ -18,14 +18,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// With an extension and what a temporary file adds it fits the 255 bytes of file systems.
+// With an extension and the suffix of a temporary file, an id fits the 255 bytes of file systems.
 constexpr std::size_t kLongestId = 200;
 
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-// What a preparation does not depend on goes.
+// Erases the moves, on which a preparation does not depend.
 void erase_moves(Json& json) {
   if (json.is_object()) json.erase("move");
   if (!json.is_structured()) return;
@@ -59,12 +59,12 @@ std::string text_of(std::uint64_t hash) {
   return text;
 }
 
-// What a line says.
+// The content of a line.
 struct JobFile::Line {
-  std::string where;  ///< as messages begin
+  std::string where;  ///< prefix of messages
   std::string id;
-  fs::path file;  ///< of the recipe; empty for one inside the line
-  Json recipe;    ///< inside the line
+  fs::path file;  ///< of the recipe; empty if the line contains it
+  Json recipe;    ///< of the line itself
   Json set = Json::object();
 
   void require_keys(const Json& json) const {
@@ -182,7 +182,7 @@ void JobFile::add(std::size_t number, std::string_view text, std::string_view ou
   jobs_.push_back(std::move(job));
 }
 
-// What cannot be carried out makes nothing that another could be taken for.
+// Jobs with errors write no files, so their ids may repeat.
 void JobFile::require_unlike_ids() const {
   std::unordered_map<std::string_view, std::size_t> lines;
   for (const Job& job : jobs_) {

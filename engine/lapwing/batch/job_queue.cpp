@@ -19,7 +19,8 @@ std::optional<std::size_t> JobQueue::next(std::size_t& group) {
     } else if (begun_.empty()) {
       return std::nullopt;
     } else {
-      // Whoever helps prepares once more: where most is left that pays best.
+      // Another worker of a group has to prepare again, which pays off most in the group with the
+      // most jobs left.
       group = *std::max_element(begun_.begin(), begun_.end(),
                                 [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
     }

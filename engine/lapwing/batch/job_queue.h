@@ -7,17 +7,17 @@
 
 namespace lapwing {
 
-/// Hands jobs to workers so that each goes on with jobs of one group as long as there are any, and
-/// with a group of its own as long as there is one. Threads may ask at once.
+/// Assigns jobs to workers. A worker stays with a group while it has jobs left, and then takes a
+/// group that no other worker has, if there is one. Thread-safe.
 class JobQueue {
  public:
   static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 
-  /// Of the jobs of one group, in order.
+  /// `groups` holds the jobs of each group, in order.
   explicit JobQueue(std::vector<std::vector<std::size_t>> groups);
 
-  /// The next job for a worker that was last given one of `group` (kNoGroup at first), which
-  /// becomes that of the job; nothing when all are given out.
+  /// Returns the next job for a worker whose last job was of `group` (kNoGroup at first), and sets
+  /// `group` to that of the job. Returns nothing when all jobs are assigned.
   std::optional<std::size_t> next(std::size_t& group);
 
  private:
@@ -25,9 +25,9 @@ class JobQueue {
 
   std::mutex mutex_;
   std::vector<std::vector<std::size_t>> groups_;
-  std::vector<std::size_t> given_;   ///< per group, how many jobs were handed out
-  std::size_t first_untouched_ = 0;  ///< group
-  std::vector<std::size_t> begun_;   ///< groups that may have jobs left
+  std::vector<std::size_t> given_;   ///< per group, the number of assigned jobs
+  std::size_t first_untouched_ = 0;  ///< first group without assigned jobs
+  std::vector<std::size_t> begun_;   ///< started groups that may have jobs left
 };
 
 }  // namespace lapwing

@@ -22,10 +22,10 @@ namespace fs = std::filesystem;
 
 LineFile::LineFile(fs::path path)
     : path_(std::move(path)),
-      // Opening a pipe would wait for somebody who reads from it.
+      // Without O_NONBLOCK, opening a pipe would wait for a reader.
       file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0666)) {
   if (!file_.is_open()) fail(path_, errno);
-  // Some file systems have no locks; two runs into one folder are then not noticed.
+  // On file systems without locks, two runs into one folder go unnoticed.
   if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw IoError(path_.string() +
                   ": another run is writing it; let that end, or name another folder");

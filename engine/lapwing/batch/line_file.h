@@ -9,18 +9,18 @@
 
 namespace lapwing {
 
-/// A file of lines that grows while others read it, and outlives whoever writes it: what is killed
-/// in a line leaves a line without its end, which does not count.
+/// A file of lines that others can read while it grows. If the writer is killed within a line, that
+/// line has no end and does not count.
 class LineFile {
  public:
-  /// Opens `path`, made if it is not there, to append to. A last line without end is cut off.
-  /// Throws IoError where the system refuses, or another process has the file open so.
+  /// Opens `path` for appending, and creates it if necessary. Cuts off a last line without end.
+  /// Throws IoError if the system refuses, or if another LineFile has the file open.
   explicit LineFile(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Appends `line` and its end in one go. Throws IoError with the system's reason; part of the
-  /// line may then be there.
+  /// Appends `line` and its end. Throws IoError with the system's reason; part of the line may then
+  /// be in the file.
   void append(std::string line);
 
  private:
@@ -28,7 +28,7 @@ class LineFile {
   FileDescriptor file_;
 };
 
-/// Calls `take` with each whole line of `path`; nothing for a file that is not there. Throws
+/// Calls `take` with each complete line of `path`. Does nothing if the file does not exist. Throws
 /// IoError.
 void for_each_line(const std::filesystem::path& path,
                    const std::function<void(std::string_view line)>& take);

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// "results" and "" or "-2-of-8" make a name.
+// Returns ".jsonl", or "-2-of-8.jsonl" for a shard.
 std::string ending_of(const std::optional<Shard>& shard) {
   if (!shard) return ".jsonl";
   return "-" + std::to_string(shard->number) + "-of-" + std::to_string(shard->count) + ".jsonl";
@@ -80,7 +80,7 @@ ResultFolder::ResultFolder(fs::path folder, std::span<const Job> jobs, std::opti
   for (const fs::path& other : others) take_over(other);
 }
 
-// Whether a job here is done by what `line` says, and which.
+// Returns whether `line` is a valid result of one of the jobs, and sets `job` to it.
 bool ResultFolder::counts(std::string_view line, std::size_t& job) const {
   const Json result = Json::parse(line, nullptr, false);
   if (!result.is_object()) return false;
@@ -112,7 +112,7 @@ void ResultFolder::take_over(const fs::path& file) {
   });
 }
 
-// Of jobs here alone: others may be at work in the folder.
+// Removes only files of these jobs: other processes may be writing to the folder.
 void ResultFolder::remove_leftovers() const {
   const std::regex temporary(kTemporary);
   for (const fs::path& leftover : files_like(folder_, kTemporary)) {
@@ -141,7 +141,7 @@ void ResultFolder::add_failure(const std::string& line) {
   failed_->append(line);
 }
 
-// Of several lines of one job the last counts.
+// If a job has several lines, the last one counts.
 void ResultFolder::put_in_order(const fs::path& file, bool is_result) const {
   std::vector<std::string> lines(jobs_.size());
   std::unordered_map<std::size_t, std::size_t> job_at;

@@ -12,30 +12,30 @@
 
 namespace lapwing {
 
-/// What a batch makes of each job.
+/// The output of each job.
 struct BatchOutput {
-  /// The mesh's extension without its dot; empty: that of the recipe's "save", or ply.
+  /// Extension of the mesh, without a dot. Empty: that of the recipe's "save", or ply.
   std::string extension = {};
-  /// Displacements of this type (float32 or float64) in place of meshes.
+  /// Type of displacements (float32 or float64) to write instead of a mesh.
   std::optional<Scalar> displacements = {};
 
-  /// Another text for another output.
+  /// Returns a text that is different for every output.
   std::string words() const;
 };
 
-/// Writes what jobs come to into one folder. Threads may write at once.
+/// Writes the results of jobs into a folder. Threads may write at once.
 class ResultWriter {
  public:
-  /// `meshes` must outlive it. `first_mesh` is the mesh file of the batch's first job, whose rest
-  /// mesh is rest.ply. Throws InputError for an extension of no mesh format.
+  /// `meshes` must outlive the object. `first_mesh` is the mesh file of the first job, whose rest
+  /// mesh is rest.ply. Throws InputError if the extension is not that of a mesh format.
   ResultWriter(std::filesystem::path folder, BatchOutput output, const MeshShelf& meshes,
                std::filesystem::path first_mesh);
 
-  /// Writes what `result` of `recipe` has come to: ID.ply, say, or ID.npy, the displacements from
-  /// the mesh as it was read, which is beside it as rest.ply, or rest-NAME-HASH.ply for another
-  /// than the first; and beside that what was carried along, as ID-NAME-carried.obj. Returns the
-  /// line that says so, without its end. Throws InputError for a result that cannot be written so,
-  /// and IoError where the system refuses.
+  /// Writes `result` of `recipe`: a mesh, such as ID.ply, or ID.npy, the displacements from the
+  /// mesh as read. That rest mesh is written beside it, as rest.ply for the first mesh and as
+  /// rest-NAME-HASH.ply for others. Carried files become ID-NAME-carried.obj. Returns the line for
+  /// the results, without its end. Throws InputError if the result cannot be written in this form,
+  /// and IoError if the system refuses.
   std::string write(const Job& job, const Recipe& recipe, RunResult& result);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The key that a token of a pointer stands for; nothing where a ~ is not followed by 0 or 1.
+// Decodes a token of a pointer. Returns nothing if a ~ is not followed by 0 or 1.
 std::optional<std::string> key_of(std::string_view token) {
   std::string key;
   for (std::size_t k = 0; k < token.size(); ++k) {
@@ -28,7 +28,7 @@ std::optional<std::string> key_of(std::string_view token) {
   return key;
 }
 
-// One without leading zeros, as the standard has it.
+// Returns a list index, which has no leading zeros (RFC 6901).
 std::optional<std::size_t> list_place(const std::string& key) {
   std::size_t place = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), place);
@@ -37,13 +37,13 @@ std::optional<std::size_t> list_place(const std::string& key) {
   return place;
 }
 
-// A way down a document, token by token.
+// Follows a pointer through a document, token by token.
 class Descent {
  public:
   Descent(const std::string& pointer, const std::string& where)
       : pointer_(pointer), where_(where) {}
 
-  // Where `key` leads from `json`; the last one may lead to what is not there yet.
+  // Returns the value of `key` in `json`. The last key may create it.
   Json& step(Json& json, const std::string& key, bool is_last) {
     Json& next = json.is_object() ? member(json, key, is_last) : element(json, key, is_last);
     passed_ += "/" + key;

@@ -6,9 +6,9 @@
 
 namespace lapwing {
 
-/// Puts `value` at the JSON pointer `pointer` (RFC 6901) of `document`: in place of what is there,
-/// as a new key of an object that is there, or with "-" at the end of a list that is there. Throws
-/// InputError with the nearest place there is, `where` before it, for any other pointer.
+/// Sets the value at `pointer` (RFC 6901) in `document`. It may replace a value, add a key to an
+/// existing object, or with "-" append to an existing list. Throws InputError for any other
+/// pointer. The message begins with `where` and names the nearest existing place.
 void set_json(nlohmann::ordered_json& document, const std::string& pointer,
               nlohmann::ordered_json value, const std::string& where);
 

@@ -15,10 +15,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr Index kLeafSize = 4;
-// Triangles that take longer to halve than the clock to be read.
+// More triangles than this take longer to halve than a cancellation check.
 constexpr Index kSlowToHalve = 1000;
 
-// How far along the segment from `a` to `b` the point closest to `point` is, in [0, 1].
+// Returns the share of the way from `a` to `b` of the point closest to `point`, in [0, 1].
 double closest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& point) {
   const Vector3d along = b - a;
   const double length2 = along.squaredNorm();
@@ -33,20 +33,20 @@ double box_distance2(const Vector3d& min, const Vector3d& max, const Vector3d& p
   return (min - point).cwiseMax(point - max).cwiseMax(0.0).squaredNorm();
 }
 
-// A ray with what every box asks of it.
+// A ray with the inverse of its direction, for box tests.
 struct Ray {
   Vector3d origin;
   Vector3d direction;
   Vector3d inverse;
 
-  // Whether it meets the box before `end`.
+  // Returns whether it meets the box before `end`.
   bool meets(const Vector3d& min, const Vector3d& max, double end) const {
     double begin = 0.0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       double in = (min[axis] - origin[axis]) * inverse[axis];
       double out = (max[axis] - origin[axis]) * inverse[axis];
       if (in > out) std::swap(in, out);
-      // Not a number where the origin is on a side of the box that the ray is parallel to.
+      // NaN if the origin is on a side of the box parallel to the ray; then neither holds.
       if (in > begin) begin = in;
       if (out < end) end = out;
     }
@@ -107,7 +107,7 @@ ClosestPoint::ClosestPoint(std::span<const Triangle> triangles, std::span<const 
   }
 }
 
-// Halves at the median along the longer side of the box of the centroids.
+// Splits at the median along the longest side of the centroids' box.
 Index ClosestPoint::build(Index begin, Index end) {
   const auto number = static_cast<Index>(nodes_.size());
   nodes_.emplace_back();
@@ -224,7 +224,7 @@ TrianglePoint ClosestPoint::find(Index group, const Vector3d& point, const Vecto
   return search.best;
 }
 
-// The triangle by Moeller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+// Ray-triangle test: Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
 TrianglePoint ClosestPoint::first_exit(Index group, const Vector3d& origin,
                                        const Vector3d& direction, const Vector3d& corner) const {
   const Ray ray{origin, direction, direction.cwiseInverse()};

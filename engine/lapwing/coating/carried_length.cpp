@@ -19,7 +19,7 @@ Adjacency all_in_one(std::size_t count) {
   return groups;
 }
 
-// Sums over the edges at each vertex; an inner edge counts from both its triangles.
+// Calls `add` for the edges of each triangle, so that an inner edge counts twice.
 template <class Add>
 void for_each_edge(std::span<const Triangle> triangles, const Add& add) {
   for (const Triangle& t : triangles) {
@@ -27,7 +27,7 @@ void for_each_edge(std::span<const Triangle> triangles, const Add& add) {
   }
 }
 
-// A surface that is coated with its own detail keeps its triangles.
+// Whether the point is a source vertex. A surface coated with itself then keeps its triangles.
 bool on_vertex(const SurfacePoint& point) {
   constexpr double kNearlyAll = 0.99;
   return *std::max_element(point.weights.begin(), point.weights.end()) > kNearlyAll;
@@ -54,7 +54,7 @@ std::vector<double> mean_edges(std::span<const Triangle> triangles,
   return lengths;
 }
 
-// Target lengths over source lengths at each vertex of the target.
+// Returns, per vertex of the target, the ratio of lengths on the target to those on the source.
 std::vector<double> local_ratios(const Patch& target, std::span<const Vector3d> positions,
                                  std::span<const SurfacePoint> points,
                                  std::span<const Vector3d> source) {
@@ -76,7 +76,7 @@ std::vector<double> local_ratios(const Patch& target, std::span<const Vector3d> 
   return ratios;
 }
 
-// Each value the mean of its own and its neighbours', so that lengths change gradually.
+// Averages each value with its neighbours, so that lengths change gradually.
 void spread(std::span<const Triangle> triangles, std::vector<double>& values) {
   std::vector<Mean> means(values.size());
   for (std::size_t v = 0; v < values.size(); ++v) means[v] = {2.0 * values[v], 2.0};
@@ -118,7 +118,7 @@ CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
     const double twice_area =
         (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
     const double length = (lengths_[a] + lengths_[b] + lengths_[c]) / 3.0;
-    // Equilateral triangles, two to a vertex.
+    // Equilateral triangles, two per vertex.
     if (length > 0.0) vertex_estimate_ += twice_area / (std::sqrt(3.0) * length * length);
   }
 }

@@ -5,7 +5,7 @@
 namespace lapwing {
 namespace {
 
-// Null for the target itself, whose connectivity is known.
+// Returns null for the target itself, whose connectivity is known.
 SharedSource shared(const Mesh& source, const Mesh& target) {
   if (&source == &target) return nullptr;
   return std::make_shared<const Mesh>(source);

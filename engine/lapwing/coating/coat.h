@@ -7,16 +7,16 @@
 
 namespace lapwing {
 
-/// What `coat` or `mix` makes of a mesh.
+/// The result of `coat` or `mix`.
 struct Coated {
-  Mesh mesh;  ///< the target; with a finer patch where the request's remeshing makes one
+  Mesh mesh;  ///< the target, with a finer patch if it was remeshed
   CoatReport report;
-  std::vector<std::string> warnings;  ///< for a person, in the order of the work
+  std::vector<std::string> warnings;  ///< messages to the user, in the order of the work
 };
 
-/// `target` with the detail of a patch of `source` on a patch of its own (paper, section 5). The
-/// processor computes it. To change amplitude or detail size again and again keep a PreparedCoat.
-/// Throws InputError, naming the region or pair, for what does not fit the meshes, and SolverError.
+/// Puts the detail of a patch of `source` on a patch of `target` (paper, section 5). Runs on the
+/// CPU. To vary amplitude or detail size, keep a PreparedCoat. Throws InputError, naming the region
+/// or pair, if the request does not fit the meshes, and SolverError.
 Coated coat(const Mesh& target, const Mesh& source, const CoatRequest& request);
 
 /// The same with two sources; either may be `target`.

@@ -10,16 +10,16 @@ namespace lapwing {
 
 /// Whether a step may change the triangles of its patch.
 enum class Remeshing {
-  automatic,  ///< where the patch is too coarse for what comes to it
+  automatic,  ///< if the patch is too coarse for the detail
   none,
 };
 
-/// How a coat or mix step treats its target, whatever comes to it. Lengths are on the target.
+/// How a coat or mix treats its target. Lengths are on the target.
 struct CoatParameters {
-  double smooth_target = 0.0;  ///< 0: the target keeps its own detail
+  double smooth_target = 0.0;  ///< removes the target's detail below this; 0: none
   LaplacianWeights weights = LaplacianWeights::cotangent;
-  Domain domain = Domain::disk;  ///< what sources and target are laid into
-  /// None: as wide as the source's detail size is there, and smooth.
+  Domain domain = Domain::disk;  ///< common domain of sources and target
+  /// Default: smooth, as wide as the source's detail size on the target.
   std::optional<Transition> transition;
   Remeshing remesh = Remeshing::automatic;
   bool operator==(const CoatParameters&) const = default;

@@ -11,14 +11,15 @@
 
 namespace lapwing {
 
-/// Put the fine detail of a patch of one mesh on a patch of another: all of it but the meshes.
-/// `Source` is a CoatSource, or one that also names its file, as in recipes ({"op": "coat"}).
+/// A request to put the fine detail of a patch of one mesh on a patch of another, without the
+/// meshes. `Source` is a CoatSource, or one that also names its file, as in recipes
+/// ({"op": "coat"}).
 template <class Source>
 struct CoatOf {
   Source source;
   RegionSpec target_patch;
   CoatParameters parameters;
-  std::string where = "coat";  ///< as in RegionSpec; no part of the value
+  std::string where = "coat";  ///< as in RegionSpec; ignored by ==
   bool operator==(const CoatOf& other) const {
     return source == other.source && target_patch == other.target_patch &&
            parameters == other.parameters;
@@ -26,14 +27,14 @@ struct CoatOf {
 };
 using CoatRequest = CoatOf<CoatSource>;
 
-/// What is taken of a source, and replaced of the target.
+/// What is taken from a source and replaced on the target.
 enum class Taken {
-  coating,  ///< the detail below each source's detail size, which lies over the target
-  shape,    ///< all of it: full Laplacians; detail sizes say what frames are free of
+  coating,  ///< the detail below each source's detail size, which is put on the target
+  shape,    ///< the full Laplacians; frames are free of detail below the detail size
 };
 
-/// Put two sources on one patch, (1 - w) of the first and w of the second (paper, section 5.3): all
-/// of it but the meshes. `Source` as in CoatOf ({"op": "mix"}).
+/// A request to put two sources on one patch, (1 - w) of the first and w of the second (paper,
+/// section 5.3), without the meshes. `Source` is as in CoatOf ({"op": "mix"}).
 template <class Source>
 struct MixOf {
   RegionSpec target_patch;
@@ -41,10 +42,10 @@ struct MixOf {
   MixWeight weight;
   Taken taken = Taken::coating;
   std::vector<MovedHandle> handles;  ///< in the patch, moved in the same solve
-  /// With Taken::shape `smooth_target` is what the target's frames are free of; 0: of what the
-  /// sources' are, as large as that is on the target.
+  /// With Taken::shape, the target's frames are free of detail below `smooth_target`; 0 stands for
+  /// the mean of the sources' detail sizes, scaled to the target.
   CoatParameters parameters;
-  std::string where = "mix";  ///< as in RegionSpec; no part of the value
+  std::string where = "mix";  ///< as in RegionSpec; ignored by ==
   bool operator==(const MixOf& other) const {
     return target_patch == other.target_patch && sources == other.sources &&
            weight == other.weight && taken == other.taken && handles == other.handles &&

@@ -9,16 +9,16 @@
 
 namespace lapwing {
 
-/// What is taken from one surface, and how that is laid on the target. Lengths are on the source.
+/// A source of a coat or mix, and how it is mapped to the target. Lengths are on the source.
 struct CoatSource {
   RegionSpec patch;
-  double detail_size = 0.0;  ///< above 0; what is smaller is coating
+  double detail_size = 0.0;  ///< above 0; smaller features are coating
   /// As in CorrespondenceOptions; target vertices are those of the mesh before any remeshing.
   std::vector<VertexPair> boundary_pairs;
   std::vector<VertexPair> inner_pairs;
   CoatOptions sampling;
   double amplitude = 1.0;
-  std::string where = "source";  ///< as in RegionSpec; no part of the value
+  std::string where = "source";  ///< as in RegionSpec; ignored by ==
 
   CorrespondenceOptions correspondence(Domain domain) const {
     return {domain, boundary_pairs, inner_pairs};

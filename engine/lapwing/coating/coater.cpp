@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// What the coating is at every row: its Laplacians and its displacement, on the source yet.
+// The Laplacians and the displacement of a coating at every row.
 struct Samples {
   std::vector<Vector3d> xi;
   std::vector<Vector3d> displacement;
@@ -71,7 +71,7 @@ struct Coater::State {
   std::span<const Vector3d> target_rest;  // of the whole mesh
   bool keeps_detail;
   bool whole;
-  // All below is in the numbers of this part.
+  // All members below are in the numbers of this part.
   Submesh part;
   Positions rest;
   Positions smooth;
@@ -89,7 +89,7 @@ struct Coater::State {
   std::vector<double> holds;        // W, per unknown in the order of elimination
   std::vector<Vector3d> positions;  // of the smooth target, per vertex of the rings
   std::vector<Vector3d> normals;
-  Columns base;     // takes the target's own detail away; empty where it stays
+  Columns base;     // removes the target's own detail and moves handles; empty if neither is needed
   Columns coating;  // adds the coating; empty before the first
   std::vector<LayerScales> scales;
   double residual = 0.0;
@@ -144,7 +144,7 @@ void Coater::State::make_system(const Progress& progress) {
     system =
         std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints, *pattern,
                                           EnergyTerms{options.weights, 0.0}, timings);
-  } catch (const SolverError&) {  // names a vertex of the part
+  } catch (const SolverError&) {  // its message names a vertex of the part
     throw SolverError("the system of the target patch around vertex " +
                       std::to_string(free.front()) +
                       " is singular; look for damage with `lapwing check`");
@@ -156,7 +156,7 @@ void Coater::State::make_frames() {
   const auto by_own = fades(options.transition, patch, part.topology, rest);
   const std::size_t row_count = rings().row_count();
   for (std::size_t r = 0; r < row_count; ++r) {
-    // Where all of the target goes, its border still keeps to what is outside.
+    // If the whole target is replaced, its border still fits the surface outside.
     const bool stays = whole && r >= unknown_count();
     shares.push_back(stays ? 0.0 : by_own[patch.own_number(rings().vertices[r])]);
   }
@@ -169,7 +169,7 @@ void Coater::State::make_frames() {
   }
 }
 
-// u of (L'L + W) u = L' y + W d, d per row.
+// Returns u of (L'L + W) u = L' y + W d, with d per row in `wanted`.
 Columns Coater::State::solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted) {
   const std::size_t n = unknown_count();
   Columns b = transposed(rings(), y, n);
@@ -195,8 +195,8 @@ const HeldVertex* Coater::State::held_at(Index vertex) const {
   return found != held.end() && found->vertex == vertex ? &*found : nullptr;
 }
 
-// Per row the displacement that the handles alone give, held to nothing else: what W would keep
-// where it was is to follow them.
+// Returns, per row, the displacement caused by the handles alone, with no other W. W then holds
+// long waves to this field, so that they follow the handles.
 std::vector<Vector3d> Coater::State::handle_field() {
   const std::size_t n = unknown_count();
   std::vector<Vector3d> field(rings().row_count(), Vector3d::Zero());
@@ -221,10 +221,10 @@ std::vector<Vector3d> Coater::State::handle_field() {
   return field;
 }
 
-// What happens without any coating: the target's own detail goes, and the handles move.
+// Solves for the surface without coating: removes the target's detail and moves the handles.
 void Coater::State::solve_for_base() {
   if (keeps_detail && held.empty()) return;
-  // Nothing outside the patch, as for a coating.
+  // 0 outside the patch, as for a coating.
   const auto detail = [&](Index own) -> Vector3d {
     const Index v = rings().vertices[own];
     if (!rings().is_row(own)) return Vector3d::Zero();
@@ -262,13 +262,13 @@ Coater::~Coater() = default;
 Coater::Coater(Coater&&) noexcept = default;
 Coater& Coater::operator=(Coater&&) noexcept = default;
 
-// Lengths on the target patch over those on the coating's, by their areas.
+// Returns the ratio of lengths on the target patch to those on the coating, from the areas.
 double Coater::State::whole_ratio(const Coating& on) const {
   const double here = surface_area(patch.triangles, on_patch<Vector3d>(patch, smooth));
   return std::sqrt(here / surface_area(on.patch.triangles, on.smooth));
 }
 
-// Samples `layer`, turns it and adds it to `sum`, on the target.
+// Samples `layer`, rotates it into the target's frames and adds it to `sum`.
 void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum) {
   std::vector<SurfacePoint> points;
   points.reserve(rings().vertices.size());
@@ -288,7 +288,7 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
   LayerScales reached;
   for (Matrix3d& t : T) {
     const double ratio = t.col(0).norm();
-    // The target's ring is a point, on which nothing has room.
+    // The target's ring is a point and can carry no coating.
     if (ratio == 0.0) continue;
     if (layer.options.scale) {
       t *= *layer.options.scale / ratio;

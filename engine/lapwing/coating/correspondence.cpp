@@ -22,7 +22,7 @@ std::string place_of(const std::string& where, const char* list, std::size_t pai
   return where + "/" + list + "/" + std::to_string(pair);
 }
 
-// The own number of side `side` of a pair, which must be on the patch's boundary or inside it.
+// Returns the own number of one side of a pair, which must be on the boundary, or else inside.
 Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& pair, bool boundary,
                  const std::string& place) {
   const Index v = pair[which];
@@ -97,7 +97,7 @@ DomainMap map_of(const PlacedPatch& side, std::size_t which, Domain domain,
   throw InputError(text + ". Leave out one of them, or correct it");
 }
 
-// Where the source's vertices of the inner pairs should come to.
+// Returns the places in the domain to which the inner pairs pull the source's vertices.
 std::vector<PointPull> pulls_of(const PlacedPatch& source, const PlacedPatch& target,
                                 const CorrespondenceOptions& options, const std::string& where,
                                 const DomainMap& target_map) {
@@ -122,7 +122,7 @@ Eigen::Vector2d center_of(Domain domain) {
   return domain == Domain::disk ? Eigen::Vector2d::Zero() : Eigen::Vector2d(0.5, 0.5);
 }
 
-// The angle by which the domain is to be turned, onto itself, to bring the pulls nearest to their
+// Returns the angle of a rotation of the domain onto itself that brings the pulls nearest to their
 // targets.
 double best_turn(const DomainMap& map, std::span<const PointPull> pulls) {
   const Eigen::Vector2d center = center_of(map.domain);
@@ -137,8 +137,8 @@ double best_turn(const DomainMap& map, std::span<const PointPull> pulls) {
   return map.domain == Domain::disk ? angle : kQuarter * std::round(angle / kQuarter);
 }
 
-// Turns the source's map about the middle of the domain; its pins become the boundary vertices that
-// come nearest to the target's.
+// Rotates the source's map about the centre of the domain. Its pins become the boundary vertices
+// nearest to the target's.
 void turn(double angle, const Patch& source, std::span<const Index> target_pins,
           const DomainMap& target, LaidPatch& laid) {
   const Eigen::Vector2d center = center_of(target.domain);
@@ -153,7 +153,7 @@ void turn(double angle, const Patch& source, std::span<const Index> target_pins,
   }
 }
 
-// Bends the source's map so that the vertices of the inner pairs come to lie on each other.
+// Warps the source's map so that the vertices of the inner pairs coincide.
 void meet_inner_pairs(const Patch& source, std::span<const PointPull> pulls,
                       const CorrespondenceOptions& options, const std::string& where,
                       Correspondence& result) {

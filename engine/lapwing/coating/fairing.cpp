@@ -35,7 +35,7 @@ void require_length(double length, const char* where) {
                    std::to_string(length));
 }
 
-// sum_j s_ij (x_i - x_j) over the root of the row's mass.
+// Returns the rows sum_j s_ij (x_i - x_j) / sqrt(mass of row i).
 BlockRows scaled_rows(const Adjacency& rings, std::span<const double> s,
                       std::span<const Index> vertices, std::span<const double> masses) {
   BlockRows rows = ring_blocks(rings, vertices);
@@ -57,7 +57,7 @@ Fairing::Fairing(std::span<const Vector3d> positions, const Topology& topology,
     : positions_(positions),
       unknowns_(free_vertices(region, topology), topology.vertex_count()),
       solver_(make_solver()) {
-  // The same from both ends of an edge, so that D is self-adjoint for the masses.
+  // Symmetric, s_ij = s_ji, so that D is self-adjoint for the masses.
   const std::vector<double> s = weights == LaplacianWeights::cotangent
                                     ? edge_weights(topology, positions)
                                     : std::vector<double>(topology.rings.values.size(), 1.0);
@@ -77,7 +77,7 @@ Positions Fairing::smooth(std::span<const Vector3d> other, double length, const 
   for (double& value : rows.values) value *= t;
   solver_->factor(pattern_->normal().normal_matrix(rows, masses_));
 
-  // For the displacement, whose right-hand side is small: (M + t^2 D'MD) u = -t^2 D'MD v.
+  // Solves for the displacement, whose right-hand side is small: (M + t^2 D'MD) u = -t^2 D'MD v.
   const std::size_t n = free().size();
   std::vector<double> curvature(3 * n);
   multiply(rows, other, curvature);
@@ -96,7 +96,7 @@ Positions Fairing::smooth(std::span<const Vector3d> other, double length, const 
 
 VertexSet grown(const VertexSet& region, double distance, const Topology& topology,
                 std::span<const Vector3d> positions) {
-  // Ways out of the region begin at its border, and none leads through its inside.
+  // Paths out of the region start at its border and do not pass through its inside.
   const std::vector<char> inside = vertex_mask(topology.vertex_count(), region);
   VertexSet border;
   for (const Index v : region) {

@@ -20,17 +20,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// More vertices than this are not worth waiting for; who wants them remeshes before.
+// Larger patches take too long. A user who wants more vertices can remesh first.
 constexpr double kMostVertices = 400'000;
 
-// Whether both ask for the same map of the target.
+// Returns whether both need the same map of the target.
 bool same_on_target(const CorrespondenceOptions& a, const CorrespondenceOptions& b) {
   return std::equal(a.boundary_pairs.begin(), a.boundary_pairs.end(), b.boundary_pairs.begin(),
                     b.boundary_pairs.end(),
                     [](const VertexPair& p, const VertexPair& q) { return p[1] == q[1]; });
 }
 
-// As a deform step's certificate does: a wrong mesh on the disk is worse than none.
+// Checks what a deform step's certificate checks: a wrong file is worse than none.
 void require_valid(const Patch& patch, const Positions& positions, double relative_residual,
                    const std::string& where) {
   for (const Index v : patch.vertices) {
@@ -65,7 +65,7 @@ LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
   const ProgressScope scope(progress);
   for (std::size_t k = 0; k < request_.sources.size(); ++k) {
     const CoatSource& source = request_.sources[k];
-    // Of one source the amplitude is `positions`' to say.
+    // With one source, `positions` applies the amplitude.
     layers_.push_back({SourceSide(source, sources.at(k), mesh),
                        source.correspondence(request_.parameters.domain),
                        request_.weight ? source.amplitude : 1.0});
@@ -77,7 +77,7 @@ LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
   note_wide_transition();
 }
 
-// Sources and target side by side; only the sources use the device.
+// Prepares sources and target in parallel; only the sources use the device.
 void LayeredCoat::make_sides(const Progress& progress) {
   const auto take_sources = [&] {
     for (Layer& layer : layers_) {
@@ -98,7 +98,7 @@ void LayeredCoat::make_sides(const Progress& progress) {
         find_target();
         lay_target();
       });
-    } else {  // how smooth the target is to be hangs on the sources
+    } else {  // the target's smoothing length depends on the sources
       parallel_invoke(take_sources, find_target);
       lay_target();
     }
@@ -113,7 +113,7 @@ void LayeredCoat::make_sides(const Progress& progress) {
   });
 }
 
-// The surfaces below the detail are laid on each other: it has no say in where it comes to.
+// Maps the target without its detail, so that detail does not influence the map.
 void LayeredCoat::lay_target() {
   target_->smooth(target_size(), request_.parameters.weights);
   for (Layer& layer : layers_) {
@@ -165,7 +165,7 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
     const std::string note = target_->remesh(shortest, progress);
     if (!note.empty()) warnings_.push_back(note);
     for (Layer& layer : layers_) {
-      // Chosen again on other triangles they could come out elsewhere.
+      // Pins chosen again on other triangles could be at other places.
       layer.pairs.boundary_pairs = layer.map.pins;
       for (auto& [source, target] : layer.pairs.boundary_pairs) {
         target = target_->renumbered(target, true);
@@ -180,12 +180,12 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
   make_coater();
 }
 
-// What the target is made smooth by; 0: nothing.
+// Returns the length by which the target is smoothed; 0: not at all.
 double LayeredCoat::target_size() const {
   if (request_.taken == Taken::coating || request_.parameters.smooth_target > 0.0) {
     return request_.parameters.smooth_target;
   }
-  // Frames of the same frequencies on all sides.
+  // All frames should contain the same frequencies.
   const double area = surface_area(target_->patch().triangles, target_->own_positions());
   double sum = 0.0;
   for (const Layer& layer : layers_) {
@@ -196,14 +196,14 @@ double LayeredCoat::target_size() const {
   return sum / static_cast<double>(layers_.size());
 }
 
-// How much larger the target patch is: lengths on the source become lengths there.
+// Returns the ratio of lengths on the target patch to those on the source.
 double LayeredCoat::ratio(const Layer& layer) const {
   const Coating& coating = layer.source.coating();
   return std::sqrt(surface_area(target_->patch().triangles, target_->placed().positions) /
                    surface_area(coating.patch.triangles, coating.smooth));
 }
 
-// A length between those of two sources, by how much there is of each.
+// Returns the mean of two sources' lengths, weighted by their mean shares.
 double LayeredCoat::of_both(double first, double second) const {
   const double w =
       std::accumulate(weights_.begin(), weights_.end(), 0.0) / static_cast<double>(weights_.size());
@@ -231,7 +231,7 @@ CoaterOptions LayeredCoat::coater_options() const {
   return options;
 }
 
-// Beside another thread, which has the progress.
+// May run beside another thread, which reports the progress.
 void LayeredCoat::make_coater() {
   coater_.reset();
   const std::vector<HeldVertex> held = target_->held();
@@ -273,7 +273,7 @@ Positions LayeredCoat::positions(double amplitude) const {
   return positions;
 }
 
-// A hundredth of the patch is the tip of something; nobody would see the difference.
+// Up to a hundredth of the patch is the tip of something, where the limit is not visible.
 void LayeredCoat::note_held_scales() {
   const std::size_t count = target_->patch().vertices.size();
   for (std::size_t k = 0; k < layers_.size(); ++k) {
@@ -290,7 +290,7 @@ void LayeredCoat::note_held_scales() {
   }
 }
 
-// Somebody who sees nothing should know why.
+// Tells the user why little of the coating is visible.
 void LayeredCoat::note_wide_transition() {
   constexpr double kMostOfIt = 0.9;
   const double share = coater_->largest_share();

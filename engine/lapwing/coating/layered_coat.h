@@ -14,14 +14,14 @@
 
 namespace lapwing {
 
-/// What coats and mixes have in common: what comes from one or two sources to one target.
+/// The common form of coats and mixes: one or two sources and one target.
 struct LayeredRequest {
   std::vector<CoatSource> sources;
   RegionSpec target_patch;
   CoatParameters parameters;
   std::string where;  ///< as in RegionSpec
   Taken taken = Taken::coating;
-  std::optional<MixWeight> weight = {};  ///< of the second of two sources; none for one
+  std::optional<MixWeight> weight = {};  ///< of the second source; none if there is one only
   std::vector<MovedHandle> handles = {};
 };
 
@@ -44,29 +44,28 @@ LayeredRequest layered(const MixOf<Source>& mix) {
           .handles = mix.handles};
 }
 
-/// A coat or mix made ready: sources taken off, the target smooth, both laid on each
-/// other, the target remeshed where it is too coarse, its system factored, and what comes to it
-/// solved for.
+/// A coat or mix in which all but the amplitude is computed: the sources are peeled, the target is
+/// smoothed and remeshed if too coarse, the patches are mapped to each other, and the system is
+/// factored and solved.
 class LayeredCoat {
  public:
-  /// `sources` are the meshes of the request's sources; null is the target itself. `mesh`,
-  /// `topology` and `kernels` must outlive the object. Stages "peel", "map", "remesh", and those of
-  /// `Coater`. Throws InputError for what does not fit, SolverError, and Cancelled.
+  /// `sources` are the meshes of the request's sources; null is the target itself. `mesh` and
+  /// `kernels` must outlive the object. Stages "peel", "map", "remesh", and those of `Coater`.
+  /// Throws InputError if the request does not fit the meshes, SolverError, and Cancelled.
   LayeredCoat(LayeredRequest request, const Mesh& mesh, const std::vector<SharedSource>& sources,
               Kernels& kernels, const Progress& progress = {});
   LayeredCoat(const LayeredCoat&) = delete;
 
-  /// `mesh()` with `amplitude` times what the layers bring. One addition per vertex of the patch.
-  /// Throws SolverError when positions are not finite or the solution misses the equations.
+  /// Returns the positions of `mesh()` with `amplitude` times the layers. One addition per vertex
+  /// of the patch. Throws SolverError if positions are not finite or the residual is too large.
   Positions positions(double amplitude) const;
 
-  /// Takes source `k` off anew with another detail size: one fairing of the source and one
-  /// back-substitution. Maps, transition and the target's system stay those of the size that the
-  /// object was made with, so that a step with the new one can differ a little.
+  /// Peels source `k` again with another detail size, by one fairing of the source and one
+  /// back-substitution. Maps, transition and the target's system stay those of the first size, so
+  /// that the result can differ a little from a new object's.
   void set_detail_size(std::size_t k, double size, const Progress& progress = {});
 
-  /// What the target became: the mesh given, or one with a finer patch, before anything comes to
-  /// it.
+  /// The target before any coating: the given mesh, or one with a finer patch.
   const Mesh& mesh() const { return target_->mesh(); }
   /// Null unless the target was remeshed.
   const RemeshResult* remeshed() const { return target_->remeshed(); }
@@ -74,25 +73,25 @@ class LayeredCoat {
   std::size_t source_count() const { return layers_.size(); }
   const Patch& source_patch(std::size_t k) const { return layers_[k].source.coating().patch; }
   const Patch& target_patch() const { return target_->patch(); }
-  /// How the patches lie on each other in the domain.
+  /// The map between the target patch and source patch `k`.
   const Correspondence& map(std::size_t k) const { return layers_[k].map; }
   /// w at each vertex of the target patch; empty for one source.
   const std::vector<double>& weights() const { return weights_; }
   const std::vector<TargetHandle>& handles() const { return target_->handles(); }
 
-  /// Vertices of the patch that are neither border nor handle.
+  /// Number of unknowns: the patch's vertices that are not on its border.
   std::size_t free_count() const { return coater_->free().size(); }
-  /// Of all stages so far.
+  /// Times of all stages so far.
   StageTimings timings() const;
-  /// What was done, with the figures of `result`, which `positions` gave.
+  /// Returns the report, with the figures of `result`, which `positions` returned.
   CoatReport report(const Positions& result) const;
-  /// For a person, in the order of the work.
+  /// Messages to the user, in the order of the work.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   struct Layer {
     SourceSide source;
-    CorrespondenceOptions pairs;  ///< target vertices as they are called now
+    CorrespondenceOptions pairs;  ///< target vertices in numbers of the current mesh
     double amplitude = 1.0;
     LaidPatch laid_target = {};
     Correspondence map = {};

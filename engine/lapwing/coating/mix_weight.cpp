@@ -15,7 +15,7 @@ std::vector<double> distances_to(const RegionSpec& spec, const Mesh& mesh) {
     throw InputError(spec.where + ": the region holds no vertex; name at least one");
   }
   auto distances = geodesic_distances(mesh.topology(), mesh.positions, region);
-  // Where no path leads is as far away as can be; an infinity could not be interpolated.
+  // Unreachable vertices get a finite distance, since an infinity cannot be interpolated.
   double farthest = 0.0;
   for (const double d : distances) farthest = std::isfinite(d) ? std::max(farthest, d) : farthest;
   const double beyond = farthest + bounds_of(mesh.positions).diagonal();

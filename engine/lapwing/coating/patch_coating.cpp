@@ -34,7 +34,8 @@ std::vector<Vector3d> patch_curvature(const Patch& patch, const Topology& topolo
   return on_patch<Vector3d>(patch, curvature);
 }
 
-// The coating whose displacement `displacement_on` says of the surface and its smooth version.
+// Returns the coating of `patch`, with the displacement that `displacement_on` returns for its
+// vertices in the part.
 template <class DisplacementOn>
 Coating coating_of(Patch patch, const SmoothedPart& smoothed, LaplacianWeights weights,
                    Kernels& kernels, const DisplacementOn& displacement_on) {

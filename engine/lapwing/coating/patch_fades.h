@@ -9,9 +9,8 @@
 
 namespace lapwing {
 
-/// How something new fades in from the border of a patch: the share at each vertex of the patch
-/// (PATCH vertices in their own numbers, midpoints left out), by geodesic distance from its
-/// boundary loop within the patch.
+/// Returns the share of `transition` at each vertex of `patch`, midpoints excepted, by the geodesic
+/// distance within the patch from its boundary loop.
 std::vector<double> fades(const Transition& transition, const Patch& patch,
                           const Topology& topology, std::span<const Eigen::Vector3d> positions);
 

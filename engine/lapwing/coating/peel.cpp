@@ -29,7 +29,7 @@ void set_vectors(Mesh& mesh, std::span<const Vector3d> vectors) {
   }
 }
 
-// Along the normals of the smooth surface, outward.
+// Returns the displacements along the outward normals of the smooth surface.
 std::vector<double> coating_heights(const Mesh& mesh, const Peeled& peeled) {
   const Topology& topology = mesh.topology();
   std::vector<Vector3d> normals(mesh.vertex_count(), Vector3d::Zero());

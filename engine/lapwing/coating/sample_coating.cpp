@@ -11,8 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The target as it lies on the source, per vertex of the target's mesh; 0 for one that lies
-// nowhere.
+// The target as it lies on the source, per vertex of the target's mesh; 0 if it lies nowhere.
 struct LaidTarget {
   LaidTarget(const MappedRings& mapped, const Coating& coating, std::size_t vertex_count)
       : positions(vertex_count, Vector3d::Zero()), displacement(vertex_count, Vector3d::Zero()) {
@@ -35,7 +34,7 @@ bool lies_on_source(const MappedRings& mapped, std::size_t row) {
                       [&](Index j) { return mapped.points[j].is_nowhere(); });
 }
 
-// Adds r^2 / 4 c - L' d, L' of the rings as they lie on the source.
+// Adds r^2 / 4 c - L' d, with L' of the rings as they lie on the source.
 void add_interpolated(const MappedRings& mapped, const Coating& coating, const Topology& topology,
                       LaplacianWeights scheme, Kernels& kernels, std::vector<Vector3d>& xi) {
   std::vector<Vector3d> curvature(xi.size());

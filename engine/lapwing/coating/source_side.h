@@ -8,23 +8,23 @@
 
 namespace lapwing {
 
-/// A mesh that detail is taken from, kept by those that use it.
+/// A source mesh with shared ownership.
 using SharedSource = std::shared_ptr<const Mesh>;
 
-/// One source of a coat or mix: the patch that it is taken from, and what is taken. Called in
-/// the order below.
+/// One source of a coat or mix: its patch, and what is taken from it. Call the functions in the
+/// order below.
 class SourceSide {
  public:
-  /// Of `mesh` or, where that is null, of the target as it is before. The other arguments must
-  /// outlive the object.
+  /// Uses `mesh` or, if that is null, the target as it is given. The other arguments must outlive
+  /// the object.
   SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& target);
 
-  /// Takes the detail below `size` off, or the whole shape. Throws what `resolve`, `disk_patch`,
-  /// `peel_patch` and `whole_shape` do.
+  /// Takes the detail below `size`, or the whole shape. Throws what `resolve`, `disk_patch`,
+  /// `peel_patch` and `whole_shape` throw.
   void take(Taken taken, double size, LaplacianWeights weights, Kernels& kernels);
   const Coating& coating() const { return coating_; }
 
-  /// Lays the surface below the detail into the domain: the detail has no say in where it comes to.
+  /// Maps the surface without its detail to the domain, so that detail does not influence the map.
   void lay(const CorrespondenceOptions& pairs);
   const LaidPatch& laid() const { return laid_; }
   PlacedPatch placed() const { return {coating_.patch, coating_.smooth}; }
@@ -33,7 +33,7 @@ class SourceSide {
 
  private:
   const CoatSource& source_;
-  SharedSource shared_;  ///< null where the target is the source
+  SharedSource shared_;  ///< null if the target is the source
   const Mesh& mesh_;
   Coating coating_;
   LaidPatch laid_;

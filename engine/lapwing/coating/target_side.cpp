@@ -102,7 +102,7 @@ std::vector<HeldVertex> TargetSide::held() const {
       held.push_back({v, handle.motion * p - p});
     }
   }
-  // Two handles can come to share a vertex of a remeshed patch; the first has it.
+  // After remeshing, two handles can share a vertex. It belongs to the first.
   const auto by_vertex = [](const HeldVertex& a, const HeldVertex& b) {
     return a.vertex < b.vertex;
   };

@@ -12,36 +12,35 @@
 
 namespace lapwing {
 
-/// A handle of the target on its way: where it is now, and the map that moves it.
+/// A handle of the target: its vertices on the current mesh, and its motion.
 struct TargetHandle {
   VertexSet vertices;
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
 };
 
-/// The target of a coat or mix: its patch, on the mesh that was given or, after `remesh`, on a
-/// finer one of its own.
+/// The target of a coat or mix: its patch, on the given mesh or, after `remesh`, on a finer one.
 class TargetSide {
  public:
-  /// Finds the patch. `mesh` must outlive the object. Throws what `resolve` and `disk_patch` do.
+  /// Finds the patch. `mesh` must outlive the object. Throws what `resolve` and `disk_patch` throw.
   TargetSide(const RegionSpec& patch, const Mesh& mesh);
 
-  /// Finds the handles. Throws InputError, naming the handle's region: what `resolve` does, one
-  /// that leaves the patch, is empty, or shares vertices with another.
+  /// Finds the handles. Throws InputError, naming the handle's region, if it leaves the patch, is
+  /// empty or shares vertices with another, and what `resolve` throws.
   void choose_handles(std::span<const MovedHandle> handles);
 
-  /// Takes the patch's features below `size` off what coatings and frames come to; 0: none.
+  /// Fairs the patch by `size`, for coatings and frames; 0: not at all.
   void smooth(double size, LaplacianWeights weights);
 
-  /// Numbers per vertex of the mesh, which a remeshing interpolates. May be empty.
+  /// Sets a field, one number per vertex of the mesh, that `remesh` interpolates. May be empty.
   void carry(std::vector<double> field) { field_ = std::move(field); }
 
-  /// Makes the patch's edges as long as `length` says. What was smooth must be made so again.
-  /// Returns what could not be done, for a person; mostly empty. Throws what `remesh_isotropic`
-  /// does.
+  /// Remeshes the patch to edges of the length that `length` returns. Call `smooth` again after it.
+  /// Returns a message to the user about what could not be done, mostly empty. Throws what
+  /// `remesh_isotropic` throws.
   std::string remesh(const std::function<double(const Eigen::Vector3d&)>& length,
                      const Progress& progress);
-  /// What a vertex of the mesh that was given is called now: itself on the patch's border, the
-  /// nearest inner one inside.
+  /// Returns the current number of a vertex of the given mesh: its own on the patch's border, that
+  /// of the nearest inner vertex inside.
   Index renumbered(Index given, bool on_border) const;
 
   const Mesh& mesh() const { return finer_ ? finer_->remeshed.mesh : given_mesh_; }
@@ -53,24 +52,24 @@ class TargetSide {
   const Positions& smooth_positions() const { return smooth_; }
   std::span<const double> field() const { return field_; }
   PlacedPatch placed() const { return {patch_, laid_}; }
-  /// The patch's vertices as they are, own numbers.
+  /// Positions of the patch's vertices without smoothing, per own number.
   std::vector<Eigen::Vector3d> own_positions() const;
   const std::vector<TargetHandle>& handles() const { return handles_; }
-  /// Where the handles take their vertices, ascending.
+  /// The displacements of the handles' vertices, ascending by vertex.
   std::vector<HeldVertex> held() const;
 
  private:
   struct Finer {
     RemeshResult remeshed;
-    std::vector<Index> now;  ///< per vertex of the mesh given; kNoIndex for inner ones of the patch
-    VertexSet inner;         ///< of the patch
+    std::vector<Index> now;  ///< given vertex -> current number; kNoIndex inside the patch
+    VertexSet inner;         ///< inner vertices of the patch
   };
   const RegionSpec& spec_;
   const Mesh& given_mesh_;
   std::unique_ptr<Finer> finer_;
   Patch patch_;
   Positions smooth_;
-  std::vector<Eigen::Vector3d> laid_;  ///< on the smooth surface, own numbers
+  std::vector<Eigen::Vector3d> laid_;  ///< on the smooth surface, per own number
   std::vector<double> field_;
   std::vector<TargetHandle> handles_;
 };

@@ -179,10 +179,14 @@ std::vector<std::string> warnings_of(const Certificate& c) {
   std::vector<std::string> warnings;
   if (!c.settled) {
     std::ostringstream text;
-    text << "not settled after " << c.settle_iterations << " iterations, a vertex would still move "
-         << c.settle_last_step
-         << " mean edge lengths: raise \"max_iterations\" of \"settle\", or make the motion in "
-            "smaller parts";
+    text
+        << "not settled after " << c.settle_iterations
+        << " iterations: one more would move a vertex by " << c.settle_last_step
+        << " mean edge lengths. "
+        << (c.lacks_hessian
+                ? "The Hessian of so many vertices cannot be factored in the memory that there is. "
+                  "Choose a smaller region, or free memory."
+                : "Raise \"max_iterations\" of \"settle\", or make the motion in smaller parts.");
     warnings.push_back(text.str());
   }
   if (misses_handles(c)) {

@@ -58,6 +58,7 @@ struct Certificate {
   std::array<Index, 2> largest_edge_stretch_vertices{kNoIndex, kNoIndex};
   int settle_iterations = 0;      ///< 0 without settling
   bool settled = true;            ///< false where the iterations ran out first
+  bool lacks_hessian = false;     ///< MinimizerResult::lacks_hessian
   double settle_last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
   bool all_finite = true;
 };

@@ -229,6 +229,7 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
     certificate.settle_iterations = settled.iterations;
     certificate.settled = settled.settled;
     certificate.settle_last_step = settled.last_step;
+    certificate.lacks_hessian = settled.lacks_hessian;
     certificate.relative_gradient = settled.relative_gradient;
   }
   const std::vector<Vector3d>& wanted = target.wanted;

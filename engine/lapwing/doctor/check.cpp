@@ -20,11 +20,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Squares of lengths below this share of the largest count as zero; the fit of the one-rings cuts
-// off its eigenvalues there too.
+// Squared lengths below this fraction of the largest count as zero. The fit of the one-rings cuts
+// off its eigenvalues at the same fraction.
 constexpr double kZeroShare = 1e-12;
 
-// What has been found so far.
+// The report under construction and its limit on listed places.
 struct Findings {
   CheckReport& report;
   std::size_t most_listed;
@@ -39,7 +39,7 @@ void add(const Findings& findings, DefectKind kind, std::span<const Index> found
   findings.report.defects.push_back({kind, count, {listed.begin(), listed.end()}});
 }
 
-// The ends of the edges, one after another.
+// Returns the ends of the listed edges, one after another.
 std::vector<Index> ends_of(const Edges& edges, std::span<const Index> list) {
   std::vector<Index> ends;
   ends.reserve(2 * list.size());
@@ -97,7 +97,7 @@ RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& p
   Vector3d center = Vector3d::Zero();
   for (const Index j : ring) center += positions[j] - positions[i];
   center /= static_cast<double>(ring.size() + 1);
-  // The farthest member from the mean gives the only line that could hold them all.
+  // The only line that could hold all members runs from the mean to the member farthest from it.
   double size = center.squaredNorm();
   Vector3d farthest = -center;
   for (const Index j : ring) {

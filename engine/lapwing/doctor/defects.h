@@ -4,7 +4,7 @@
 
 namespace lapwing {
 
-/// What can be wrong with a mesh, or worth knowing before it is edited, in the order of the report.
+/// Kinds of defects, and of facts worth knowing before an edit, in the order of the report.
 enum class DefectKind {
   no_faces,
   non_finite_vertex,
@@ -21,7 +21,7 @@ enum class DefectKind {
   point_ring,
   collinear_ring,
   several_components,
-  self_intersection,  ///< only looked for by add_self_intersections
+  self_intersection,  ///< found only by add_self_intersections
 };
 inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::self_intersection) + 1;
 
@@ -31,7 +31,7 @@ enum class Severity {
   error,    ///< cannot be edited there
 };
 
-/// What a defect's list of indices names.
+/// Elements that a defect's list of indices refers to.
 enum class Element {
   none,
   vertex,
@@ -40,7 +40,7 @@ enum class Element {
   component,  ///< one vertex for each component, its smallest
 };
 
-/// What a kind of defect is, in words for the user.
+/// A kind of defect in words for the user.
 struct DefectInfo {
   std::string_view key;        ///< for reports: "unwelded_seam"
   std::string_view name;       ///< plural: "unwelded seam edges"
@@ -48,7 +48,7 @@ struct DefectInfo {
   std::string_view next_step;  ///< what to do about it; empty if nothing needs doing
   Severity severity = Severity::info;
   Element element = Element::none;
-  bool fixable = false;  ///< `fix` leaves none of it
+  bool fixable = false;  ///< whether `fix` repairs all of them
 };
 
 const DefectInfo& describe(DefectKind kind);

@@ -144,8 +144,7 @@ void Repairs::remove_loose_vertices() {
 void Repairs::split_bow_ties() {
   const Fans fans = find_fans(mesh_, build_edges(mesh_));
   if (fans.bow_tie_vertices.empty()) return;
-  // The first fan met at a vertex keeps it; a fan's name is its smallest corner, so that each later
-  // fan is met there first.
+  // The first fan found at a vertex keeps it; every later one gets a copy.
   std::vector<Index> sources(mesh_.vertex_count());
   std::iota(sources.begin(), sources.end(), Index{0});
   std::vector<Index> vertex_of_fan(mesh_.face_vertices().size(), kNoIndex);

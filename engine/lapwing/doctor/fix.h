@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// What `fix` can do, in the order of its report.
+/// Kinds of repairs, in the order of the report.
 enum class RepairKind {
   removed_non_finite_vertices,
   removed_non_finite_faces,
@@ -23,43 +23,43 @@ enum class RepairKind {
 };
 inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::flipped_faces) + 1;
 
-/// A repair as reports name it.
+/// A repair in words for reports.
 struct RepairInfo {
   std::string_view key;   ///< "welded_vertices"
-  std::string_view text;  ///< what was done, to follow the count
+  std::string_view text;  ///< what was done, as text after the count
 };
 const RepairInfo& describe(RepairKind kind);
 
-/// How often one kind of repair was made.
+/// The number of repairs of one kind.
 struct Repair {
   RepairKind kind = RepairKind::removed_non_finite_vertices;
   std::size_t count = 0;
 };
 
-/// What `fix` did. Repairs are in the order of RepairKind, each kind at most once, counts above 0.
+/// The result of `fix`. Repairs are in the order of RepairKind, each kind at most once, counts
+/// above 0.
 struct FixReport {
   std::vector<Repair> repairs;
   std::vector<Index> vertex_sources;  ///< the old number of each vertex; the old order, copies last
 
   bool changed() const { return !repairs.empty(); }
-  /// The number of repairs of this kind; 0 if there were none.
+  /// Returns the number of repairs of this kind; 0 if there were none.
   std::size_t count(RepairKind kind) const;
 };
 
-/// Repairs what has one sensible repair, so that `check` finds no defect marked fixable afterwards
-/// and a second call does nothing:
+/// Repairs defects that have one sensible repair, so that `check` finds no fixable defect
+/// afterwards and a second call does nothing:
 ///  - removes vertices that are not finite, with their faces, and vertices without a face;
 ///  - cuts faces that repeat a vertex down to their proper parts and removes those without any;
 ///  - removes faces with the vertices of an earlier one;
 ///  - welds boundary edges at exactly the same place (find_seams), keeping the lower vertex;
-///  - gives each fan of a bow-tie vertex a vertex of its own;
-///  - flips faces until neighbours agree, where they do not (analyze_orientation).
-/// Attributes go with their vertices, faces and corners, so UVs and materials survive; stored
-/// normals are carried, not recomputed. Positions do not change. `mesh.source` is reset when
-/// anything was repaired; otherwise the mesh stays as it is. Non-manifold edges, zero-area faces
-/// and one-sided surfaces stay. Near-linear. Throws InputError, and leaves the mesh unchanged, when
-/// an index or attribute list is invalid or when a mesh that has vertices would be left without
-/// faces.
+///  - gives each fan of a bow-tie vertex its own vertex;
+///  - flips faces of inconsistent sheets until neighbours agree (analyze_orientation).
+/// Attributes stay with their vertices, faces and corners, so UVs and materials survive; stored
+/// normals are not recomputed. Positions do not change. Any repair resets `mesh.source`.
+/// Non-manifold edges, zero-area faces and one-sided surfaces stay. Near-linear. Throws InputError,
+/// and leaves the mesh unchanged, if an index or attribute list is invalid, or if a mesh with
+/// vertices would be left without faces.
 FixReport fix(Mesh& mesh);
 
 }  // namespace lapwing

@@ -12,7 +12,7 @@ constexpr std::size_t kMaxListedComponents = 5;
 constexpr int kLabelWidth = 14;
 constexpr int kSeverityWidth = 9;
 
-// A stream that writes numbers the same way in every locale.
+// Returns a stream that writes numbers the same way in every locale.
 std::ostringstream plain_stream() {
   std::ostringstream out;
   out.imbue(std::locale::classic());
@@ -74,7 +74,7 @@ std::string_view plural_of(Element element) {
   return "";
 }
 
-// "vertices 3, 7, 12, ..." or "edges 3-7, 12-15".
+// Writes "vertices 3, 7, 12, ..." or "edges 3-7, 12-15".
 void write_places(std::ostream& out, const Defect& defect) {
   const Element element = describe(defect.kind).element;
   const std::size_t width = element == Element::edge ? 2 : 1;

@@ -9,15 +9,15 @@ namespace lapwing {
 
 // Text for a terminal: plain ASCII, no colours, each line ends with a newline.
 
-/// The mesh's size and shape, one quantity a line.
+/// Returns the mesh's size and shape, one quantity per line.
 std::string format(const MeshStatistics& statistics);
 
-/// One line for each defect with severity, count and first places in aligned columns, followed by
-/// what it means for editing and what to do; then a closing line that says how many can be
+/// Returns one line for each defect with severity, count and first places in aligned columns,
+/// followed by its meaning for editing and the next step. A last line says how many kinds can be
 /// repaired.
 std::string format(const CheckReport& report);
 
-/// One line for each repair with its count.
+/// Returns one line for each repair with its count.
 std::string format(const FixReport& report);
 
 }  // namespace lapwing

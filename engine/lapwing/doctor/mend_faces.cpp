@@ -18,7 +18,7 @@ std::vector<Index> vertices_of(const Mesh& mesh, std::span<const Index> corners)
   return vertices;
 }
 
-// The corners of face f without those that repeat the vertex of the corner before.
+// Returns the corners of face f without those that repeat the vertex of the corner before.
 std::vector<Index> without_successive_repeats(const Mesh& mesh, std::size_t f) {
   const std::vector<Index>& vertex_of = mesh.face_vertices();
   std::vector<Index> corners;
@@ -37,7 +37,7 @@ void add_face(FaceSources& sources, std::size_t face, std::span<const Index> cor
   sources.starts.push_back(static_cast<Index>(sources.corners.size()));
 }
 
-// Adds the proper triangles of the polygon, or nothing.
+// Adds the triangles of the polygon that are not degenerate.
 void add_triangles(const Mesh& mesh, std::size_t face, std::span<const Index> corners,
                    FaceSources& sources) {
   Positions positions;

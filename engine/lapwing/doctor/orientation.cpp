@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-// Faces linked through edges of two sides, and what the flood through them found.
+// Faces connected through edges with two sides, as the flood found them.
 struct Sheet {
   std::vector<Index> faces;
   std::vector<Index> inconsistent_edges;
@@ -25,8 +25,8 @@ class Flood {
   bool seen(Index face) const { return state_[face] != kUnseen; }
   bool flipped(Index face) const { return state_[face] == kFlipped; }
 
-  // Visits every face of the sheet that holds `seed`, choosing for each whether to flip it so that
-  // it agrees with the face it was reached from.
+  // Visits every face of the sheet of `seed`, and decides for each whether to flip it so that it
+  // agrees with the face it was reached from.
   Sheet visit(Index seed) {
     Sheet sheet;
     sheet.faces.push_back(seed);
@@ -70,7 +70,7 @@ class Flood {
   std::vector<unsigned char> state_;
 };
 
-// Six times the volume that the sheet encloses once the faces the flood marked are flipped.
+// Returns six times the volume that the sheet encloses after its marked faces are flipped.
 double signed_volume(const Mesh& mesh, const Sheet& sheet, const Flood& flood) {
   // Measured from a point of the sheet: far from the origin the terms would cancel.
   const Eigen::Vector3d origin = mesh.positions[mesh.face(sheet.faces[0])[0]];

@@ -9,8 +9,7 @@
 namespace lapwing {
 namespace {
 
-// A sum, so that the order of the vertices does not matter; each is spread over 64 bits first
-// (the finalizer of SplitMix64).
+// Sums a hash of each vertex (the finalizer of SplitMix64), so that their order does not matter.
 std::uint64_t hash_of_vertices(std::span<const Index> face) {
   std::uint64_t sum = face.size();
   for (const Index v : face) {

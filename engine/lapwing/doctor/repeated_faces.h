@@ -6,8 +6,8 @@
 
 namespace lapwing {
 
-/// The faces, ascending, whose vertices are those of an earlier face in any order. Faces without
-/// corners are left out. Near-linear.
+/// Returns the faces, ascending, that have the same vertices as an earlier face, in any order.
+/// Skips faces without corners. Near-linear.
 std::vector<Index> find_repeated_faces(const Mesh& mesh);
 
 }  // namespace lapwing

@@ -18,13 +18,13 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<const Vector3d*, 3>;
 
-// Shewchuk's (1997) bounds of the relative error of both determinants, with room for the squares.
+// Shewchuk's (1997) bounds on the relative error of both determinants, with room for the squares.
 template <class Real>
 constexpr Real kVolumeError = Real(8) * std::numeric_limits<Real>::epsilon();
 template <class Real>
 constexpr Real kAreaError = Real(4) * std::numeric_limits<Real>::epsilon();
 
-// 1 or -1 where the sign is sure, else 0.
+// Returns 1 or -1 if the sign is certain, else 0.
 template <class Real>
 int volume_sign(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
   using Vector = Eigen::Matrix<Real, 3, 1>;
@@ -44,25 +44,25 @@ int volume_sign(const Vector3d& a, const Vector3d& b, const Vector3d& c, const V
   return sum > 0 ? 1 : -1;
 }
 
-// On which side of the plane of a, b, c the point d is.
+// Returns on which side of the plane of a, b, c the point d lies.
 int side_of_plane(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
   const int sign = volume_sign<double>(a, b, c, d);
   return sign != 0 ? sign : volume_sign<long double>(a, b, c, d);
 }
 
-// Coordinates in the plane of two axes.
+// The two axes of a coordinate plane.
 struct Plane {
   Eigen::Index x, y;
 };
 
-// The plane in which a triangle looks largest.
+// Returns the coordinate plane in which the projection of a triangle is largest.
 Plane plane_of(const Corners& t) {
   Eigen::Index axis = 0;
   (*t[1] - *t[0]).cross(*t[2] - *t[0]).cwiseAbs().maxCoeff(&axis);
   return {(axis + 1) % 3, (axis + 2) % 3};
 }
 
-// On which side of the line from a to b the point c is.
+// Returns on which side of the line from a to b the point c lies.
 int side_of_line(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Plane& plane) {
   using Real = long double;
   const auto [x, y] = plane;
@@ -77,7 +77,7 @@ bool overlap(double a, double b, double c, double d) {
   return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
 }
 
-// Closed segments of one plane.
+// Returns whether two closed segments of one plane meet.
 bool segments_meet(const Vector3d& p, const Vector3d& q, const Vector3d& a, const Vector3d& b,
                    const Plane& plane) {
   return side_of_line(p, q, a, plane) * side_of_line(p, q, b, plane) <= 0 &&
@@ -90,7 +90,7 @@ bool all_on_one_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// A closed segment and a closed triangle.
+// Returns whether a closed segment and a closed triangle meet.
 bool segment_meets(const Vector3d& p, const Vector3d& q, const Corners& t) {
   const int at_p = side_of_plane(*t[0], *t[1], *t[2], p);
   const int at_q = side_of_plane(*t[0], *t[1], *t[2], q);
@@ -139,8 +139,8 @@ class Finder {
   using Box = Eigen::AlignedBox3d;
   struct Node {
     Box box;
-    std::size_t begin = 0, end = 0;  // of items_
-    std::size_t second = 0;          // the first child follows its parent; 0 in a leaf
+    std::size_t begin = 0, end = 0;  // range in items_
+    std::size_t second = 0;          // second child, 0 in a leaf; the first is the next node
   };
   static constexpr std::size_t kLeaf = 8;
 
@@ -204,7 +204,8 @@ class Finder {
         kMostPairs.variable + " to a larger number");
   }
 
-  // Turns both triangles so that the corners they share come first; returns their number.
+  // Permutes both triangles so that their shared corners come first, and returns the number of
+  // these.
   std::size_t line_up(Triangle& a, Triangle& b) const {
     std::size_t shared = 0;
     for (std::size_t k = 0; k < 3; ++k) {

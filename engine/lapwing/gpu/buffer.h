@@ -10,21 +10,21 @@ namespace lapwing::gpu {
 
 class Context;
 
-/// Who touches a buffer's memory.
+/// Who accesses a buffer's memory.
 enum class Memory {
-  device,    ///< the device; mapped too where that memory is as good for the host (unified memory)
+  device,    ///< the device; also mapped if the memory is unified
   upload,    ///< written by the host, read by the device; always mapped
   readback,  ///< written by the device, read by the host; always mapped
 };
 
 /// Device memory for numbers, usable as storage, uniform, vertex and index buffer and in copies.
-/// Each buffer has an allocation of its own: the engine holds tens of buffers, far below any
-/// device's limit (4096), and frees them whole, so sharing blocks would save nothing.
-/// Contents are undefined at first. The context must outlive it. Movable.
+/// Each buffer has its own allocation. The engine holds tens of buffers, far below any device's
+/// limit (4096), and frees them whole, so sharing blocks would save nothing. Contents are undefined
+/// at first. The context must outlive it. Movable.
 class Buffer {
  public:
-  /// `name` appears in error messages. 0 bytes make a buffer that can be bound but holds nothing.
-  /// Throws GpuError naming the bytes and the limit when the memory cannot be had.
+  /// `name` appears in error messages. A buffer of 0 bytes can be bound but holds nothing. Throws
+  /// GpuError, naming the bytes and the limit, if the memory cannot be allocated.
   Buffer(const Context& context, std::string name, VkDeviceSize bytes,
          Memory memory = Memory::device);
   ~Buffer();
@@ -35,8 +35,8 @@ class Buffer {
   VkDeviceSize bytes() const { return bytes_; }
   const std::string& name() const { return name_; }
 
-  /// The memory as the host sees it, coherent; empty where the host cannot (see Memory). Reading
-  /// what the device wrote, or overwriting what it reads, needs a wait first.
+  /// Returns the memory mapped to the host (coherent), or an empty span if it is not mapped (see
+  /// Memory). Wait for the device before you read what it wrote or overwrite what it reads.
   std::span<std::byte> mapped() const { return {mapped_, mapped_ == nullptr ? 0 : bytes_}; }
   template <typename T>
   std::span<T> mapped_as() const {
@@ -55,8 +55,8 @@ class Buffer {
   std::byte* mapped_ = nullptr;
 };
 
-/// A part of a buffer, as bound to a kernel; a Buffer stands for all of itself.
-/// Offsets are multiples of limits().minStorageBufferOffsetAlignment.
+/// A part of a buffer, as bound to a kernel. A Buffer converts to the range of all of it. Offsets
+/// must be multiples of limits().minStorageBufferOffsetAlignment.
 struct BufferRange {
   BufferRange(const Buffer& whole)  // NOLINT(google-explicit-constructor): that is its purpose
       : buffer(&whole), bytes(whole.bytes()) {}

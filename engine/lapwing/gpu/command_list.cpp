@@ -10,7 +10,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// Enough for 63 dispatches, many times what any list holds.
+// Enough for 63 dispatches, many more than any list has.
 constexpr std::uint32_t kProfileQueries = 128;
 constexpr double kMillisecondsPerNanosecond = 1e-6;
 

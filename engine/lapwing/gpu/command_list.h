@@ -12,20 +12,21 @@ namespace lapwing::gpu {
 class Context;
 
 /// Commands recorded once by a Recorder and submitted any number of times. Submitting allocates
-/// nothing, so a drag frame is one `run()`. Not for use from several threads at once. The context
-/// must outlive it; the destructor waits for the list's own last submission.
+/// nothing, so a drag frame is one `run()`. Not thread-safe. The context must outlive it; the
+/// destructor waits for the list's own last submission.
 class CommandList {
  public:
-  /// `name` appears in error messages. `timestamps` is how many `Recorder::timestamp` it can hold.
+  /// `name` appears in error messages. The list can hold `timestamps` calls of
+  /// `Recorder::timestamp`.
   CommandList(Context& context, std::string name, std::uint32_t timestamps = 0);
   ~CommandList();
   CommandList(const CommandList&) = delete;
   CommandList& operator=(const CommandList&) = delete;
 
   /// Submits and returns the timeline value to wait for. Lists run one after the other, and each
-  /// sees what those submitted before it wrote. Throws GpuError if nothing was recorded. Waits
-  /// first when the list's previous submission still runs.
-  /// A swapchain's semaphores may be added as in `Context::submit`.
+  /// sees the writes of earlier ones. Throws GpuError if nothing was recorded. Waits first if the
+  /// list's previous submission still runs. A swapchain's semaphores may be added as in
+  /// `Context::submit`.
   std::uint64_t submit(std::span<const VkSemaphoreSubmitInfo> waits = {},
                        std::span<const VkSemaphoreSubmitInfo> signals = {});
   /// Waits for this list's last submission.
@@ -35,15 +36,15 @@ class CommandList {
     wait();
   }
 
-  /// Device time between two timestamps of the last submission, which must be done. 0 on a device
-  /// without timestamps.
+  /// Returns the device time between two timestamps of the last submission, which must have
+  /// finished. Returns 0 on a device without timestamps.
   double milliseconds_between(std::uint32_t first, std::uint32_t second) const;
 
   Context& context() const { return context_; }
   const std::string& name() const { return name_; }
   VkCommandBuffer handle() const { return handle_; }
   bool recorded() const { return recorded_; }
-  /// Whether the last submission is done, or there was none.
+  /// Returns whether the last submission has finished, or there was none.
   bool done() const;
 
  private:
@@ -53,7 +54,7 @@ class CommandList {
     VkPipelineStageFlags2 stages = 0;
     VkAccessFlags2 accesses = 0;
   };
-  /// What commands recorded so far did to one buffer.
+  /// Accesses to one buffer by the commands recorded so far.
   struct History {
     VkBuffer buffer;
     Scope write;                        ///< the last write
@@ -71,12 +72,12 @@ class CommandList {
   VkCommandBuffer handle_ = VK_NULL_HANDLE;
   VkQueryPool queries_ = VK_NULL_HANDLE;
   std::uint32_t timestamp_capacity_;
-  /// For Context::profile, behind the timestamps: one query before and after everything, then one
-  /// before and after each of the first so many dispatches.
+  /// Queries for Context::profile, after the timestamps: one before and after everything, then one
+  /// before and after each dispatch, while queries last.
   std::uint32_t profile_capacity_ = 0;
-  std::vector<std::string> profiled_kernels_;  ///< of the dispatches, in order
-  mutable bool in_profile_ = true;             ///< whether the last submission is
-  std::vector<History> histories_;             ///< kept, so that recording anew allocates nothing
+  std::vector<std::string> profiled_kernels_;  ///< per dispatch, in order
+  mutable bool in_profile_ = true;             ///< whether the profile includes the last submission
+  std::vector<History> histories_;             ///< kept so that recording again allocates nothing
   std::uint64_t last_submission_ = 0;
   bool recorded_ = false;
 };

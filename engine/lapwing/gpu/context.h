@@ -23,13 +23,13 @@ struct ContextOptions {
   /// `list_devices`, or a part of a device's name in any case.
   std::string device = "auto";
   /// Validation and synchronization validation; LAPWING_VALIDATION=1 in the environment also turns
-  /// it on. GpuError where the layers are not installed.
+  /// it on. Throws GpuError if the layers are not installed.
   bool validation = false;
-  std::vector<const char*> instance_extensions;  ///< beside the context's own; a window's, say
-  std::vector<const char*> device_extensions;    ///< beside the context's own
-  VkPhysicalDeviceFeatures optional_features{};  ///< turned on where the device has them
-  /// False: memory of the device is never mapped, as on a discrete GPU, so that every copy is
-  /// staged. For tests.
+  std::vector<const char*> instance_extensions;  ///< besides the context's own, such as a window's
+  std::vector<const char*> device_extensions;    ///< besides the context's own
+  VkPhysicalDeviceFeatures optional_features{};  ///< enabled if the device has them
+  /// If false, device memory is never mapped, as on a discrete GPU, so that every copy is staged.
+  /// For tests.
   bool map_device_memory = true;
   /// Time every command list and every dispatch, for `Context::profile`.
   bool profile = false;
@@ -42,15 +42,14 @@ struct TransferCounts {
 };
 
 /// An instance, one device and one queue of Vulkan 1.3, with synchronization2, dynamic rendering,
-/// timeline semaphores, push descriptors and, where the device has it, shaderFloat64. The queue has
-/// compute, and graphics where any queue of the device has both.
+/// timeline semaphores, push descriptors and, if the device has it, shaderFloat64. The queue has
+/// compute, and also graphics if any queue of the device has both.
 ///
 /// Everything made from a context refers to it and must not outlive it. `submit` and `present` may
-/// be called from several threads; contexts themselves are made and destroyed on one thread at a
-/// time.
+/// be called from several threads. Contexts must be created and destroyed on one thread at a time.
 class Context {
  public:
-  /// Throws GpuError saying what was tried and what to install when no device fits.
+  /// Throws GpuError, saying what was tried and what to install, if no device fits.
   explicit Context(const ContextOptions& options = {});
   ~Context();
   Context(const Context&) = delete;
@@ -70,16 +69,16 @@ class Context {
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
 
-  /// Throws GpuError naming the call, its result and the device unless `result` is a success.
+  /// Throws GpuError, naming the call, its result and the device, unless `result` is a success.
   void check(VkResult result, const char* call) const;
 
-  /// First memory type among the bits `allowed` with all of `required` and, if there is one, all of
-  /// `preferred` too. Throws GpuError when none has `required`.
+  /// Returns the first memory type among the bits `allowed` with all of `required` and, if there is
+  /// one, all of `preferred` too. Throws GpuError if none has `required`.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags required,
                             VkMemoryPropertyFlags preferred = 0) const;
   VkMemoryPropertyFlags memory_flags(std::uint32_t type) const;
-  /// Throws GpuError, naming `what`, the bytes and the limit, for an allocation of `bytes` that the
-  /// device can never make: larger than its largest buffer, its largest allocation or its memory.
+  /// Throws GpuError, naming `what`, the bytes and the limit, if the device can never allocate
+  /// `bytes`: more than its largest buffer, its largest allocation or its memory.
   void check_allocation_size(VkDeviceSize bytes, const std::string& what) const;
 
   /// Submits recorded commands and returns the value that the context's one timeline reaches when
@@ -89,32 +88,33 @@ class Context {
                        std::span<const VkSemaphoreSubmitInfo> signals = {});
   static constexpr std::size_t kMaxExtraSignals = 3;
 
-  /// Queues a swapchain's images for the screen, between submissions. The result is the caller's to
-  /// judge: most ask for another swapchain.
+  /// Presents a swapchain's images between submissions. The caller must handle the result: most
+  /// errors ask for another swapchain.
   VkResult present(const VkPresentInfoKHR& info);
-  /// Blocks until the device has nothing to do, the screen included, while other threads cannot
-  /// submit. For shutdown only: nothing else tells when a swapchain is done with.
+  /// Blocks until the device is idle, including the screen, while other threads cannot submit. For
+  /// shutdown only, because nothing else tells when a swapchain is no longer used.
   void wait_idle() noexcept;
 
-  /// Blocks until the timeline reaches `value`. Throws GpuError when the device is lost.
+  /// Blocks until the timeline reaches `value`. Throws GpuError if the device is lost.
   void wait(std::uint64_t value) const;
-  /// Blocks until everything is done that was submitted before the call, by any thread.
+  /// Blocks until all that any thread submitted before the call has finished.
   void wait_for_submitted();
-  /// The value that the timeline has reached.
+  /// Returns the value that the timeline has reached.
   std::uint64_t completed() const;
   /// For another queue or a presentation to wait on.
   VkSemaphore timeline() const { return timeline_; }
 
-  /// All of every Transfer so far, and what others wrote into mapped memory and told.
+  /// Returns the bytes of all transfers so far, with those that callers counted for mapped memory.
   TransferCounts transfers() const { return {uploaded_, downloaded_}; }
   void count_upload(std::size_t bytes) noexcept { uploaded_ += bytes; }
   void count_download(std::size_t bytes) noexcept { downloaded_ += bytes; }
 
-  /// What the device has done; null unless the options asked for it.
+  /// Returns what the device has done, or null unless the options asked for it.
   Profile* profile() const { return profile_.get(); }
 
   bool validation_enabled() const { return validation_ != nullptr; }
-  /// Errors and warnings of the validation layers so far; 0 without validation.
+  /// Returns the number of errors and warnings of the validation layers so far; 0 without
+  /// validation.
   std::size_t validation_message_count() const;
   std::vector<std::string> validation_messages() const;
 
@@ -146,7 +146,7 @@ class Context {
   std::atomic<std::uint64_t> downloaded_ = 0;
 };
 
-/// Validation messages of every context of this process so far, those of shutdown included.
+/// Returns the number of validation messages of this process so far, including those of shutdown.
 std::size_t total_validation_messages();
 
 }  // namespace lapwing::gpu

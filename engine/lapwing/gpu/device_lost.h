@@ -4,8 +4,8 @@
 
 namespace lapwing::gpu {
 
-/// The driver gave the device up: nothing made from its context can be used any more, only
-/// destroyed. A new context may open the device again.
+/// The driver lost the device. Everything made from its context can only be destroyed. A new
+/// context may open the device again.
 class DeviceLost : public GpuError {
  public:
   using GpuError::GpuError;

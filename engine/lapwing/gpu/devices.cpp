@@ -61,7 +61,7 @@ std::string missing_extension(const PhysicalDevice& device,
   return {};
 }
 
-// Only for devices with Vulkan 1.3: the structures asked for do not exist before.
+// Requires Vulkan 1.3, because these structures do not exist before.
 std::string missing_feature(VkPhysicalDevice device) {
   auto v13 = structure<VkPhysicalDeviceVulkan13Features>(
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
@@ -76,7 +76,7 @@ std::string missing_feature(VkPhysicalDevice device) {
   return {};
 }
 
-// Prefers a family that can draw as well: the renderer then shares the one queue.
+// Prefers a family that can draw as well, so that the renderer shares the one queue.
 bool find_queue_family(PhysicalDevice& device) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device.handle, &count, nullptr);

@@ -17,9 +17,9 @@ struct DeviceDescription {
   std::string rejected;     ///< why it cannot be used; empty for a usable device
 };
 
-/// Every device, usable or not. Throws GpuError when the Vulkan loader cannot be opened or no
-/// driver is installed, saying what was tried and what to install. The loader is libvulkan.so.1, or
-/// the file that LAPWING_VULKAN_LOADER names in the environment.
+/// Returns every device, usable or not. Throws GpuError, saying what was tried and what to install,
+/// if the Vulkan loader cannot be opened or no driver is installed. The loader is libvulkan.so.1,
+/// or the file that LAPWING_VULKAN_LOADER names in the environment.
 std::vector<DeviceDescription> list_devices();
 
 }  // namespace lapwing::gpu

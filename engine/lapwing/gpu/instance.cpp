@@ -32,9 +32,9 @@ std::string last_dl_error() {
   return text != nullptr ? text : "unknown error";
 }
 
-// One more instance, which stays, of each loader. A driver is unloaded with its last instance, and
-// not every one can come back as often as contexts do: NVIDIA's took half a second each time and
-// was not found any more after some thirty times (driver 580).
+// Creates one more instance per loader and never destroys it. A driver is unloaded with its last
+// instance, and reloading it may fail: NVIDIA's took half a second each time and was no longer
+// found after some thirty times (driver 580).
 void keep_drivers(const VkInstanceCreateInfo& info) {
   static std::mutex mutex;
   static std::set<std::string> kept;

@@ -13,14 +13,14 @@ namespace lapwing::gpu {
 
 class Validation;
 
-/// Opens the Vulkan loader. Throws GpuError when there is none or it knows no Vulkan 1.3.
+/// Opens the Vulkan loader. Throws GpuError if there is none or it does not support Vulkan 1.3.
 void open_loader();
 
-/// An instance of Vulkan 1.3, after `open_loader`; `validation` may be null. Throws GpuError,
-/// saying what to install, when no driver is installed.
+/// Creates an instance of Vulkan 1.3. Call `open_loader` first. `validation` may be null. Throws
+/// GpuError, saying what to install, if no driver is installed.
 VkInstance create_instance(std::span<const char* const> extensions, const Validation* validation);
 
-/// A physical device and what a context needs to know to open it.
+/// A physical device and what a context needs to open it.
 struct PhysicalDevice {
   VkPhysicalDevice handle = VK_NULL_HANDLE;
   DeviceDescription description;
@@ -29,13 +29,13 @@ struct PhysicalDevice {
   bool has_graphics = false;
 };
 
-/// All devices, with the reason for those that lack Vulkan 1.3, a feature, one of `extensions`, or
-/// a queue with compute.
+/// Returns all devices, with the reason to reject those that lack Vulkan 1.3, a feature, one of
+/// `extensions`, or a queue with compute.
 std::vector<PhysicalDevice> physical_devices(VkInstance instance,
                                              std::span<const char* const> extensions);
 
-/// The device that `wanted` (see ContextOptions::device) names. Throws GpuError, listing every
-/// device and why it does not fit, when there is none.
+/// Returns the device that `wanted` (see ContextOptions::device) names. Throws GpuError, listing
+/// every device and why it does not fit, if there is none.
 const PhysicalDevice& select_device(std::span<const PhysicalDevice> devices,
                                     const std::string& wanted);
 

@@ -16,8 +16,8 @@ Kernel::Kernel(const Context& context, std::string name, std::span<const std::ui
       bindings_(read_interface(spirv).bindings),
       push_constant_bytes_(push_constant_bytes),
       workgroup_size_(workgroup_size) {
-  // Synchronization validation cannot see a missing barrier between dispatches that update a buffer
-  // in place, so no kernel does.
+  // No kernel may update a buffer in place, because synchronization validation cannot see a missing
+  // barrier between such dispatches.
   if (std::count(bindings_.begin(), bindings_.end(), BindingAccess::read_write) != 0) {
     throw GpuError("kernel " + name_ +
                    ": declare every buffer of the shader readonly or writeonly");

@@ -14,15 +14,15 @@ namespace lapwing::gpu {
 
 class Context;
 
-/// A compute shader ready to dispatch: one descriptor set of buffers bound by push descriptors, and
-/// push constants. How many buffers it takes, which it only reads and which it
-/// only writes is read from the shader itself (`readonly`, `writeonly`), so that host and shader
-/// cannot disagree. The context must outlive it. Movable.
+/// A compute shader ready to dispatch, with push constants and one set of buffers bound by push
+/// descriptors. The number of buffers, and which of them it only reads or only writes, come from
+/// the shader itself (`readonly`, `writeonly`), so that host and shader cannot disagree. The
+/// context must outlive it. Movable.
 class Kernel {
  public:
-  /// `workgroup_size` becomes specialization constant 0 (layout(local_size_x_id = 0)).
-  /// Throws GpuError when a buffer is neither `readonly` nor `writeonly`, bindings are not
-  /// 0, 1, 2, ..., or the device cannot run the shader.
+  /// `workgroup_size` becomes specialization constant 0 (layout(local_size_x_id = 0)). Throws
+  /// GpuError if a buffer is neither `readonly` nor `writeonly`, if bindings are not 0, 1, 2, ...,
+  /// or if the device cannot run the shader.
   Kernel(const Context& context, std::string name, std::span<const std::uint32_t> spirv,
          std::uint32_t push_constant_bytes = 0, std::uint32_t workgroup_size = 64);
   ~Kernel();

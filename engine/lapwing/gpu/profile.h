@@ -7,25 +7,25 @@
 
 namespace lapwing::gpu {
 
-/// What one kernel did.
+/// Work of one kernel.
 struct KernelUse {
   std::uint64_t dispatches = 0;
   double device_ms = 0.0;
 };
 
-/// What a device did. Times are by its own clock, 0 on a device without timestamps.
+/// Work of a device. Times are by its own clock, 0 on a device without timestamps.
 struct DeviceUse {
   std::uint64_t submissions = 0;
-  double device_ms = 0.0;                    ///< of all submissions, each from begin to end
+  double device_ms = 0.0;                    ///< sum over submissions, each from begin to end
   std::map<std::string, KernelUse> kernels;  ///< by Kernel::name
 };
 
-/// Adds up what the command lists of a context do, each submission once it has been waited for. For
-/// several threads.
+/// Sums the work of a context's command lists. Each submission counts once it has been waited for.
+/// Thread-safe.
 class Profile {
  public:
   void add(const DeviceUse& use);
-  /// All since the last call.
+  /// Returns the work since the last call.
   DeviceUse take();
 
  private:

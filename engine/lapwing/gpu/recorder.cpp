@@ -169,7 +169,7 @@ void Recorder::bind(const Kernel& kernel, std::span<const BufferRange> buffers,
   std::array<VkWriteDescriptorSet, kMaxBindings> writes;
   for (std::uint32_t b = 0; b < buffers.size(); ++b) {
     const BufferRange& range = buffers[b];
-    // An empty range cannot be bound; the shader reads nothing of it.
+    // An empty range cannot be bound. The shader does not read what is bound instead.
     infos[b] = {range.buffer->handle(), range.offset,
                 range.bytes == 0 ? VK_WHOLE_SIZE : range.bytes};
     writes[b] = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
@@ -238,9 +238,9 @@ void Recorder::fill(const Buffer& buffer, std::uint32_t word) {
                                        buffer.bytes() / sizeof word * sizeof word, word);
 }
 
-// Software devices write a timestamp without waiting for the commands before it, whatever its stage
-// says; they do wait at a barrier. Once they have drawn, they also put the timestamp off until the
-// next barrier, after whatever kernel runs before that.
+// Software devices write a timestamp without waiting for earlier commands, whatever its stage, but
+// they do wait at a barrier. After a draw they also delay the timestamp to the next barrier, and so
+// past any kernel before that.
 void Recorder::write_timestamp(std::uint32_t query) {
   auto everything = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
   everything.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;

@@ -12,22 +12,22 @@
 
 namespace lapwing::gpu {
 
-/// Records dispatches and copies into a command list and places the barriers between them itself:
-/// it follows every buffer's reads and writes, and a command waits for just those it depends on.
+/// Records dispatches and copies into a command list and places the barriers between them. It
+/// tracks every buffer's reads and writes, and a command waits only for those that it depends on.
 /// The list begins with a barrier against all earlier submissions and ends with one that makes its
-/// writes visible to the host, so lists can follow one another without further care.
+/// writes visible to the host, so lists need no further synchronization.
 class Recorder {
  public:
-  /// Starts over: what `list` held is dropped, once its last submission is done.
+  /// Clears `list` after its last submission has finished.
   explicit Recorder(CommandList& list);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   /// Runs `kernel` for at least `invocations` invocations, rounded up to whole workgroups; the
-  /// shader ignores the surplus (shaders/invocation.glsl). `buffers` by binding. Throws GpuError,
-  /// naming the kernel, when their number is not the kernel's, one exceeds
-  /// limits().maxStorageBufferRange or is misaligned, one is bound both to be read and written, or
-  /// `push` is not of the kernel's size. 0 invocations record nothing.
+  /// shader ignores the surplus (shaders/invocation.glsl). `buffers` are in the order of their
+  /// bindings. Throws GpuError, naming the kernel, if their number is not the kernel's, if one
+  /// exceeds limits().maxStorageBufferRange or is misaligned, if one is bound both for reading and
+  /// for writing, or if `push` does not have the kernel's size. 0 invocations record nothing.
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
                 std::span<const BufferRange> buffers, std::span<const std::byte> push);
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
@@ -42,24 +42,24 @@ class Recorder {
              std::as_bytes(std::span(&push, 1)));
   }
 
-  /// Copies `source` to the start of `target`'s range; both of the same length.
+  /// Copies `source` to `target`, which must have the same length.
   void copy(const BufferRange& source, const BufferRange& target);
-  /// Sets every 4 bytes of a buffer to `word`; the last bytes of an odd length stay.
+  /// Sets every 4 bytes of a buffer to `word`. Up to 3 bytes at the end stay.
   void fill(const Buffer& buffer, std::uint32_t word);
 
-  /// Declares what a command recorded through `handle()` is about to do with a buffer, and places
-  /// the barrier that it needs. Call it before the command, and outside a rendering scope.
+  /// Declares how a command recorded through `handle()` will access a buffer, and places the
+  /// barrier that it needs. Call it before the command, and outside a rendering scope.
   void access(const Buffer& buffer, VkPipelineStageFlags2 stages, VkAccessFlags2 accesses);
   /// For commands that this class does not wrap.
   VkCommandBuffer handle() const { return list_.handle(); }
 
-  /// Writes a timestamp once all commands before it are done; its number, from 0.
+  /// Writes a timestamp after all commands before it have finished. Returns its number, from 0.
   std::uint32_t timestamp();
 
-  /// Makes the list ready to submit. A recorder that is dropped before leaves it empty.
+  /// Makes the list ready to submit. Without this call it cannot be submitted.
   void finish();
 
-  /// Barriers placed so far between commands of this list.
+  /// Returns the number of barriers placed so far between commands of this list.
   std::size_t barrier_count() const { return barrier_count_; }
 
  private:

@@ -6,21 +6,21 @@
 
 namespace lapwing::gpu {
 
-/// What a shader may do with a buffer bound to it.
+/// How a shader may access a buffer bound to it.
 enum class BindingAccess {
   read,        ///< storage buffer, `readonly`
   write,       ///< storage buffer, `writeonly`
   read_write,  ///< storage buffer, neither
 };
 
-/// What the host needs to know of a shader.
+/// The capabilities and buffers that a shader declares.
 struct ShaderInterface {
   std::vector<std::uint32_t> capabilities;  ///< SPIR-V capability numbers, in order of declaration
-  std::vector<BindingAccess> bindings;      ///< of set 0
+  std::vector<BindingAccess> bindings;      ///< bindings of set 0
 };
 
-/// Reads the declarations of a SPIR-V module. Throws GpuError when `words` is no SPIR-V module, or
-/// when it binds anything but buffers, or not at 0, 1, 2, ... of set 0.
+/// Reads the declarations of a SPIR-V module. Throws GpuError if `words` is not a SPIR-V module, or
+/// if it binds anything but buffers, or not at 0, 1, 2, ... of set 0.
 ShaderInterface read_interface(std::span<const std::uint32_t> words);
 
 }  // namespace lapwing::gpu

@@ -4,7 +4,7 @@
 
 namespace lapwing::gpu {
 
-/// A Vulkan structure of the given type, all else zero, followed by `next`.
+/// Returns a Vulkan structure of the given type, otherwise zero, followed by `next`.
 template <typename T>
 T structure(VkStructureType type, void* next = nullptr) {
   T value{};

@@ -11,22 +11,22 @@ namespace lapwing::gpu {
 class Context;
 class CommandList;
 
-/// Copies numbers between host memory and buffers: directly where the buffer is mapped, else piece
-/// by piece through a mapped staging buffer, made when first needed. Calls return when the copy is
-/// done. The device must be done with the buffer. Not for use from several threads at once.
+/// Copies numbers between host memory and buffers: directly if the buffer is mapped, else piece by
+/// piece through a mapped staging buffer, which is created when first needed. Calls return when the
+/// copy is done. The device must have finished with the buffer. Not thread-safe.
 class Transfer {
  public:
   explicit Transfer(Context& context);
   ~Transfer();
 
-  /// Copies `data` to `offset` bytes into `buffer`. Throws GpuError when it does not fit.
+  /// Copies `data` to `offset` bytes into `buffer`. Throws GpuError if it does not fit.
   void upload(const Buffer& buffer, std::span<const std::byte> data, VkDeviceSize offset = 0);
   template <typename T>
   void upload(const Buffer& buffer, std::span<const T> data, VkDeviceSize offset = 0) {
     upload(buffer, std::as_bytes(data), offset);
   }
 
-  /// Fills `data` from `offset` bytes into `buffer`. Throws GpuError when it reads beyond the end.
+  /// Fills `data` from `offset` bytes into `buffer`. Throws GpuError if that exceeds the buffer.
   void download(const Buffer& buffer, std::span<std::byte> data, VkDeviceSize offset = 0);
   template <typename T>
   void download(const Buffer& buffer, std::span<T> data, VkDeviceSize offset = 0) {

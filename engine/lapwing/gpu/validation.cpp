@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array kEnabled{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
 
-// Of the whole process: messages about objects left behind arrive while a context goes away.
+// Counts the messages of the whole process, because those about leaked objects arrive while a
+// context is destroyed.
 std::atomic<std::size_t> total_messages{0};
 
 bool layer_is_installed() {
@@ -54,7 +55,7 @@ Validation::Validation() {
   messenger_info_.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
   messenger_info_.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                                     VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  // Messages of the general kind come from the loader and speak of the machine's set-up.
+  // General messages are left out. They come from the loader and concern the machine's set-up.
   messenger_info_.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                                 VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   messenger_info_.pfnUserCallback = &Validation::receive;
@@ -67,7 +68,7 @@ Validation::Validation() {
 }
 
 void Validation::attach(VkInstance instance) {
-  // Not volk's global pointers: those belong to the instance made last, which may have no
+  // Do not use volk's global pointers. They belong to the newest instance, which may have no
   // messenger.
   const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
       vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT"));

@@ -9,20 +9,20 @@
 
 namespace lapwing::gpu {
 
-/// Collects what the validation layers say of one instance. Every message goes to stderr too.
+/// Collects the messages of the validation layers for one instance. Also prints them to stderr.
 class Validation {
  public:
-  /// Throws GpuError, saying what to install, when the loader finds no validation layer.
+  /// Throws GpuError, saying what to install, if the loader finds no validation layer.
   Validation();
 
   static const char* layer();
   static std::vector<const char*> instance_extensions();
 
-  /// For the pNext chain of VkInstanceCreateInfo: turns synchronization validation on and listens
-  /// while the instance is made and destroyed.
+  /// Returns the pNext chain of VkInstanceCreateInfo. It turns on synchronization validation and
+  /// collects messages while the instance is created and destroyed.
   const void* instance_chain() const { return &features_; }
   void attach(VkInstance instance);
-  /// Before the instance is destroyed.
+  /// Call this before the instance is destroyed.
   void detach(VkInstance instance) noexcept;
 
   std::vector<std::string> messages() const;

@@ -38,7 +38,7 @@ struct OldFile {
   mode_t permissions = 0;
 };
 
-// What is at `target`, which messages call `path`.
+// Throws IoError if the file at `target` cannot be replaced. Messages call it `path`.
 OldFile old_file_at(const fs::path& target, const fs::path& path) {
   struct stat old {};
   if (::stat(target.c_str(), &old) != 0) {
@@ -49,13 +49,12 @@ OldFile old_file_at(const fs::path& target, const fs::path& path) {
   if (!S_ISREG(old.st_mode)) {
     throw IoError("cannot write " + path.string() + ": not a regular file; name another");
   }
-  // A rename needs only the directory's permission; a file marked read-only is to stay.
+  // A rename needs permission only for the directory, but a read-only file must stay.
   if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(path, errno);
   return {true, old.st_mode & kPermissions};
 }
 
-// Makes the rename itself survive a power cut. Some file systems cannot; the file is then whole
-// all the same.
+// Makes the rename survive a power cut. Errors are ignored: the file itself is complete.
 void flush_directory(const fs::path& target) {
   const FileDescriptor directory(
       ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -69,12 +68,12 @@ bool is_same_open_file(int descriptor, const fs::path& path) {
          open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
-// A temporary is locked while its process lives.
+// Marks a temporary file as in use while its process lives.
 bool lock(int descriptor) {
   return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
 
-// Removes the temporary of a process that was killed. False if `path` is not that.
+// Removes the temporary file of a killed process. Returns false if `path` is something else.
 bool remove_stale(const fs::path& path) {
   const FileDescriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
@@ -86,7 +85,7 @@ bool remove_stale(const fs::path& path) {
 
 }  // namespace
 
-// A file that is gone at the end unless it was put at the target.
+// A temporary file that the destructor deletes, unless it was put at the target.
 class FileReplacement::Temporary {
  public:
   explicit Temporary(const fs::path& path)
@@ -97,7 +96,7 @@ class FileReplacement::Temporary {
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  // Apart from the constructor, so that whatever is made goes with the object.
+  // Not part of the constructor, so that the destructor cleans up if this throws.
   void open() {
     if (!open_without_name()) open_with_name();
     make_private();
@@ -125,7 +124,7 @@ class FileReplacement::Temporary {
   }
 
   void put_at_target() {
-    // Where there is no file yet the name is the target's at once.
+    // If there is no old file, link the temporary file directly to the target's name.
     if (path_.empty() && !old_.exists && link_to(target_)) return flush_directory(target_);
     if (path_.empty()) name_it();
     if (std::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(named_, errno);
@@ -136,7 +135,7 @@ class FileReplacement::Temporary {
  private:
   std::string link_of_descriptor() const { return "/proc/self/fd/" + std::to_string(file_.get()); }
 
-  // Not every file system has such files, and without /proc they get no name later.
+  // Not every file system has unnamed files, and without /proc they cannot be named later.
   bool open_without_name() {
     file_.reset(::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
     if (!file_.is_open() || ::access(link_of_descriptor().c_str(), F_OK) != 0) return false;
@@ -150,7 +149,7 @@ class FileReplacement::Temporary {
       if (!file_.is_open()) return false;
       path_ = name;
       lock(file_.get());
-      // Between these two calls another process may have taken the file for a dead one's.
+      // Between open and lock, another process may have removed the file as stale.
       if (is_same_open_file(file_.get(), name)) return true;
       path_.clear();
       errno = EEXIST;
@@ -166,7 +165,7 @@ class FileReplacement::Temporary {
     });
   }
 
-  // Until `take` has one. It sets errno where it returns false.
+  // Tries names until `take` returns true. If `take` returns false, it has set errno.
   template <class Take>
   void for_each_name(const Take& take) {
     for (int number = 0;; ++number) {
@@ -188,7 +187,8 @@ class FileReplacement::Temporary {
     return false;
   }
 
-  // What the system gave it, which is what the user wants for new files, it gets at the end.
+  // Hides the file until `flush` gives it its permissions: those of the old file, or the system's
+  // default for a new one.
   void make_private() {
     struct stat given {};
     if (::fstat(file_.get(), &given) != 0) fail_to_write(named_, errno);
@@ -196,12 +196,12 @@ class FileReplacement::Temporary {
     if (::fchmod(file_.get(), kPrivate) != 0) fail_to_write(named_, errno);
   }
 
-  fs::path named_;  // what messages call it
+  fs::path named_;  // as the caller and messages call it
   fs::path target_;
   OldFile old_;
   mode_t permissions_ = 0;
   FileDescriptor file_;
-  fs::path path_;  // empty while it has no name of its own
+  fs::path path_;  // empty while the file has no name
 };
 
 FileReplacement::FileReplacement(const fs::path& path)

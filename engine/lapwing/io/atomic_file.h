@@ -7,24 +7,24 @@
 
 namespace lapwing {
 
-/// Throws IoError unless a file can be put at `path`: its folder is there and takes files, and what
-/// is at `path`, if anything, is a regular file that may be written. What takes long asks first.
+/// Throws IoError unless a file can be put at `path`: its folder must exist and be writable, and
+/// anything at `path` must be a writable regular file. Long operations call this first.
 void require_replaceable(const std::filesystem::path& path);
 
-/// Puts `bytes` at `path` in one step: they are written to a temporary, flushed to the disk, and
-/// renamed over it. Whoever opens `path` sees the old file or the new one, never a part. On failure
-/// the old file stays as it was, nothing else is left, and IoError carries the system's reason. A
-/// symbolic link keeps pointing where it did and its target is replaced; the permission bits of a
-/// file that is replaced are kept.
+/// Replaces the file at `path` by `bytes` in one step: writes a temporary file, flushes it to the
+/// disk and renames it to `path`. Readers of `path` see the old file or the new one, never a part.
+/// On failure the old file stays, nothing else is left behind, and IoError carries the system's
+/// reason. If `path` is a symbolic link, its target is replaced. The new file keeps the permission
+/// bits of the old one.
 ///
-/// The temporary has no name until it is whole, so that nothing of it is left where the process is
-/// killed. Where the file system knows no such files it is NAME.tmp-0, or the next number that no
-/// living process writes: those of dead ones are replaced. It is the user's alone until it is
-/// whole.
+/// The temporary file has no name until it is complete, so a killed process leaves nothing behind.
+/// If the file system has no unnamed files, it is called NAME.tmp-0, or the next number that no
+/// living process uses; files of dead processes are replaced. Only the user can access an
+/// incomplete file.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same for a file that comes in parts, or that another program writes. Without `commit` the
-/// temporary goes, and the old file stays. Throws what replace_file throws.
+/// The same for a file that is written in parts, or by another program. Without `commit`, the
+/// destructor deletes the temporary file and the old file stays. Throws what replace_file throws.
 class FileReplacement {
  public:
   explicit FileReplacement(const std::filesystem::path& path);
@@ -32,25 +32,26 @@ class FileReplacement {
   FileReplacement(FileReplacement&&) noexcept;
   FileReplacement& operator=(FileReplacement&&) noexcept;
 
-  const std::filesystem::path& path() const;  ///< as it was given
-  /// Gives the temporary a name, beside the target, for another program to write into.
+  const std::filesystem::path& path() const;  ///< as passed to the constructor
+  /// Gives the temporary file a name beside the target, so that another program can write to it.
   const std::filesystem::path& temporary();
-  void write(std::string_view bytes);  ///< after what was written before
+  void write(std::string_view bytes);  ///< appends
   void flush();                        ///< to the disk
-  void commit();                       ///< flushed or not
+  void commit();                       ///< flushes, then replaces the target
 
  private:
   class Temporary;
   std::unique_ptr<Temporary> temporary_;
 };
 
-/// Several files that belong together: each is whole on the disk before the first of them is put in
-/// its place, so that a full disk or a folder that takes no files changes none of them.
+/// Several files that belong together. All are complete on the disk before the first one is put in
+/// place, so a full disk or an unwritable folder changes none of them.
 class FileReplacements {
  public:
-  /// Throws what replace_file throws; then nothing that was added is in place.
+  /// Writes a temporary file. Throws what replace_file throws.
   void add(const std::filesystem::path& path, std::string_view bytes);
-  /// In the order they were added. Throws IoError that says which are in place, if some are.
+  /// Puts the files in place, in the order they were added. If one fails, throws IoError that lists
+  /// the files already in place.
   void commit();
 
  private:

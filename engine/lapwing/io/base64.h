@@ -6,10 +6,10 @@
 
 namespace lapwing {
 
-/// The bytes that `text` stands for (RFC 4648, with or without padding); nothing where it is none.
+/// Decodes base64 (RFC 4648), with or without padding. Returns nullopt if `text` is not base64.
 std::optional<std::string> decode_base64(std::string_view text);
 
-/// With padding.
+/// Encodes `bytes` with padding.
 std::string encode_base64(std::string_view bytes);
 
 }  // namespace lapwing

@@ -60,7 +60,7 @@ void store_as(char* to, double value, bool foreign) {
 
 }  // namespace detail
 
-/// The number of the given type and byte order at `from`. Every type fits a double.
+/// Returns the number of the given type and byte order at `from`. Every type fits a double.
 inline double load_number(const char* from, Scalar type, Encoding encoding) {
   using namespace detail;
   const bool foreign = is_foreign(encoding);
@@ -85,8 +85,8 @@ inline double load_number(const char* from, Scalar type, Encoding encoding) {
   return 0.0;
 }
 
-/// Writes `size_of(type)` bytes at `to`. Integer types take the nearest value in their range, and
-/// 0 for NaN.
+/// Writes `size_of(type)` bytes to `to`. Integers are rounded and clamped to their range; NaN
+/// becomes 0.
 inline void store_number(char* to, double value, Scalar type, Encoding encoding) {
   using namespace detail;
   const bool foreign = is_foreign(encoding);
@@ -118,7 +118,6 @@ inline void store_number(char* to, double value, Scalar type, Encoding encoding)
   }
 }
 
-/// Appends the number in binary.
 inline void append_binary(std::string& out, double value, Scalar type, Encoding encoding) {
   const std::size_t at = out.size();
   out.resize(at + size_of(type));

@@ -9,20 +9,19 @@
 
 namespace lapwing {
 
-/// The program of that name on $PATH, if there is one. Folders that are not absolute are passed
-/// over: they depend on where this program was started.
+/// Finds an executable on $PATH. Skips relative folders, because they depend on the current folder.
 std::optional<std::filesystem::path> find_program(std::string_view name);
 
-/// The descriptors that a child reads and writes; -1: there is nothing to read, or nobody reads it.
+/// Descriptors for the child's standard streams; -1 stands for /dev/null.
 struct ChildStreams {
   int input = -1;
   int output = -1;
   int errors = -1;
 };
 
-/// Starts `command`, a program's path and its arguments, with nothing else that this program has
-/// open, and in a process group of its own: an interrupt from the terminal is not for it. The
-/// caller's to wait for. Throws IoError, with the reason, where it cannot be started.
+/// Starts `command`, a program's path and its arguments, in a new process group, so that an
+/// interrupt from the terminal does not reach it. The child inherits no other open files. The
+/// caller must wait for the process. Throws IoError with the reason if it cannot be started.
 pid_t start_child(const std::vector<std::string>& command, const ChildStreams& streams);
 
 }  // namespace lapwing

@@ -21,7 +21,7 @@ namespace {
 }  // namespace
 
 FileBytes FileBytes::read(const std::filesystem::path& path) {
-  // Opening a pipe would wait for somebody who writes into it.
+  // Without O_NONBLOCK, opening a pipe would wait for a writer.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!file.is_open()) fail_to_read(path, errno);
   struct stat status {};

@@ -19,12 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostImages = 1024;
-// Words of 32 bits in 128 MiB; 256 KiB of them are left for the table of levels.
+// 32-bit words in 128 MiB, less 256 KiB for the table of mip levels.
 constexpr std::uint64_t kMostTexels = (std::uint64_t{1} << 25U) - (std::uint64_t{1} << 16U);
 constexpr std::size_t kMostNotes = 20;
 constexpr std::string_view kTextureComment = "TextureFile ";
 
-// With all mip levels.
+// Counts the texels of all mip levels.
 std::uint64_t texels_of(ImageSize size) {
   std::uint64_t texels = std::uint64_t{size.width} * size.height;
   while (size.width > 1 || size.height > 1) {
@@ -34,13 +34,13 @@ std::uint64_t texels_of(ImageSize size) {
   return texels;
 }
 
-// The images that materials name, each read once, however many name it.
+// The images that materials name. Each is read once, even if several materials name it.
 class ImageShelf {
  public:
   explicit ImageShelf(std::vector<std::string>& notes) : notes_(notes) {}
 
-  /// Number of the image that file `namer` calls `name`, looked for beside that and then beside the
-  /// mesh; kNoIndex if it is not there.
+  /// Returns the index of the image `name` that the file `namer` refers to, or kNoIndex if it is
+  /// not found. Searches beside `namer`, then beside the mesh.
   Index add(const std::string& name, const fs::path& namer, const fs::path& mesh) {
     const auto [known, is_new] = by_name_.try_emplace({namer, name}, kNoIndex);
     if (!is_new) return known->second;
@@ -54,7 +54,7 @@ class ImageShelf {
     return known->second;
   }
 
-  /// Reads all, as large as fits. An image that cannot be read has no pixels.
+  /// Reads all images, halved until they fit. An unreadable image has no pixels.
   std::vector<Image> read() {
     fit();
     std::vector<Image> images(files_.size());
@@ -149,7 +149,7 @@ class FileColorReader {
   void read_libraries() {
     if (is_gltf(format_of(split_mesh_path(path_).file))) return add_materials_of_gltf();
     for (const std::string& names : attributes_.material_libraries) {
-      // All of the line may be one name with blanks, or several names.
+      // The line may be one name with blanks, or several names.
       if (read_library(names)) continue;
       bool found = false;
       for (std::size_t at = 0; at < names.size();) {
@@ -232,7 +232,7 @@ class FileColorReader {
     if (!from.image.empty()) material.image = add_image(from.image, known.library);
   }
 
-  // Of a file that `namer` names. Without texture coordinates an image has no place.
+  // Adds the image `name` that `namer` refers to. It needs texture coordinates to be shown.
   Index add_image(const std::string& name, const fs::path& namer) {
     if (!attributes_.corner_uvs.empty()) return shelf_.add(name, namer, path_);
     if (!std::exchange(lacks_corners_, true)) {
@@ -260,7 +260,7 @@ class FileColorReader {
     }
   }
 
-  // Faces whose material has an image that they have no place in.
+  // Notes the faces that lack texture coordinates for the image of their material.
   void check_corners() {
     const std::vector<Index> materials = materials_of_faces(colors_, mesh_);
     std::vector<std::size_t> without(colors_.materials.size(), 0);
@@ -288,7 +288,7 @@ class FileColorReader {
   FileColors colors_;
 };
 
-// The number of each face's texture; without the property all have the first.
+// Returns the texture of a face. Without the property, all faces have the first one.
 Index texture_of_face(const ExtraAttribute* numbers, std::size_t face, std::size_t count) {
   const double number = numbers == nullptr ? 0.0 : numbers->values[face];
   return number >= 0.0 && number < static_cast<double>(count) ? static_cast<Index>(number)

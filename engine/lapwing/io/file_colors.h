@@ -12,10 +12,9 @@
 
 namespace lapwing {
 
-/// How a mesh's file colours faces of one kind: a material of an OBJ file, or a texture of a PLY
-/// file.
+/// A material of an OBJ or glTF file, or a texture of a PLY file.
 struct FileMaterial {
-  std::string name;                      ///< as in MeshAttributes::materials; of a texture its file
+  std::string name;                      ///< as in MeshAttributes::materials, or the texture's file
   std::optional<Eigen::Vector3f> color;  ///< sRGB in [0, 1]
   Index image = kNoIndex;                ///< into FileColors::images
   /// The image is looked up at scale * uv + offset; v points upwards, and images repeat.
@@ -23,30 +22,30 @@ struct FileMaterial {
   Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
 };
 
-/// What gives a mesh its colours beside its attributes: the materials and images of other files
-/// that its file names. Belongs to every mesh with attributes from that file, so also to what is
-/// made of it by an edit.
+/// The colours that a mesh takes from other files: the materials and images that its file names.
+/// They apply to every mesh with attributes from that file, also after an edit.
 struct FileColors {
-  std::vector<FileMaterial> materials;  ///< those that faces have
-  std::vector<Image> images;            ///< those that materials have, and no pixels elsewhere
-  /// Whether the materials are the textures of a PLY file, which its face property "texnumber"
-  /// counts from 0, and not found by name.
+  std::vector<FileMaterial> materials;  ///< the ones that faces use
+  std::vector<Image> images;            ///< the ones that materials use; no pixels if unreadable
+  /// Whether the materials are the textures of a PLY file, numbered from 0 by the face property
+  /// "texnumber". Otherwise faces find their material by name.
   bool are_numbered = false;
   /// What could not be read, and what to do: "path:line: what; next step".
   std::vector<std::string> notes;
 };
 
-/// Reads the material libraries and images that `mesh` names, whose file is, or was, at `path`:
-/// MTL files (newmtl, Kd, map_Kd), and the images of MeshLab's comments "TextureFile" in PLY files.
-/// Nothing throws: what cannot be read becomes a note. Which file a name means, and that none
-/// elsewhere is read: find_named_file. Where a library is missing, one called as the mesh is read.
+/// Reads the materials and images that `mesh` names: MTL files (newmtl, Kd, map_Kd), glTF
+/// materials, and the images of MeshLab's "TextureFile" comments in PLY files. `path` is where the
+/// file of the mesh is or was. Problems become notes, not exceptions. find_named_file resolves the
+/// names, never to another folder. If a library is missing, reads the .mtl file named like the
+/// mesh.
 ///
-/// Memory is bounded: of at most 1024 images, those with the most pixels are halved until all, with
-/// their mip levels, fit into 128 MiB, the least that a storage buffer of any device holds; a note
-/// says so. While one is read it takes what `read_image` does.
+/// Memory is bounded. At most 1024 images are read, and the largest are halved until all, with mip
+/// levels, fit into 128 MiB; a note says so. Every Vulkan device allows storage buffers of that
+/// size. Reading one image temporarily takes the memory of `read_image`.
 FileColors read_file_colors(const Mesh& mesh, const std::filesystem::path& path);
 
-/// For each face of `mesh` its entry of FileColors::materials, or kNoIndex. Empty if none has one.
+/// Returns the index into FileColors::materials of each face, or kNoIndex; empty if none has one.
 std::vector<Index> materials_of_faces(const FileColors& colors, const Mesh& mesh);
 
 }  // namespace lapwing

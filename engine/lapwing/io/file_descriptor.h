@@ -15,12 +15,12 @@ class FileDescriptor {
 
   bool is_open() const { return descriptor_ >= 0; }
   int get() const { return descriptor_; }
-  /// Owns this one from now on.
+  /// Closes the current descriptor and takes ownership of `descriptor`.
   void reset(int descriptor) {
     close();
     descriptor_ = descriptor;
   }
-  /// False, with errno set, when the system reports a late write error.
+  /// Returns false and sets errno if the system reports a late write error.
   bool close() {
     const int descriptor = std::exchange(descriptor_, -1);
     return descriptor < 0 || ::close(descriptor) == 0;

@@ -8,9 +8,9 @@
 
 namespace lapwing {
 
-// One reader and one writer per format. A reader fills the mesh and notes in `file` where the
-// positions and normals stand; it throws InputError through `file`. A writer returns the whole
-// file made anew, and appends to `report` what it could not carry.
+// One reader and one writer per format. A reader returns the mesh and records in `file` where the
+// positions and normals are. It throws InputError, with the location, if the file is malformed. A
+// writer returns a complete new file, and appends to `report` what the format cannot hold.
 
 Mesh read_obj(SourceFile& file);
 Mesh read_off(SourceFile& file);

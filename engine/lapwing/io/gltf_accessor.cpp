@@ -35,7 +35,7 @@ std::size_t components_of(const JsonNode& node) {
   return kComponents[node.one_of("type", kTypes)];
 }
 
-// What stands for 1 where whole numbers stand for parts of it.
+// Returns the integer that stands for 1 in a normalized accessor.
 double largest(Scalar type) {
   switch (type) {
     case Scalar::int8:
@@ -56,7 +56,7 @@ std::size_t count_or(const JsonNode& node, const char* key, std::size_t otherwis
   return found ? found->count() : otherwise;
 }
 
-// Element `number` of the file's list `list`.
+// Returns element `number` of the document's list `list`.
 JsonNode element_of(const GltfFile& file, const char* list, const JsonNode& number) {
   const auto nodes = file.root().find(list);
   const std::size_t k = number.count();
@@ -110,7 +110,7 @@ GltfAccessor::Strided GltfAccessor::strided(const GltfFile& file, const JsonNode
   const std::uint64_t offset = count_or(accessor, offset_key, 0);
   result.first = {buffer, begin + offset};
   if (count == 0) return result;
-  // In this order nothing overflows: sizes below 2^53, counts below 2^32, strides bounded by view.
+  // This order avoids overflow: sizes are below 2^53, counts below 2^32, strides within the view.
   if (count > 1 && result.stride > length) view.fail("its \"byteStride\" is beyond its length");
   const std::uint64_t needed = (count - 1) * result.stride + element_size;
   if (offset > length || needed > length - offset) {

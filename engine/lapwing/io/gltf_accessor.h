@@ -10,22 +10,22 @@
 
 namespace lapwing {
 
-/// Where a number stands: in which buffer, and from which of its bytes on.
+/// Location of a number: its buffer and its first byte.
 struct GltfPlace {
   std::size_t buffer = 0;
   std::uint64_t offset = 0;
 };
 
 /// A list of numbers or vectors in the buffers of a glTF file. Elements that a sparse accessor
-/// replaces stand elsewhere than the others; those of one without a buffer view are 0 and stand
-/// nowhere.
+/// replaces are stored apart from the others. Without a buffer view, the others are 0 and have no
+/// place.
 class GltfAccessor {
  public:
-  /// Throws InputError, naming the accessor, where it reaches beyond its buffer, has another form
-  /// than the specification knows, or a sparse index is out of order.
+  /// Throws InputError, naming the accessor, if it reaches beyond its buffer, violates the
+  /// specification, or has sparse indices out of order.
   GltfAccessor(const GltfFile& file, std::size_t number);
 
-  std::size_t number() const { return number_; }  ///< in the file's list
+  std::size_t number() const { return number_; }  ///< index into "accessors"
   std::size_t count() const { return count_; }
   std::size_t components() const { return components_; }
   Scalar type() const { return type_; }
@@ -37,25 +37,26 @@ class GltfAccessor {
   Eigen::Vector3d vector3(std::size_t element) const {
     return {value(element, 0), value(element, 1), value(element, 2)};
   }
-  /// The number that is stored for `value`: scaled where whole numbers stand for parts of 1.
+  /// Returns the number to store for `value`: scaled if the accessor is normalized.
   double stored(double value) const;
 
-  /// The first byte and the one behind the last of what is not sparse; nothing where it is all 0.
+  /// Bytes [begin, end) of a buffer.
   struct Range {
     std::size_t buffer = 0;
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
   };
+  /// Returns the range of the elements that are not sparse; nullopt if they have no place.
   std::optional<Range> range() const;
-  /// All that its numbers stand in, those of a sparse accessor included.
+  /// Returns all ranges with elements, including the sparse ones.
   std::vector<Range> ranges() const;
-  /// Where a sparse accessor says which elements it replaces.
+  /// Returns the range of the sparse indices.
   std::optional<Range> sparse_indices() const { return sparse_range_; }
 
-  const std::string& where() const { return where_; }  ///< as messages begin
+  const std::string& where() const { return where_; }  ///< for messages
 
  private:
-  // Elements one behind the other, `stride` bytes apart.
+  // Elements `stride` bytes apart.
   struct Strided {
     GltfPlace first;
     std::uint64_t stride = 0;
@@ -73,7 +74,7 @@ class GltfAccessor {
   Scalar type_ = Scalar::float32;
   bool is_normalized_ = false;
   std::optional<Strided> dense_;
-  std::vector<Index> sparse_;  // elements that stand in sparse_values_, ascending
+  std::vector<Index> sparse_;  // elements stored in sparse_values_, ascending
   Strided sparse_values_;
   std::optional<Range> sparse_range_;
 };

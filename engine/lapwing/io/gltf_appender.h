@@ -9,27 +9,28 @@
 
 namespace lapwing {
 
-/// Adds data to a glTF document: accessors and buffer views at the end of their lists, so that all
-/// numbers in it stay what they are, and bytes at the end of one buffer.
+/// Appends data to a glTF document: accessors and buffer views to their lists, so that existing
+/// indices stay valid, and bytes to one buffer.
 class GltfAppender {
  public:
-  /// `json` is valid, and outlives this. Appends to buffer number `buffer`, which has `size` bytes
-  /// so far.
+  /// `json` must be valid and outlive this object. Bytes are appended to buffer number `buffer`,
+  /// which has `size` bytes so far.
   GltfAppender(std::string_view json, std::size_t buffer, std::size_t size);
 
   enum class Target : std::uint16_t { none = 0, vertices = 34962, indices = 34963 };
 
-  /// A buffer view of `bytes`; its number. `stride` is 0 for elements one behind the other.
+  /// Adds a buffer view of `bytes` and returns its index.
   std::size_t add_view(std::string_view bytes, Target target);
-  /// An accessor, as its JSON says; its number.
+  /// Adds an accessor, given as JSON, and returns its index.
   std::size_t add_accessor(const std::string& json);
-  /// An accessor of all of a new view. `bounds` is `,"min":[...],"max":[...]` or empty.
+  /// Adds a buffer view with an accessor for all of it, and returns the accessor's index. `shape`
+  /// is its "type", such as VEC3. `bounds` is `,"min":[...],"max":[...]` or empty.
   std::size_t add_numbers(std::string_view bytes, Scalar type, std::string_view shape,
                           std::size_t count, Target target, const std::string& bounds = {});
 
-  /// What is to be appended to the buffer.
+  /// The bytes to append to the buffer.
   const std::string& data() const { return data_; }
-  /// Puts what was added into the document, with the new "byteLength" of a buffer that was there.
+  /// Inserts the additions into the document, and updates the "byteLength" of an existing buffer.
   void finish(TextEdits& edits) const;
 
  private:
@@ -45,15 +46,15 @@ class GltfAppender {
   std::string new_accessors_;
 };
 
-/// Adds `elements`, separated by commas, to the list that `key` is in the object at `object`, which
-/// is made where there is none.
+/// Appends `elements`, separated by commas, to the list `key` of the object at `object`. Creates
+/// the list if there is none.
 void append_to_list(const JsonText& text, JsonPlace object, std::string_view key,
                     const std::string& elements, TextEdits& edits);
 
-/// What the specification calls a type of numbers.
+/// Returns the "componentType" of the specification for `type`.
 int component_type(Scalar type);
 
-/// `text` in quotes, as JSON has it.
+/// Returns `text` as a JSON string, with quotes.
 std::string quoted_json(std::string_view text);
 
 }  // namespace lapwing

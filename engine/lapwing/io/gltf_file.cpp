@@ -26,7 +26,7 @@ void append_chunk(std::string& out, std::uint32_t type, std::string_view bytes, 
   out.append(filled - bytes.size(), filler);
 }
 
-// How a file is to be written so that its positions stand in it as numbers.
+// Throws InputError if the file requires a compression, which hides its positions.
 void refuse_compression(const JsonNode& root) {
   const auto required = root.find("extensionsRequired");
   if (!required) return;
@@ -49,7 +49,7 @@ GltfFile::GltfFile(const SourceFile& file)
       json_(file.bytes()),
       root_([this] {
         if (is_binary_) split_chunks();
-        // Some exporters fill the chunk with NULs, which are no JSON.
+        // Some exporters pad the chunk with NULs, which are not JSON.
         return JsonNode::parse(json_.substr(0, json_.find_last_not_of('\0') + 1),
                                source_.path().string());
       }()) {

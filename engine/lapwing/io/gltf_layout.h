@@ -10,10 +10,10 @@
 
 namespace lapwing {
 
-/// The vertices of one or more primitives of an object, as the file stores them: split where a
-/// texture coordinate or a normal is. Record k of all of them belongs to vertex
-/// GltfLayout::vertex_of_record[k] of the mesh that was read, where equal positions of one object
-/// are one vertex.
+/// The vertices of one or more primitives of an object, as the file stores them: split where
+/// texture coordinates or normals differ. Records are numbered across all sets, and record k
+/// belongs to mesh vertex GltfLayout::vertex_of_record[k]. Equal positions of an object are one
+/// vertex.
 struct GltfRecords {
   std::size_t object = 0;  ///< into GltfLayout::objects
   std::size_t first_record = 0;
@@ -24,7 +24,7 @@ struct GltfRecords {
   std::size_t count() const { return positions.count(); }
 };
 
-/// What the writer of a glTF file needs to know of the one that a mesh was read from.
+/// What the glTF writer needs to know about the file that a mesh was read from.
 struct GltfLayout {
   explicit GltfLayout(const SourceFile& source) : file(source) {}
 
@@ -32,13 +32,13 @@ struct GltfLayout {
   std::vector<GltfObject> objects;
   std::vector<GltfRecords> records;
   std::vector<Index> vertex_of_record;
-  /// Into MeshAttributes::normals, where equal ones of a vertex are one; kNoIndex for none.
+  /// Index into MeshAttributes::normals or kNoIndex; equal normals of a vertex share one.
   std::vector<Index> normal_of_record;
   std::vector<Index> record_of_corner;
-  /// Where the corners of triangles stand, and the elements of sparse accessors.
+  /// Byte ranges of triangle indices and of sparse indices.
   std::vector<GltfAccessor::Range> indices;
 
-  /// The position of element `k` in the world's coordinates, where the mesh has it.
+  /// Returns the position of element `k` in world coordinates, as read.
   Eigen::Vector3d position(const GltfRecords& set, std::size_t k) const {
     return objects[set.object].to_world * set.positions.vector3(k);
   }

@@ -7,14 +7,14 @@
 namespace lapwing {
 namespace {
 
-// The element of a list that `node` numbers, if there is one.
+// Returns the element of `list` whose index is `node`, if both exist.
 std::optional<JsonNode> numbered(const JsonNode& root, const char* list,
                                  const std::optional<JsonNode>& node) {
   const auto all = node ? root.find(list) : std::nullopt;
   return all ? all->element(node->count()) : std::nullopt;
 }
 
-// Empty for none, and for one that is inside the file.
+// Returns the path of a texture's image; empty if there is none or it is embedded.
 std::string image_of(const JsonNode& root, const JsonNode& texture, bool& is_inside) {
   const auto found = numbered(root, "textures", texture.find("index"));
   const auto image = found ? numbered(root, "images", found->find("source")) : std::nullopt;

@@ -8,9 +8,9 @@
 
 namespace lapwing {
 
-/// The materials of the glTF file at `path`, by the names that read_gltf gives them: base colour,
-/// and the image of its texture where that is a file beside it. One inside the file becomes one of
-/// the `notes`. Throws what reading the file does.
+/// Returns the materials of the glTF file at `path`, with the names that read_gltf gives them,
+/// their base colour, and their image if it is a separate file. Embedded images become one of the
+/// `notes`. Throws what reading the file throws.
 std::vector<Material> read_gltf_materials(const std::filesystem::path& path,
                                           std::vector<std::string>& notes);
 

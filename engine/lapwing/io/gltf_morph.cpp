@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Rows of three floats, most of them 0.
+// Adds a VEC3 accessor, sparse because most rows are 0, and returns its index.
 std::size_t add_rows(const std::vector<Vector3d>& rows, bool with_bounds, GltfAppender& appender) {
   std::string indices;
   std::string values;
@@ -90,7 +90,7 @@ class MorphTarget {
   }
 
  private:
-  // The records of a primitive; null for one of points or lines, which stays.
+  // Returns the records of a primitive; null for points and lines, which do not move.
   const GltfRecords* records_of(std::size_t mesh, const JsonNode& attributes) const {
     const auto number_of = [&](const char* name) {
       const auto node = attributes.find(name);
@@ -160,7 +160,7 @@ class MorphTarget {
       edits_.insert(place.end - 1, R"(,"extras":{"targetNames":[)" + names(old_targets) + "]}");
       return;
     }
-    if (!extras->is_object()) return;  // an application's own
+    if (!extras->is_object()) return;  // application-specific data
     const auto list = extras->find("targetNames");
     const JsonPlace extras_place = *text_.member(place, "extras");
     if (!list) {
@@ -175,7 +175,7 @@ class MorphTarget {
     append_to_list(text_, extras_place, "targetNames", quoted_json(name_), edits_);
   }
 
-  // Of those that had no names, and the new one.
+  // Returns names for the old targets, which have none, and the new name.
   std::string names(std::size_t old_targets) const {
     std::string list;
     for (std::size_t k = 0; k < old_targets; ++k) {
@@ -196,7 +196,7 @@ class MorphTarget {
     }
   }
 
-  // The keys of an animation of the weights get a 0 more each.
+  // Appends a 0 to each key of the animations of weights.
   void extend_animations() {
     const auto animations = layout_.file.root().find("animations");
     if (!animations) return;

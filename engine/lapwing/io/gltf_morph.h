@@ -7,11 +7,10 @@
 
 namespace lapwing {
 
-/// Adds how `mesh`, which `layout` is of, differs from its file as morph target `name`, last of
-/// those of each mesh with a vertex that moved: displacements of positions, and of normals where
-/// the primitive has them; only of what moved (sparse accessors). The name joins
-/// "extras.targetNames", and 0 the weights of meshes, nodes and animations. Throws InputError for a
-/// name that is taken, and where nothing moved.
+/// Adds the difference between `mesh` and its file as morph target `name`, the last one of each
+/// glTF mesh with a moved vertex. The target has sparse displacements of positions, and of normals
+/// if the primitive has them. The name is appended to "extras.targetNames", and 0 to the weights of
+/// meshes, nodes and animations. Throws InputError if the name is taken or nothing moved.
 void add_morph_target(const GltfLayout& layout, const Mesh& mesh, const std::string& name,
                       GltfNumbers& numbers, TextEdits& edits);
 

@@ -21,8 +21,8 @@ float to_float(double value, const GltfAccessor& accessor) {
   return static_cast<float>(value);
 }
 
-// The least and the most of rows of `width` numbers, as JSON lists, which have no words for what is
-// not finite: that does not count.
+// Returns the minimum and maximum of each column as two JSON lists. Skips numbers that are not
+// finite, because JSON cannot express them.
 template <class Number>
 std::array<std::string, 2> bounds_of_rows(std::size_t rows, std::size_t width, Scalar type,
                                           const Number& number) {
@@ -56,7 +56,7 @@ GltfNumbers::GltfNumbers(const GltfLayout& layout)
     try {
       note_users(all[m], m);
     } catch (const InputError&) {
-      // No object shows it, or reading would have told.
+      // No object uses this mesh, or reading it would have thrown.
     }
   }
 }
@@ -82,7 +82,7 @@ std::string& GltfNumbers::changeable(std::size_t buffer) {
 
 GltfNumbers::Start GltfNumbers::start_of(const GltfAccessor& accessor) const {
   const auto range = accessor.range();
-  // Those that stand nowhere are told apart by their number.
+  // Accessors without a buffer view are distinguished by their index.
   if (!range) return {buffers_.size(), accessor.number()};
   return {range->buffer, range->begin};
 }

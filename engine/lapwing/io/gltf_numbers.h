@@ -11,30 +11,28 @@
 
 namespace lapwing {
 
-/// The numbers of a glTF file, some of which are changed. Each is written where it stands, unless
-/// that would change something else too (numbers that several meshes share) or cannot hold it
-/// (positions in whole numbers, and those that a sparse accessor has nowhere): then the mesh gets
-/// an accessor of its own, of 32-bit floats, behind all others.
+/// Changes numbers of a glTF file. Each is written in place, unless several meshes share it, it is
+/// an integer position, or it has no place in a buffer. The mesh then gets a new accessor of 32-bit
+/// floats at the end of the list.
 class GltfNumbers {
  public:
   explicit GltfNumbers(const GltfLayout& layout);
 
-  /// The first three numbers of element `element` of `accessor`, which is mesh `mesh`'s attribute
-  /// `attribute`. Throws InputError for a number beyond 32-bit floats.
+  /// Sets the first three numbers of element `element` of `accessor`, which is the attribute
+  /// `attribute` of mesh `mesh`. Throws InputError if a number exceeds the range of 32-bit floats.
   void set(const GltfAccessor& accessor, std::string_view attribute, std::size_t mesh,
            std::size_t element, const Eigen::Vector3d& values);
 
-  /// What adds data to the first buffer. Throws InputError where there is none.
+  /// Returns the appender for the first buffer. Throws InputError if there is no buffer.
   GltfAppender& appender();
 
   bool has_changed() const { return !changed_.empty() || !copies_.empty(); }
 
-  /// Puts bounds ("min", "max") of what changed and the accessors that were added into the
-  /// document. Throws InputError where what was changed stands in the same bytes as the corners of
-  /// triangles.
+  /// Adds the new accessors and the bounds ("min", "max") of the changed ones to the document.
+  /// Throws InputError if a changed accessor shares bytes with triangle indices.
   void finish(TextEdits& edits);
 
-  /// Of buffer `number`, if it changed.
+  /// Returns the new bytes of buffer `number` if it changed.
   const std::optional<std::string>& buffer(std::size_t number) const { return buffers_[number]; }
 
  private:
@@ -58,7 +56,7 @@ class GltfNumbers {
   const GltfLayout& layout_;
   std::optional<GltfAppender> appender_;
   std::vector<std::optional<std::string>> buffers_;
-  /// By where they begin, the meshes whose attributes the numbers are.
+  /// Meshes that use an accessor, by its start.
   std::map<Start, std::vector<std::size_t>> meshes_of_;
   std::map<std::size_t, const GltfAccessor*> changed_;
   std::map<std::pair<std::size_t, std::size_t>, Copy> copies_;  // by mesh and accessor

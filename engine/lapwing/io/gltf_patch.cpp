@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-// The largest difference of a carried tangent that is none: rounding on the way there.
+// Tangents that differ by less are equal up to rounding.
 constexpr double kSameDirection = 1e-6;
 
 class GltfPatch {
@@ -91,7 +91,7 @@ class GltfPatch {
     const Eigen::Matrix3d to_world = layout_.objects[set.object].to_world.linear();
     const Eigen::Matrix3d to_local = to_world.inverse();
     const auto carried = carried_tangents(layout_, set, mesh_, rest, normals);
-    // What did not move may still not be at right angles to its normal: that is the file's.
+    // Other tangents stay as in the file, even if they are not perpendicular to the normal.
     const auto touched = touched_records(set, rest);
     for (std::size_t k = 0; k < set.count(); ++k) {
       if (!touched[k]) continue;
@@ -101,7 +101,7 @@ class GltfPatch {
     }
   }
 
-  // Those at a triangle with a corner that moved.
+  // Marks the records at triangles with a moved corner.
   std::vector<bool> touched_records(const GltfRecords& set, std::span<const Vector3d> rest) const {
     std::vector<bool> touched(set.count(), false);
     const std::vector<Index>& corners = mesh_.face_vertices();
@@ -156,7 +156,7 @@ class GltfPatch {
     return files;
   }
 
-  // The file that was read stays as it was.
+  // Whether `path` is a buffer file of the source, which must not be overwritten.
   bool is_read(const fs::path& path) const {
     return std::ranges::any_of(layout_.file.buffers(), [&](const GltfBuffer& buffer) {
       return buffer.kind == GltfBuffer::Kind::file && is_same_file(buffer.path, path);
@@ -165,7 +165,7 @@ class GltfPatch {
 
   std::string main_file() {
     if (!layout_.file.is_binary()) return edits_.applied_to(layout_.file.json());
-    // Also one that the document does not name.
+    // This keeps a chunk that no buffer of the document uses.
     std::optional<std::string_view> chunk = layout_.file.chunk();
     const auto& buffers = layout_.file.buffers();
     if (!buffers.empty() && buffers[0].kind == GltfBuffer::Kind::chunk && numbers_.buffer(0)) {

@@ -15,18 +15,17 @@ struct FileContent {
   std::string bytes;
 };
 
-/// The glTF file at `target`, and those that its buffers are in, with the positions of `mesh`,
-/// which `source` describes mostly: the files that it was read from, byte for byte, but for the
-/// positions that moved, the normals and tangents there, and the bounds ("min", "max") of those
-/// accessors. Buffers in files of their own get the target's name, unless the target is the file
-/// that was read. The first is the target itself.
+/// Returns the glTF file for `target`, which comes first, and its separate buffer files. They have
+/// the positions of `mesh`, which was read from `source`. Otherwise they are byte for byte the
+/// files that were read, except for normals and tangents near moved vertices and the bounds ("min",
+/// "max"). Buffer files get the target's name, unless the target is the file that was read.
 ///
-/// What several meshes share, and positions in whole numbers or nowhere at all, get accessors of
-/// their own at the end (see GltfNumbers). `report` notes images that are not beside the target.
-/// Throws what GltfNumbers does.
+/// Accessors that several meshes share, and positions stored as integers or not at all, are
+/// replaced by new ones (see GltfNumbers). `report` notes images that are not beside the target.
+/// Throws what GltfNumbers throws.
 ///
-/// With a name, `morph_target`, nothing is moved: see add_morph_target. A mesh that `source` does
-/// not describe has other triangles: see splice_triangles.
+/// If `morph_target` is not empty, nothing moves: see add_morph_target. If `source` does not
+/// describe `mesh`, the triangles differ: see splice_triangles.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
                                     const std::filesystem::path& target,
                                     const std::string& morph_target, WriteReport& report);

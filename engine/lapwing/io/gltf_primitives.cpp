@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What a vertex of the file is of: those of equal parts are one.
+// Corners with equal keys share a vertex of the file.
 struct CornerKey {
   Index vertex;
   Index uv;
@@ -38,7 +38,7 @@ void append_float(std::string& out, double value) {
   append_binary(out, value, Scalar::float32, Encoding::little_endian);
 }
 
-// Of the faces at each vertex, by area.
+// Returns the area-weighted mean normal of the faces at each vertex.
 std::vector<Vector3d> mean_normals(const Mesh& mesh) {
   std::vector<Vector3d> normals(mesh.vertex_count(), Vector3d::Zero());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -180,11 +180,11 @@ std::string add_primitives(const Mesh& mesh, std::span<const Index> faces,
   const MeshAttributes& a = mesh.attributes();
   const std::vector<Vector3d> means = mean_normals(mesh);
   const bool is_mirrored = to_local.linear().determinant() < 0.0;
-  std::map<Index, Primitive> primitives;  // by material; kNoIndex, which is none, comes last
+  std::map<Index, Primitive> primitives;  // by material; kNoIndex (none) comes last
   const auto value_at = [](const std::vector<Index>& list, std::size_t k) {
     return list.empty() ? kNoIndex : list[k];
   };
-  // With normals per vertex or corner; those of a point cloud or per face are not asked for here.
+  // Only normals per vertex or corner are used.
   const bool has_normals = !a.normals.empty();
   std::vector<Triangle> triangles;
   CancelCheck cancel_check;

@@ -11,11 +11,12 @@
 
 namespace lapwing {
 
-/// The faces `faces` of `mesh` as primitives, one for each material, with the vertices that
-/// `to_local` puts into the mesh's own coordinates: their JSON, separated by commas, and in
-/// `appender` their data. Vertices are split where texture coordinates or normals differ; corners
-/// without a normal get the mean of the faces at their vertex, by area. Polygons are cut into
-/// triangles. Material k of the mesh is `first_material` + k of the document.
+/// Writes the faces `faces` of `mesh` as primitives, one per material. Returns their JSON,
+/// separated by commas, and adds their data to `appender`. `to_local` maps positions to the
+/// coordinates of the glTF mesh. Vertices are split where texture coordinates or normals differ.
+/// Corners without a normal get the area-weighted mean of the faces at their vertex. Polygons are
+/// cut into triangles. Material k of the mesh is `first_material` + k of the document. Throws
+/// InputError if 32-bit floats cannot hold a position.
 std::string add_primitives(const Mesh& mesh, std::span<const Index> faces,
                            const Eigen::Affine3d& to_local, std::size_t first_material,
                            GltfAppender& appender);

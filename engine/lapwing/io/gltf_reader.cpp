@@ -13,7 +13,7 @@
 namespace lapwing {
 namespace {
 
-// The modes of primitives that have triangles.
+// Primitive modes with triangles.
 constexpr std::size_t kTriangles = 4;
 constexpr std::size_t kTriangleStrip = 5;
 constexpr std::size_t kTriangleFan = 6;
@@ -41,7 +41,7 @@ class GltfReader {
   }
 
  private:
-  // What the corners of a primitive name, by number of accessor.
+  // Accessors of a primitive's attributes, in the order of key_of.
   using Key = std::array<std::size_t, 5>;
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
@@ -91,7 +91,8 @@ class GltfReader {
     return key;
   }
 
-  // The accessor of an attribute, as long as that of the positions.
+  // Returns an accessor. Throws InputError unless it has `least` to `most` components and, if
+  // `count` is not kNone, `count` elements.
   GltfAccessor accessor(const JsonNode& attributes, std::size_t number, std::size_t least,
                         std::size_t most, std::size_t count) const {
     GltfAccessor found(layout_->file, number);
@@ -156,7 +157,7 @@ class GltfReader {
     }
   }
 
-  // Equal normals of a vertex are one.
+  // Returns the index of a normal; equal normals of a vertex share one.
   Index normal_at(Index vertex, const Eigen::Vector3d& normal) {
     first_normal_.resize(mesh_.positions.size(), kNoIndex);
     for (Index n = first_normal_[vertex]; n != kNoIndex; n = next_normal_[n]) {
@@ -181,7 +182,7 @@ class GltfReader {
     }
   }
 
-  // Of a vertex the last that has one. In glTF they are linear.
+  // A vertex gets the colour of its last record. In glTF, colours are linear.
   void read_colors(const JsonNode& attributes, std::size_t number, const GltfRecords& set) {
     if (number == kNone) return;
     const GltfAccessor list = accessor(attributes, number, 3, 4, set.count());
@@ -220,7 +221,7 @@ class GltfReader {
       }
       return static_cast<Index>(place.first_record + static_cast<std::size_t>(index));
     };
-    // A mirrored object shows the other side of its triangles.
+    // A mirroring transform reverses the orientation of triangles.
     const bool is_mirrored = layout_->objects[object].to_world.linear().determinant() < 0.0;
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       if (is_mirrored) std::swap(b, c);
@@ -251,7 +252,7 @@ class GltfReader {
     attributes_.face_groups.push_back(object);
   }
 
-  // A list is empty or as long as it must be.
+  // Each attribute list must be empty or have full length.
   void drop_what_no_face_has() {
     if (attributes_.normals.empty()) attributes_.corner_normals.clear();
     if (attributes_.uvs.empty()) attributes_.corner_uvs.clear();
@@ -280,7 +281,7 @@ class GltfReader {
   Faces& faces_ = mesh_.edit_faces();
   MeshAttributes& attributes_ = mesh_.edit_attributes();
   std::vector<Index> uv_of_record_;
-  // The normals of a vertex, as a list.
+  // Linked list of the normals of each vertex.
   std::vector<Index> first_normal_;
   std::vector<Index> next_normal_;
   Tally uneditable_;

@@ -50,7 +50,7 @@ std::string name_or_nothing(const JsonNode& node) {
   return name && name->is_string() ? name->string() : std::string();
 }
 
-// Walks through the trees of nodes and notes those with a mesh.
+// Walks the node trees and collects the nodes with a mesh.
 class SceneWalk {
  public:
   explicit SceneWalk(const GltfFile& file) : root_(file.root()) {
@@ -111,7 +111,7 @@ class SceneWalk {
     return {numbers.begin(), numbers.end()};
   }
 
-  // Without calling itself: trees of others may be deep.
+  // Not recursive, because untrusted files may have very deep trees.
   void walk(std::size_t root, const Affine3d& transform, bool in_scene) {
     struct Visit {
       std::size_t node;

@@ -14,16 +14,17 @@ struct GltfObject {
   std::string name;  ///< the node's, else its mesh's, else "node 3"
   std::size_t node = 0;
   std::size_t mesh = 0;
-  /// From the mesh's coordinates to the world's. The identity for a mesh with a skin, which its
-  /// joints place: it is edited as it was bound to them.
+  /// From mesh to world coordinates. The identity for a mesh with a skin, which its joints place:
+  /// it is edited in its bind pose.
   Eigen::Affine3d to_world = Eigen::Affine3d::Identity();
   bool has_skin = false;
 };
 
-/// The objects of a file, parents before children: those called `name` (node or mesh); without a
-/// name those of its scene. Of several that show one mesh, which an edit would move together, the
-/// first; `hidden` counts the others. Throws InputError when there is none of that name, with the
-/// names that there are, and for nodes that no tree holds or that cannot be undone (scale 0).
+/// Returns the objects called `name` (node or mesh) or, if `name` is empty, those of the scene,
+/// parents before children. Of several objects with one mesh, which an edit would move together,
+/// only the first is returned; `hidden` counts the others. Throws InputError if no object has that
+/// name (the message suggests names), if the nodes do not form trees, or if a transform is not
+/// invertible (scale 0).
 std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name,
                                      std::size_t& hidden);
 

@@ -34,7 +34,7 @@ class Splice {
   }
 
  private:
-  // Whether the faces are the object's old ones, in their old places.
+  // Whether the faces of an object and their positions are unchanged.
   bool is_as_before(std::size_t object, std::span<const Index> faces) const {
     std::vector<std::pair<const GltfRecords*, std::size_t>> old;
     for (const Index record : layout_.record_of_corner) {
@@ -94,7 +94,7 @@ class Splice {
                                   "': its new triangles follow no joints");
   }
 
-  // Those that a source or a part brought.
+  // Adds the materials that are not in the file, such as those of a transplanted part.
   void add_materials() {
     const auto list = layout_.file.root().find("materials");
     const std::size_t known = list ? list->elements().size() : 0;

@@ -6,12 +6,12 @@
 
 namespace lapwing {
 
-/// Puts the triangles of `mesh` in the place of those of the objects that `layout` is of, where a
-/// step has changed them: new primitives, one for each material, behind all other data. Faces
-/// belong to the object whose group they are in (see read_gltf), others to the first. All else of
-/// the document stays; what an object's new triangles have no place for (its skin, tangents,
-/// further attributes) is told in `report`, and its node loses the skin. Throws InputError for an
-/// object with morph targets, which belong to its old triangles.
+/// Replaces the triangles of the objects in `layout` that an edit has changed. The new primitives,
+/// one per material, go behind all other data. Faces belong to the object of their group (see
+/// read_gltf), others to the first. The rest of the document stays. `report` lists what the new
+/// triangles do not have (skin, tangents, further attributes); their nodes lose the skin. Throws
+/// InputError if an object has no triangle left, or has morph targets, which belong to its old
+/// triangles.
 void splice_triangles(const GltfLayout& layout, const Mesh& mesh, GltfNumbers& numbers,
                       TextEdits& edits, WriteReport& report);
 

@@ -10,10 +10,10 @@
 
 namespace lapwing {
 
-/// The tangents of a set of records in the world's coordinates, after the vertices of `mesh` moved
-/// from `rest`: the old one goes with each triangle at its record as a line drawn there would, and
-/// the mean, by area, is laid at right angles to the new normal (`normals`: per entry of
-/// MeshAttributes::normals). Of length 1; as it was where no triangle says anything.
+/// Returns the tangents of a set of records in world coordinates, after the vertices of `mesh`
+/// moved from `rest`. Each triangle at a record carries the old tangent along like a line drawn on
+/// it. The area-weighted mean is made perpendicular to the new normal (`normals`, per entry of
+/// MeshAttributes::normals) and normalized. A tangent stays if no triangle defines it.
 std::vector<Eigen::Vector3d> carried_tangents(const GltfLayout& layout, const GltfRecords& set,
                                               const Mesh& mesh,
                                               std::span<const Eigen::Vector3d> rest,

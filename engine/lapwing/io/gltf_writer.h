@@ -8,9 +8,9 @@
 
 namespace lapwing {
 
-/// A glTF file of `mesh` alone, made anew: GLB, or JSON and, beside it, a ".bin" of the same name;
-/// the extension of `target` says which. Materials by name. Throws InputError for positions that
-/// 32-bit floats do not hold.
+/// Returns a new glTF file of `mesh` alone. The extension of `target` selects GLB, or JSON with a
+/// ".bin" of the same name beside it. Materials have only names. Throws InputError if 32-bit floats
+/// cannot hold a position.
 std::vector<FileContent> write_gltf(const Mesh& mesh, const std::filesystem::path& target,
                                     WriteReport& report);
 

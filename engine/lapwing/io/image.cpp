@@ -18,7 +18,7 @@ namespace lapwing {
 namespace {
 
 constexpr std::uint8_t kOpaque = 255;
-// The encoder counts in int, with room for its own overhead.
+// The encoder counts bytes in int. This limit leaves room for its overhead.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 29U;
 
 // The signature and the chunk IHDR, which comes first.
@@ -32,7 +32,7 @@ std::string big_endian(std::uint32_t value) {
   return bytes;
 }
 
-// ISO 3309, as the PNG specification has it; texts are short.
+// CRC of ISO 3309, as in the PNG specification. Bit by bit, because texts are short.
 std::uint32_t crc32(std::string_view bytes) {
   std::uint32_t crc = 0xFFFFFFFFU;
   for (const char byte : bytes) {
@@ -83,13 +83,13 @@ void put_on_black(Image& image) {
 
 namespace {
 
-// The pixels along one axis that pixel `to` of the half as long one covers, and how much of each.
+// The pixels along one axis that one pixel of the halved image covers, and their weights.
 struct Covered {
   std::uint32_t first = 0;
-  std::array<float, 3> shares{};  // of `first` and the two behind it; their sum is 1
+  std::array<float, 3> shares{};  // of `first` and the next two; their sum is 1
 };
 
-// Of an odd length each pixel of the half covers a little over two.
+// If `length` is odd, each pixel of the half covers slightly more than two.
 Covered covered_by(std::uint32_t to, std::uint32_t half, std::uint32_t length) {
   const double step = static_cast<double>(length) / half;
   const double begin = to * step;

@@ -10,24 +10,24 @@
 
 namespace lapwing {
 
-/// A picture in memory: rows from the top, four bytes per pixel (red, green, blue in sRGB, and
-/// opacity, which the colours are not multiplied by).
+/// An image in memory: rows from top to bottom, four bytes per pixel: red, green, blue (sRGB) and
+/// opacity. The colours are not premultiplied by the opacity.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> rgba;  ///< 4 width height bytes
 
-  /// Of column `x` and row `y`, both inside.
+  /// Returns the pixel at column `x` and row `y`, which must be inside.
   std::array<std::uint8_t, 4> pixel(std::uint32_t x, std::uint32_t y) const {
     const std::uint8_t* p = rgba.data() + 4 * (std::size_t{y} * width + x);
     return {p[0], p[1], p[2], p[3]};
   }
 };
 
-/// Turns colours that were multiplied by their opacity (in linear light) into plain ones.
+/// Divides premultiplied colours by their opacity, in linear light.
 void divide_by_opacity(Image& image);
 
-/// Puts the image before black: colours multiplied by their opacity (in linear light), and opaque.
+/// Composites the image over black, in linear light. The result is opaque.
 void put_on_black(Image& image);
 
 /// In pixels.
@@ -38,28 +38,28 @@ struct ImageSize {
 
 /// Half as many columns and rows, rounded down, but at least 1 of each.
 ImageSize halved(const ImageSize& size);
-/// An image of that size: every pixel is the mean, in linear light, of what it covers. Opacity is
-/// averaged apart from the colours.
+/// Returns an image of that size. Every pixel is the mean of the pixels that it covers, in linear
+/// light. Opacity is averaged separately.
 Image halved(const Image& image);
 
-/// Reads a PNG, JPEG, BMP or TGA file; the content says which. Opacity is 255 where it has none.
-/// Throws IoError when the file cannot be read, InputError when it is none of these, is broken or
-/// has more than `kMostImagePixels`. Memory is bounded by that limit, whatever the file says.
+/// Reads a PNG, JPEG, BMP or TGA file; the content decides which. Opacity is 255 if the file has
+/// none. Throws IoError if the file cannot be read, and InputError if it has another format, is
+/// corrupt or has more than `kMostImagePixels`. That limit also bounds the memory.
 Image read_image(const std::filesystem::path& path);
 
 /// 8192 x 8192.
 inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{1} << 26U;
 
-/// The columns and rows of the image that `read_image` would read, from the head of the file.
-/// Throws what that throws, but for a file that is broken further on.
+/// Returns the size of the image that `read_image` would read, from the head of the file. Throws
+/// what `read_image` throws, but does not see errors further on.
 ImageSize read_image_size(const std::filesystem::path& path);
 
-/// The bytes of a PNG file; without the fourth channel where all of the image is opaque.
-/// `software`, if any, stands in it as what made it. Throws IoError for more than 2^29 bytes of
-/// pixels.
+/// Returns the bytes of a PNG file, without the fourth channel if the whole image is opaque. Stores
+/// `software`, if not empty, as the program that made the file. Throws IoError for more than 2^29
+/// bytes of pixels.
 std::string encode_png(const Image& image, std::string_view software = {});
 
-/// Whether the bytes of a PNG file begin as `encode_png` begins them with that `software`.
+/// Whether `bytes` begin like a PNG file that `encode_png` made with that `software`.
 bool is_png_made_by(std::string_view bytes, std::string_view software);
 
 /// Writes a PNG file, replacing `path` in one step. Throws IoError with the system's reason.

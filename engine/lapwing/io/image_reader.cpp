@@ -13,8 +13,8 @@
 namespace lapwing {
 namespace {
 
-// A small file can promise to unpack into gigabytes: no part of a decoder needs more than 16 bytes
-// a pixel.
+// Refuses allocations above 16 bytes per pixel of the largest image; no decoder needs more. A small
+// file can claim to unpack into gigabytes.
 void* allocate_for_image(void* old, std::size_t bytes) {
   return bytes <= 16 * kMostImagePixels ? std::realloc(old, bytes) : nullptr;
 }
@@ -28,8 +28,8 @@ void* allocate_for_image(void* old, std::size_t bytes) {
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
-// What else stb can read is rarely a texture, and the parts of it with the most faults found so
-// far; JPEG files are libjpeg-turbo's.
+// Other formats of stb are rarely textures, and most of its known faults are in their decoders.
+// libjpeg-turbo reads JPEG files.
 #define STBI_ONLY_PNG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA

@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// Throws what every image that cannot be read throws.
+/// Throws the InputError for an image that cannot be read.
 [[noreturn]] inline void refuse_image(const std::filesystem::path& path, std::string_view reason) {
   throw InputError(path.string() + ": not a PNG, JPEG, BMP or TGA image that can be read (" +
                    std::string(reason) + "); convert it to PNG");

@@ -38,7 +38,7 @@ const unsigned char* data_of(std::string_view bytes) {
 
 [[noreturn]] void refuse_jpeg(const std::filesystem::path& path, const JpegDecoder& decoder) {
   std::string_view reason = tjGetErrorStr2(decoder.get());
-  // Some begin with the name of the function.
+  // Some messages begin with the name of the function.
   constexpr std::string_view kAfterFunction = "(): ";
   const std::size_t at = reason.find(kAfterFunction);
   if (at != std::string_view::npos) reason.remove_prefix(at + kAfterFunction.size());
@@ -55,7 +55,7 @@ JpegHead read_head(const std::filesystem::path& path, std::string_view bytes,
   return head;
 }
 
-// What light is left by inverted inks, in place of them.
+// Replaces inverted inks by the light that they leave: each colour times black.
 void put_light_for_inks(Image& image) {
   for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
     const unsigned black = image.rgba[at + 3];

@@ -7,26 +7,26 @@
 
 namespace lapwing {
 
-/// Whether a file begins as every JPEG file does.
+/// Whether `bytes` begin with the marker of a JPEG file.
 bool is_jpeg(std::string_view bytes);
 
-/// A JPEG file, decoded by libjpeg-turbo: baseline and progressive, grey, colour, and the four inks
-/// of CMYK and YCCK. Inks are taken for inverted, as Adobe's programs write them and nearly every
-/// such file has them (255 is no ink): red is the cyan of the file times its black. Colour profiles
-/// are not applied. `bytes` must outlive it; `path` is what messages name.
+/// Decodes a JPEG file with libjpeg-turbo: baseline and progressive, grey, colour, CMYK and YCCK.
+/// Inks are assumed to be inverted (255 is no ink), as Adobe's programs and nearly all such files
+/// store them: red is the cyan of the file times its black. Colour profiles are not applied.
+/// `bytes` must outlive the reader; messages name `path`.
 class JpegReader {
  public:
   JpegReader(const std::filesystem::path& path, std::string_view bytes)
       : path_(path), bytes_(bytes) {}
 
-  /// By the head, before memory is taken for any pixel. Throws InputError where that is broken, or
-  /// says 12 bits a channel or a sampling of colours that libjpeg-turbo has no name for.
+  /// Reads the size from the header, before any pixel is allocated. Throws InputError if the header
+  /// is corrupt, has 12 bits per channel, or has a chroma subsampling unknown to libjpeg-turbo.
   ImageSize size() const;
 
-  /// An opaque image of size(), which the caller has found small enough. Takes up to 12 bytes a
-  /// pixel. Throws InputError where anything is amiss, also where the library could go on with a
-  /// guess (a file cut short, bytes between segments), and for more than 500 scans: each may cost
-  /// the time of all pixels, in a few bytes.
+  /// Returns an opaque image of size(), which the caller must check first. Takes up to 12 bytes per
+  /// pixel. Throws InputError for any error, even if the library could guess (a truncated file,
+  /// bytes between segments). Throws it also for more than 500 scans, because each may cost the
+  /// time of all pixels in a few bytes.
   Image decode() const;
 
  private:

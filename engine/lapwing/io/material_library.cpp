@@ -22,7 +22,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kMtlBlanks) - first + 1);
 }
 
-// Takes the first word off `rest`.
+// Removes the first word from `rest` and returns it.
 std::string_view take_word(std::string_view& rest) {
   rest = without_blanks(rest);
   const std::string_view word = rest.substr(0, rest.find_first_of(kMtlBlanks));
@@ -30,7 +30,7 @@ std::string_view take_word(std::string_view& rest) {
   return word;
 }
 
-// Takes the first word off `rest` where all of it is a finite number.
+// The same if the word is a finite number; otherwise leaves `rest` unchanged.
 std::optional<double> take_number(std::string_view& rest) {
   std::string_view behind = rest;
   const std::string_view word = take_word(behind);
@@ -129,10 +129,10 @@ class MaterialReader {
     current_->uv_offset = offset;
   }
 
-  // Whether `option` is one; takes what belongs to it off `rest`.
+  // Returns whether `option` is an option of map_Kd; removes its arguments from `rest`.
   static bool skip_option(std::string_view option, std::string_view& rest, Eigen::Vector2d& scale,
                           Eigen::Vector2d& offset) {
-    // Of one to three numbers.
+    // Options with one to three numbers.
     for (const auto& [name, target] : {std::pair<std::string_view, Eigen::Vector2d*>{"-s", &scale},
                                        {"-o", &offset},
                                        {"-t", nullptr}}) {
@@ -167,7 +167,7 @@ class MaterialReader {
   FileBytes bytes_;
   std::vector<Material> materials_;
   std::unordered_set<std::string> names_;
-  Material* current_ = nullptr;  // the last of `materials_`, where it is read
+  Material* current_ = nullptr;  // last of `materials_`; null before the first and in a duplicate
   std::size_t line_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace lapwing {
 
-/// What an MTL file says of the colour of a surface without light on it.
+/// The unlit colour of a material, from an MTL or glTF file.
 struct Material {
   std::string name;
   std::optional<Eigen::Vector3f> color;  ///< Kd: sRGB in [0, 1]
@@ -19,9 +19,9 @@ struct Material {
   Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
 };
 
-/// The materials of an MTL file in its order, and of two with one name the first. What cannot be
-/// read becomes one of `notes`, "path:line: what; next step", and is left out. Throws IoError when
-/// the file cannot be read, InputError when it is larger than 64 MiB.
+/// Returns the materials of an MTL file in its order; of two with the same name, the first. What
+/// cannot be read is left out and becomes one of `notes`: "path:line: what; next step". Throws
+/// IoError if the file cannot be read, and InputError if it is larger than 64 MiB.
 std::vector<Material> read_material_library(const std::filesystem::path& path,
                                             std::vector<std::string>& notes);
 

@@ -33,13 +33,13 @@ Mesh read_format(SourceFile& file) {
   return {};
 }
 
-// The file that the mesh was read from, if it still has the mesh's vertices and faces.
+// Returns the file that the mesh was read from, if vertices and faces are unchanged.
 const SourceFile* find_source(const Mesh& mesh) {
   const SourceFile* const source = mesh.source.get();
   return source != nullptr && source->describes(mesh) ? source : nullptr;
 }
 
-// OBJ and OFF are text, whatever is asked for.
+// Throws InputError if the format does not have the requested encoding.
 Encoding choose_encoding(MeshFormat format, const SourceFile* source, const WriteOptions& options) {
   if (format == MeshFormat::obj || format == MeshFormat::off) {
     if (options.encoding.value_or(Encoding::ascii) == Encoding::ascii) return Encoding::ascii;
@@ -74,7 +74,7 @@ std::vector<FileContent> write_anew(const Mesh& mesh, const std::filesystem::pat
   return {};
 }
 
-// The file that `source` is with what moved; nothing where it cannot be stored there.
+// Returns the source file with the changes, or nothing if it cannot store them.
 std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
                                const std::filesystem::path& path, const WriteOptions& options,
                                WriteReport& report) {
@@ -84,7 +84,7 @@ std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
   return {{path, std::move(*bytes)}};
 }
 
-// With stored normals that fit its positions: those of a mesh whose file is unknown may not.
+// Recomputes the stored normals: all of them without a source file, else those that changed.
 Mesh with_new_normals(const Mesh& mesh, const SourceFile* source) {
   if (mesh.attributes().normals.empty()) return mesh;
   const Positions rest = source == nullptr ? Positions() : source_positions(*source, mesh);
@@ -153,11 +153,11 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
     contents = write_anew(with_new_normals(mesh, source), path, encoding, report);
   }
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
-  // What a file needs is there before it is.
+  // The files that a file needs are put in place before it.
   for (auto content = contents.rbegin(); content != contents.rend(); ++content) {
     files.add(content->path, content->bytes);
   }
-  // They quote names out of files.
+  // The messages quote names from untrusted files.
   for (std::string& line : report.not_carried) line = printable(line);
   for (std::string& line : report.notes) line = printable(line);
   return report;

@@ -12,53 +12,59 @@
 
 namespace lapwing {
 
-/// Reads an OBJ, OFF, PLY, STL or glTF 2.0 file; the extension says which, the content whether it
-/// is ascii or binary. Vertex and face order are the file's; STL vertices, and those of each object
-/// of a glTF file, are welded where their positions are equal, in order of appearance. Of a glTF
-/// file, "FILE.glb#NAME" is the object (node or mesh) of that name; without a name all objects of
-/// the scene are read, in the world's coordinates, each mesh once. Its skins, morph targets and
-/// animations stay in the file: a mesh with a skin is read as it was bound to it. Point clouds and
-/// empty files of the format are read too. Throws IoError when the file cannot be read, InputError "path:line: expected ..., found ..." (binary:
-/// "path: byte offset: ...") when it is malformed. Time and memory are linear in the file's size,
-/// whatever its header promises. Texture coordinates and normals that a face of an OBJ names and
-/// the file does not have are left out, and counted (MeshAttributes::uneditable).
+/// Reads an OBJ, OFF, PLY, STL or glTF 2.0 file, including point clouds and empty meshes. The
+/// extension selects the format; the content decides whether it is ascii or binary. Vertices and
+/// faces keep the order of the file. Equal positions are welded to one vertex, in order of
+/// appearance, in STL files and in each object of a glTF file.
+///
+/// Of a glTF file, "FILE.glb#NAME" is the object (node or mesh) of that name. Without a name, all
+/// objects of the scene are read in world coordinates, each mesh once. Skins, morph targets and
+/// animations stay in the file; a mesh with a skin is read in its bind pose.
+///
+/// Throws IoError if the file cannot be read, and InputError "path:line: expected ..., found ..."
+/// (binary: "path: byte offset: ...") if it is malformed. Texture coordinates and normals that an
+/// OBJ face names but the file lacks are left out and counted (MeshAttributes::uneditable). Time
+/// and memory are linear in the file's size, whatever its header says.
 Mesh read_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {
-  /// Unset: as in the file the mesh was read from, else binary where the format has it.
+  /// If unset, as in the file that the mesh was read from, else binary if the format has it.
   std::optional<Encoding> encoding = {};
-  /// Makes the file anew where it would come back byte for byte, so that attributes set since it
-  /// was read are written.
+  /// Writes a new file instead of changing the source file's bytes, so that attributes set since
+  /// reading are written.
   bool anew = false;
-  /// Of a glTF file that the mesh was read from: its positions stay, and how the mesh differs from
-  /// them is added as a morph target of this name (see gltf_morph.h).
+  /// For a mesh from a glTF file: the positions stay, and the displacements are added as a morph
+  /// target of this name (see gltf_morph.h).
   std::string morph_target = {};
-  /// The file that the mesh was made from, where its triangles are others than those of that file.
-  /// Of glTF: they take the place of the old ones in it (see gltf_splice.h).
+  /// The file that the mesh was made from, if the triangles have changed since. In a glTF file, the
+  /// new triangles replace the old ones (see gltf_splice.h).
   std::shared_ptr<const SourceFile> made_from = {};
 };
 
-/// What the user should know about a file that was written, in printable lines.
+/// Messages to the user about a file that was written, in printable lines.
 struct WriteReport {
-  /// What the format has no place for: "texture coordinates (14,290): OFF has no place for them".
+  /// Data that the format cannot hold: "texture coordinates (14,290): OFF has no place for them".
   std::vector<std::string> not_carried;
-  /// What else to look after: "material library 'a.mtl' is not beside out.obj; copy it there".
+  /// Other advice: "material library 'a.mtl' is not beside out.obj; copy it there".
   std::vector<std::string> notes;
 };
 
-/// Writes `mesh` in the format that the extension of `path` names, replacing the file in one step
-/// (see replace_file). A mesh read from the same format, with its vertices and faces unchanged,
-/// comes back as the file it was read from, byte for byte, but for the coordinates that moved and
-/// the stored normals there, which are recomputed (in glTF files tangents and bounds, too);
-/// attributes set since then are not written. A .gltf file that keeps its numbers in files beside it
-/// is written with those, as NAME.bin, unless it replaces the one that was read.
-/// Otherwise the file is made anew from the mesh and its attributes, with every double printed so
-/// that it reads back exactly; the stored normals of a mesh whose file is unknown are all
-/// recomputed. Throws IoError when the file cannot be written and InputError when the mesh is
-/// inconsistent or its numbers do not fit the format; the old file is then still there.
+/// Writes `mesh` in the format of the extension of `path`, replacing the file in one step (see
+/// replace_file).
+///
+/// If the mesh was read from the same format and its vertices and faces are unchanged, the result
+/// is the file that was read, byte for byte. Only moved coordinates change, and the stored normals
+/// near them (in glTF files also tangents and bounds), which are recomputed. Attributes set since
+/// reading are not written. A .gltf file with separate buffer files is written with those as
+/// NAME.bin, unless it replaces the file that was read.
+///
+/// Otherwise a new file is written from the mesh and its attributes. Every double is printed so
+/// that it reads back exactly. If the source file is unknown, all stored normals are recomputed.
+/// Throws IoError if the file cannot be written, and InputError if the mesh is inconsistent or its
+/// numbers do not fit the format; the old file then stays.
 WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
                        const WriteOptions& options = {});
-/// The same for one of several files: it is in its place once `files` are committed.
+/// The same for one of several files: `files.commit()` puts it in place.
 WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, FileReplacements& files,
                        const WriteOptions& options = {});
 

@@ -14,8 +14,7 @@ bool is_same_letter(char a, char b) {
   return lower(a) == lower(b);
 }
 
-// The entry of `folder` called `name`, or one that differs in the case of letters alone, the first
-// by name.
+// Returns the entry `name` of `folder`, else the first by name that differs only in case.
 std::optional<fs::path> find_entry(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::exists(folder / name, error)) return folder / name;

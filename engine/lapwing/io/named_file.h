@@ -6,13 +6,13 @@
 
 namespace lapwing {
 
-/// The regular file that `name`, read from a mesh file or material library in `folder`, means:
-/// `name` relative to `folder`, else the file of its last part in `folder` itself. Backslashes
-/// separate folders, and where nothing is spelled so, other cases of letters will do, since such
-/// names come from other systems. Nothing if there is none.
+/// Returns the regular file that `name`, read from a mesh file or material library in `folder`,
+/// refers to: `name` relative to `folder`, else its last part in `folder` itself. Nullopt if there
+/// is none. Such names come from other systems, so backslashes separate folders, and upper and
+/// lower case may differ if there is no exact match.
 ///
-/// Such a file may come from anyone, so it never names what lies elsewhere: of a name that is
-/// absolute, has a drive or a "..", only the last part counts.
+/// Mesh files are untrusted, so a name never leads to other folders. If it is absolute or has a
+/// drive or "..", only its last part is used.
 std::optional<std::filesystem::path> find_named_file(const std::filesystem::path& folder,
                                                      std::string_view name);
 

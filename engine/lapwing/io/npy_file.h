@@ -9,8 +9,8 @@
 
 namespace lapwing {
 
-/// The .npy file (version 1.0) of an array of shape (rows.size(), 3), little endian, row after row,
-/// as numpy.load and `read_number_table` read it. `type` is float32 or float64.
+/// Returns a .npy file (version 1.0) of an array of shape (rows.size(), 3), little endian, in C
+/// order. `type` is float32 or float64.
 std::string npy_bytes(std::span<const Eigen::Vector3d> rows, Scalar type);
 
 }  // namespace lapwing

@@ -42,7 +42,7 @@ bool is_separator(char c) {
                    " rows; is this the right file?");
 }
 
-// The names in a line of them.
+// Splits a header line into names.
 std::vector<std::string> read_names(std::string_view line) {
   std::vector<std::string> names;
   std::string name;
@@ -57,7 +57,7 @@ std::vector<std::string> read_names(std::string_view line) {
   return names;
 }
 
-// The numbers of a line, added to the table; nothing where a field is none, which `bad` then holds.
+// Adds the numbers of a line to the table. If a field is no number, returns it in `bad`.
 bool read_fields(std::string_view line, NumberTable& table, std::string_view& bad) {
   const char* here = line.data();
   const char* const end = here + line.size();
@@ -106,17 +106,16 @@ void read_text(NumberTable& table) {
   }
 }
 
-// The header of an NPY file.
 struct NpyHeader {
   char kind = 'f';  ///< f, i or u
   std::size_t bytes = 8;
   Encoding encoding = Encoding::little_endian;
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::size_t begin = 0;  ///< of the numbers
+  std::size_t begin = 0;  ///< first byte of the numbers
 };
 
-// What follows `key` in the dictionary of the header.
+// Returns the text behind `key` in the dictionary of the header.
 std::string_view after_key(std::string_view header, std::string_view key) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) return {};
@@ -184,7 +183,7 @@ double load(const char* from, const NpyHeader& header) {
     return load_number(from, header.bytes == 4 ? Scalar::float32 : Scalar::float64,
                        header.encoding);
   }
-  // Of any number of bytes, the most significant first.
+  // Any number of bytes, the most significant first.
   std::uint64_t bits = 0;
   for (std::size_t k = 0; k < header.bytes; ++k) {
     const bool forward = header.encoding == Encoding::big_endian;

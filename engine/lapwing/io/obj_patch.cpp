@@ -5,7 +5,7 @@
 namespace lapwing {
 namespace {
 
-// The part of a corner such as "7/2/-3" behind its second slash; empty without one.
+// Returns the part of a corner such as "7/2/-3" behind its second slash; empty without one.
 std::string_view normal_part(std::string_view corner) {
   const std::size_t first = corner.find('/');
   if (first == std::string_view::npos) return {};
@@ -44,7 +44,7 @@ void add_obj_normals(const Mesh& mesh, const StoredNormals& updated, const Sourc
     const std::string_view keyword = scan.word();
     if (keyword == "g" || keyword == "usemtl" || keyword == "mtllib") continue;
     if (keyword != "f" && keyword != "fo") {
-      while (!scan.at_line_end()) scan.word();  // over continued lines
+      while (!scan.at_line_end()) scan.word();  // includes continued lines
       continue;
     }
     for (; !scan.at_line_end(); ++corner) {
@@ -52,7 +52,7 @@ void add_obj_normals(const Mesh& mesh, const StoredNormals& updated, const Sourc
       if (number.empty()) continue;
       const Index now = updated.corner_normals[corner];
       const auto offset = static_cast<std::uint64_t>(number.data() - bytes.data());
-      // A relative number counts back over the lines that were inserted.
+      // A relative index behind the inserted lines would count them as well.
       const bool shifted = number.front() == '-' && offset > insertion;
       if (now == mesh.attributes().corner_normals[corner] && !shifted) continue;
       patch.set_text(offset, number.size(), std::to_string(std::size_t{now} + 1));

@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-// `g` and `usemtl` hold for the faces that follow: the face each begins at, and its number.
+// Assigns the labels of `g` and `usemtl` statements, which apply to the faces that follow.
 class FaceLabels {
  public:
   FaceLabels(std::vector<std::string>& names, std::vector<Index>& of_face)
@@ -53,12 +53,12 @@ class ObjReader {
 
  private:
   enum Kind : std::size_t { kVertex, kTexture, kNormal };
-  // An index that was beyond what had been read when it was met; legal if that follows later.
+  // An index beyond the elements read so far. It is legal if its element follows.
   struct Forward {
     Kind kind;
     std::uint64_t offset;
     Index index;
-    std::size_t corner;  ///< of all corners
+    std::size_t corner;  ///< number among all corners
   };
 
   void read_statement() {
@@ -166,7 +166,7 @@ class ObjReader {
            (scan_.peek() >= '0' && scan_.peek() <= '9');
   }
 
-  // Lists of corners start with the first corner that has an entry.
+  // A list stays empty until a corner has an entry.
   void set_corner(std::vector<Index>& list, Index value) {
     if (value == kNoIndex && list.empty()) return;
     list.resize(mesh_.face_vertices().size(), kNoIndex);
@@ -188,7 +188,7 @@ class ObjReader {
     return static_cast<Index>(index);
   }
 
-  // A shape stands without its texture coordinates and normals, but not without its vertices.
+  // A shape needs its vertices, but not its texture coordinates and normals.
   void leave_out(Kind kind, std::uint64_t offset, std::int64_t number, std::size_t known) {
     if (kind == kTexture) return uneditable_.add("texture coordinates that are not there");
     if (kind == kNormal) return uneditable_.add("normals that are not there");
@@ -242,7 +242,7 @@ class ObjReader {
     }
   }
 
-  // A list without a number is none.
+  // Clears a list without entries; fills up any other.
   static void finish_corners(std::vector<Index>& list, std::size_t corners) {
     const bool has_none =
         std::all_of(list.begin(), list.end(), [](Index i) { return i == kNoIndex; });

@@ -39,7 +39,7 @@ void append_corner(std::string& out, const Mesh& mesh, std::size_t corner) {
   append_index(normal);
 }
 
-// `usemtl` or `g`, where the face's label is not that of the face before it.
+// Appends a `usemtl` or `g` statement if the label differs from that of the previous face.
 void append_label(std::string& out, std::string_view keyword, const std::vector<std::string>& names,
                   const std::vector<Index>& of_face, std::size_t face) {
   if (of_face.empty()) return;

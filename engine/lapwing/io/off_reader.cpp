@@ -38,7 +38,7 @@ class OffReader {
   }
 
  private:
-  // As TextScanner::skip_space, but keeps the comments.
+  // Like TextScanner::skip_space, but keeps the comments.
   void skip_space() {
     while (scan_.at_line_end() && !scan_.at_end()) {
       if (scan_.peek() == '#') {
@@ -91,8 +91,8 @@ class OffReader {
     skip_space();
     face_count_ = read_count("the number of faces");
     skip_edge_count();
-    // A vertex takes at least 6 bytes ("0 0 0\n"), a face 8 ("3 0 0 0\n"), but for the last line
-    // end.
+    // A vertex takes at least 6 bytes ("0 0 0\n") and a face 8 ("3 0 0 0\n"). The last line end may
+    // be missing.
     const std::uint64_t room = file_.bytes().size() - scan_.offset() + 1;
     if (vertex_count_ > room / 6 || face_count_ > (room - 6 * vertex_count_) / 8) {
       file_.fail_at_line(offset, "the header promises " + std::to_string(vertex_count_) +
@@ -105,7 +105,7 @@ class OffReader {
     file_.positions.offsets.reserve(3 * vertex_count_);
   }
 
-  // It means nothing, is often left out, and may have a line of its own.
+  // The edge count is not used. It is often missing, and may be on the next line.
   void skip_edge_count() {
     TextScanner ahead = scan_;
     const bool on_this_line = !ahead.at_line_end();
@@ -186,7 +186,7 @@ class OffReader {
     read_face_color();
   }
 
-  // None, an index into a colour map that the file does not hold, three numbers or four.
+  // A face has no colour, an index into a colour map outside the file, or 3 or 4 numbers.
   void read_face_color() {
     if (scan_.at_line_end()) return;
     const TextScanner start = scan_;

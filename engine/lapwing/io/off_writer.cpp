@@ -6,8 +6,8 @@
 namespace lapwing {
 namespace {
 
-// How one list of colours is written: as bytes where nothing is lost and a reader cannot take them
-// for fractions, with the fourth number where one is not opaque.
+// Writes a list of colours: as bytes if that is lossless and readers cannot mistake them for
+// fractions, and with opacity if one is not opaque.
 class OffColors {
  public:
   explicit OffColors(const std::vector<Eigen::Vector4f>& colors)

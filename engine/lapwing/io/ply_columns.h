@@ -14,8 +14,8 @@
 
 namespace lapwing {
 
-/// Sorts the properties of one PLY element, record by record, into the lists of a mesh. Every
-/// property that is no list must be taken before the first `put`.
+/// Distributes the properties of a PLY element, record by record, to the lists of a mesh. Every
+/// property except lists must be taken before the first `put`.
 class PlyColumns {
  public:
   using Names = std::initializer_list<std::string_view>;
@@ -23,9 +23,9 @@ class PlyColumns {
   explicit PlyColumns(const PlyElement& element)
       : element_(element), sinks_(element.properties.size()) {}
 
-  /// Directs the properties of the first of `choices` that the element has in full into a list of
-  /// vectors of doubles, which it sizes and fills with `missing`. The last `optional` names of a
-  /// choice may be absent. False if no choice fits.
+  /// Directs properties into `values`, which is resized and filled with `missing`. Takes the first
+  /// of `choices` whose names the element has; the last `optional` names may be absent. Returns
+  /// false if no choice fits.
   template <class Vector>
   bool take(std::vector<Vector>& values, std::initializer_list<Names> choices,
             std::size_t optional = 0, const Vector& missing = Vector::Zero()) {
@@ -43,10 +43,10 @@ class PlyColumns {
     return false;
   }
 
-  /// Directs red, green, blue and alpha, brought to [0, 1] by their type.
+  /// Directs red, green, blue and alpha, scaled to [0, 1] according to their type.
   bool take_colors(std::vector<Eigen::Vector4d>& colors);
 
-  /// Directs every number that was not taken into an attribute of its name.
+  /// Directs every number that was not taken into an attribute of the same name.
   void take_rest(std::vector<ExtraAttribute>& extras);
 
   void put(std::size_t property, std::size_t record, double value) {
@@ -54,12 +54,12 @@ class PlyColumns {
     sink.first[record * sink.step] = sink.scale * value;
   }
 
-  /// The property of each name, kNone where the element has no number of that name.
+  /// Returns the property of each name, or kNone if the element has no number of that name.
   std::vector<std::size_t> find(Names names) const;
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
  private:
-  // Where the values of one property go: that of a record at first[record * step].
+  // Destination of a property: the value of a record goes to first[record * step].
   struct Sink {
     bool taken = false;
     double* first = nullptr;
@@ -73,14 +73,14 @@ class PlyColumns {
   std::vector<Sink> sinks_;
 };
 
-/// Notes where the three numbers of each record stand in the file.
+/// Stores the file offsets of the three numbers of each record.
 class PlyPlaces {
  public:
-  /// `properties` as from PlyColumns::find; nothing is noted unless all three are there.
+  /// `properties` is from PlyColumns::find. Nothing is stored unless all three exist.
   PlyPlaces(NumberTriples& triples, const PlyElement& element,
             const std::vector<std::size_t>& properties);
 
-  /// All records have one size: the first starts at byte `first`.
+  /// Describes records of equal size, the first at byte `first`.
   void describe(const PlyElement& element, std::uint64_t first);
 
   void note(std::size_t property, std::size_t record, std::uint64_t place) {

@@ -6,8 +6,8 @@
 
 namespace lapwing {
 
-// Two ways through the data of a PLY file, for one reader: both give the numbers of one record
-// after the other and know the place of the last one.
+// Two cursors over the data of a PLY file, with one interface. Both return the numbers record by
+// record, and `place` is the offset of the last one.
 
 /// Ascii: one record per line.
 class PlyTextCursor {
@@ -33,7 +33,7 @@ class PlyTextCursor {
   }
   std::uint64_t offset() const { return scan_.offset(); }
   std::uint64_t place() const { return place_; }
-  /// Throws InputError unless a list of `count` numbers may follow.
+  /// Throws InputError unless the file has room for a list of `count` numbers.
   void check_list(std::int64_t count, Scalar /*type*/) const {
     const std::uint64_t room = (file_.bytes().size() - scan_.offset()) / 2 + 1;
     if (count < 0 || static_cast<std::uint64_t>(count) > room) {
@@ -51,7 +51,7 @@ class PlyTextCursor {
   std::uint64_t place_ = 0;
 };
 
-/// Binary, of either byte order.
+/// Binary, in either byte order.
 class PlyBinaryCursor {
  public:
   PlyBinaryCursor(const SourceFile& file, const PlyHeader& header)

@@ -112,7 +112,7 @@ class HeaderReader {
     element.properties.push_back(std::move(property));
   }
 
-  // In text a number takes at least two bytes ("0 "), but for the last of the file.
+  // In text, each number takes at least two bytes ("0 "), except the last of the file.
   void check_room() const {
     std::uint64_t room = file_.bytes().size() - header_.data_offset;
     const bool ascii = header_.encoding == Encoding::ascii;

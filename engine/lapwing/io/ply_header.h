@@ -21,10 +21,10 @@ struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
-  std::uint64_t header_offset = 0;  ///< of its line, for errors
+  std::uint64_t header_offset = 0;  ///< of its line, for messages
 
   bool has_list() const;
-  /// Bytes of one record without the contents of its lists, in a binary file.
+  /// Size of a binary record in bytes, without the contents of its lists.
   std::uint64_t binary_size() const;
 };
 
@@ -39,7 +39,7 @@ struct PlyHeader {
 /// the file has room for.
 PlyHeader read_ply_header(const SourceFile& file);
 
-/// PLY's name of a type ("uchar"), and the type of a name in either spelling ("uint8").
+/// Convert between types and their PLY names. `ply_type` takes both spellings ("uchar", "uint8").
 std::string_view ply_name(Scalar type);
 std::optional<Scalar> ply_type(std::string_view name);
 

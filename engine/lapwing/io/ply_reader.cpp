@@ -205,7 +205,7 @@ class PlyReader {
     return PlyColumns::kNone;
   }
 
-  // Coordinates per corner are the finer ones; they win over those per vertex.
+  // Texture coordinates per corner are finer and replace those per vertex.
   void finish() {
     if (!cursor_.at_end()) uneditable_.add("data behind the last element");
     if (!wedge_values_.empty()) {

@@ -34,7 +34,7 @@ class PlyRecords {
   bool first_ = true;
 };
 
-// A run of numbers per element under consecutive property names.
+// Numbers of each element, written under consecutive property names.
 struct Column {
   std::vector<std::string> names;
   Scalar type = Scalar::float64;
@@ -108,7 +108,7 @@ class PlyWriter {
         uvs_(per_vertex(mesh, mesh.attributes().uvs, mesh.attributes().corner_uvs)),
         has_wedges_(!uvs_ && !mesh.attributes().corner_uvs.empty()),
         wedge_type_(narrowest_type(numbers_of(mesh.attributes().uvs))),
-        // Two texture coordinates per corner have to fit the same count.
+        // The same type must also count two texture coordinates per corner.
         count_type_(most_corners(mesh) > 127 ? Scalar::int32 : Scalar::uint8) {
     const MeshAttributes& a = mesh.attributes();
     vertex_columns_.add({"x", "y", "z"}, mesh.positions);
@@ -170,7 +170,7 @@ class PlyWriter {
     records.end();
   }
 
-  // As the reader takes them: all corners of a face have texture coordinates, or none.
+  // Readers expect texture coordinates at all corners of a face, or at none.
   void append_wedges(PlyRecords& records, std::size_t f) const {
     const MeshAttributes& a = mesh_.attributes();
     const auto uvs = std::span(a.corner_uvs).subspan(mesh_.face_starts()[f], mesh_.face(f).size());

@@ -19,7 +19,7 @@ constexpr Names<3> kPosition{"x", "y", "z"};
 constexpr Names<3> kNormal{"nx", "ny", "nz"};
 constexpr Names<4> kRotation{"qw", "qx", "qy", "qz"};
 
-// The columns of these names, where the header has any of them; it must then have all.
+// Returns the columns of these names, nullopt if none exist. Throws InputError if only some do.
 template <std::size_t N>
 std::optional<std::array<std::size_t, N>> find(const Names<N>& names, const NumberTable& table) {
   std::array<std::size_t, N> columns{};

@@ -12,14 +12,14 @@
 
 namespace lapwing {
 
-/// Which numbers of a row are what.
+/// Columns of the values of a point.
 struct PointColumns {
   std::array<std::size_t, 3> position{0, 1, 2};
   std::optional<std::array<std::size_t, 3>> normal = {};
   std::optional<std::array<std::size_t, 4>> rotation = {};  ///< w, x, y, z
 };
 
-/// A table whose rows are points, and what may change of it.
+/// A table whose rows are points, with the values that an edit may change.
 struct PointTable {
   NumberTable table;  ///< as it was read
   PointColumns columns;
@@ -28,15 +28,15 @@ struct PointTable {
   std::vector<Eigen::Quaterniond> rotations;  ///< one per point, or none
 };
 
-/// Reads a table of points. A header that names the columns x, y and z says what they are, and so
-/// do nx, ny, nz and qw, qx, qy, qz; other columns are kept as they are. Without such a header rows
-/// have 3 numbers, the position, 6, and a normal, or 7, and a quaternion w, x, y, z. Throws what
-/// `read_number_table` does, and InputError, naming the row, for rows of other lengths or of
-/// different ones and for a position, normal or quaternion that is not finite.
+/// Reads a table of points. A header with the names x, y and z defines the columns, optionally with
+/// nx, ny, nz and qw, qx, qy, qz; other columns are kept. Without such a header, rows have 3
+/// numbers (position), 6 (and a normal) or 7 (and a quaternion w, x, y, z). Throws what
+/// `read_number_table` throws. Throws InputError, naming the row, if rows differ in length or have
+/// another length, or if a position, normal or quaternion is not finite.
 PointTable read_point_table(const std::filesystem::path& path);
 
-/// The file that `points` was read from with positions, normals and rotations as they are now; all
-/// else keeps its bytes. Throws InputError for a NPY file of integers, unless nothing changed.
+/// Returns the file of `points` with their current positions, normals and rotations; all else keeps
+/// its bytes. Throws InputError if numbers of a .npy file of integers changed.
 std::string bytes_of(const PointTable& points);
 
 }  // namespace lapwing

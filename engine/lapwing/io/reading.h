@@ -17,19 +17,19 @@ namespace lapwing {
 class Tally {
  public:
   void add(const std::string& name, std::size_t count = 1) { counts_[name] += count; }
-  /// "line elements (6)", by name.
+  /// Returns lines such as "line elements (6)", sorted by name.
   std::vector<std::string> lines() const;
 
  private:
   std::map<std::string, std::size_t> counts_;
 };
 
-/// Where a file gives no colour, or no alpha.
+/// Marks a missing colour. Each component also marks a missing number, such as alpha.
 inline const Eigen::Vector4d kNoColor =
     Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
 
-/// Colours in [0, 1] from the numbers of a file, which are in [0, 1] or in [0, 255]: divided by 255
-/// when one is clearly above 1. What the file does not give is 1.
+/// Converts the colours of a file, in [0, 1] or [0, 255], to [0, 1]. Divides by 255 if a number is
+/// clearly above 1. Missing components become 1.
 std::vector<Eigen::Vector4f> unit_colors(const std::vector<Eigen::Vector4d>& colors);
 
 /// Ends the polygon whose corners were appended to `faces.vertices`. Throws InputError, at the line

@@ -4,16 +4,16 @@
 
 namespace lapwing {
 
-/// Where a file that is opened or written as `path` lies, whether it is there or not: absolute,
-/// without "..", and with every symbolic link followed, also one whose target is not there. Throws
-/// IoError where the links go round in a circle.
+/// Returns the real location of `path`, which need not exist: absolute, without "..", and with
+/// every symbolic link followed, even to a missing target. Throws IoError if the links form a
+/// cycle.
 std::filesystem::path real_path(const std::filesystem::path& path);
 
-/// Whether both are one file, whatever the paths are written like, whether it is there or not.
+/// Whether both paths lead to the same file, which need not exist.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Whether `path` lies in `folder` or below; links are followed. What somebody else changes in
-/// between is not seen.
+/// Whether `path` is in `folder` or below; links are followed. Concurrent changes by other programs
+/// are not detected.
 bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace lapwing

@@ -16,13 +16,13 @@
 
 namespace lapwing {
 
-/// Where a file keeps one kind of record of three numbers: its positions, or its normals.
+/// Locations of the positions or the normals in a file, as records of three numbers.
 struct NumberTriples {
   std::size_t count = 0;
   std::array<Scalar, 3> types{Scalar::float64, Scalar::float64, Scalar::float64};
   std::vector<std::uint64_t> offsets;  ///< of each number, three per record; empty when regular
-  /// Regular: blocks of `stride` bytes from byte `first` on hold `per_block` records each, one
-  /// `spacing` bytes after the other, with number k of the first at places[k].
+  /// Regular layout: from byte `first`, each block of `stride` bytes holds `per_block` records,
+  /// `spacing` bytes apart. Number k of a block's first record is at places[k].
   std::uint64_t first = 0;
   std::uint64_t stride = 0;
   std::uint64_t per_block = 1;
@@ -41,10 +41,10 @@ struct NumberTriples {
 
 struct GltfLayout;
 
-/// A file as it was read, and where in it the numbers stand that an edit changes. The writer of the
-/// same format copies the bytes and replaces those numbers alone. Position record i belongs to
-/// vertex i, or, in files that repeat a vertex for every corner (STL), to corner i; normal record i
-/// to entry i of MeshAttributes::normals.
+/// A file as it was read, with the locations of the numbers that an edit changes. The writer of the
+/// same format copies the bytes and replaces only those numbers. Position record i belongs to
+/// vertex i, or to corner i in files that repeat vertices at every corner (STL). Normal record i
+/// belongs to entry i of MeshAttributes::normals.
 class SourceFile {
  public:
   SourceFile(MeshPath name, MeshFormat format)
@@ -56,7 +56,7 @@ class SourceFile {
   SourceFile& operator=(const SourceFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// The object of the file that was asked for; empty for all.
+  /// Name of the requested object; empty for all objects.
   const std::string& object() const { return object_; }
   MeshFormat format() const { return format_; }
   std::string_view bytes() const { return bytes_.view(); }
@@ -65,25 +65,25 @@ class SourceFile {
   NumberTriples positions;
   NumberTriples normals;
   bool positions_by_corner = false;
-  /// Of glTF files, instead of the three above.
+  /// Replaces the three members above for glTF files.
   std::shared_ptr<const GltfLayout> gltf;
 
-  /// The three numbers of a record, as the reader understood them.
+  /// Returns the three numbers of a record, as the reader parsed them.
   Eigen::Vector3d read_triple(const NumberTriples& triples, std::size_t record) const;
 
-  /// Vertex of position record `record` in a mesh that this file `describes`.
+  /// Returns the vertex of position record `record` in a mesh that this file `describes`.
   std::size_t vertex_of(const Mesh& mesh, std::size_t record) const {
     return positions_by_corner ? mesh.face_vertices()[record] : record;
   }
 
-  /// Fixes the connectivity that the file stands for; called once, by the reader.
+  /// Stores the connectivity of the file, for `describes`. Called once, by the reader.
   void remember_topology(const Mesh& mesh);
-  /// Whether `mesh` still has the vertices and faces of the file, number for number.
+  /// Whether `mesh` still has the vertex count and the faces of the file.
   bool describes(const Mesh& mesh) const;
 
-  /// Throws InputError "path:line: message; next step", the line being that of byte `offset`.
+  /// Throws InputError "path:line: message; next step" with the line of byte `offset`.
   [[noreturn]] void fail_at_line(std::uint64_t offset, const std::string& message) const;
-  /// The same with "path: byte offset: ..." when the encoding is binary.
+  /// The same, but with "path: byte offset: ..." if the encoding is binary.
   [[noreturn]] void fail(std::uint64_t offset, const std::string& message) const;
 
  private:

@@ -13,7 +13,7 @@
 namespace lapwing {
 namespace {
 
-// A file's coordinate that is no number has not moved as long as it is none.
+// A NaN coordinate has not moved if it is still NaN.
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -31,7 +31,7 @@ void set_triple(SourcePatch& patch, const NumberTriples& triples, std::size_t re
   }
 }
 
-// Whether the normals of a cloud are others than in its file: those of a mesh follow its faces.
+// Whether the normals of a point cloud differ from its file. Those of a mesh follow its faces.
 bool have_turned(const SourceFile& source, const Mesh& mesh) {
   const std::vector<Eigen::Vector3d>& normals = mesh.attributes().normals;
   if (mesh.face_count() > 0 || normals.size() != source.normals.count) return false;

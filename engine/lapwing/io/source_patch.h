@@ -28,7 +28,7 @@ class SourcePatch {
   struct Edit {
     std::uint64_t offset;
     double value;
-    std::uint64_t length;  // of text; numbers are as long as they are found to be
+    std::uint64_t length;  // of text; that of a number is found by parsing
     std::uint32_t text;    // into texts_, kNoIndex for a number
     Scalar type;
   };
@@ -41,18 +41,18 @@ class SourcePatch {
   std::vector<std::string> texts_;
 };
 
-/// Whether a position stayed, also one that is no number.
+/// Whether two positions are equal; NaN equals NaN.
 bool are_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// The bytes of `source` with the positions of `mesh`, which it `describes`, and normals to match.
-/// Nothing when they cannot be stored there (moved coordinates in a file of integers).
+/// Returns the bytes of `source` with the positions of `mesh`, which it `describes`, and matching
+/// normals; nullopt if it cannot store them (moved coordinates in a file of integers).
 std::optional<std::string> patch_source(const SourceFile& source, const Mesh& mesh);
 
-/// Positions per vertex as the file has them.
+/// Returns the positions in the file, per vertex.
 Positions source_positions(const SourceFile& source, const Mesh& mesh);
 
-/// Adds to an OBJ file the normals that `updated` has beyond the file's own, behind the last of
-/// those, and makes the corners of its faces name them. (In obj_patch.cpp.)
+/// Adds the normals that `updated` has beyond those of an OBJ file behind the last of them, and
+/// updates the indices of face corners. (In obj_patch.cpp.)
 void add_obj_normals(const Mesh& mesh, const StoredNormals& updated, const SourceFile& source,
                      SourcePatch& patch);
 

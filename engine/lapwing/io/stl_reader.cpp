@@ -24,7 +24,7 @@ std::size_t binary_count(std::string_view bytes) {
       load_number(bytes.data() + kStlTextSize, Scalar::uint32, kStlOrder));
 }
 
-// Binary headers often begin with "solid" too: the size decides, then the words that follow.
+// Binary headers often begin with "solid" too. The file size decides first, then NUL bytes.
 bool is_ascii(const SourceFile& file) {
   const std::string_view bytes = file.bytes();
   if (bytes.size() >= kStlHeaderSize &&
@@ -125,8 +125,7 @@ void check_binary_size(const SourceFile& file) {
   }
   const std::size_t count = binary_count(file.bytes());
   const std::size_t room = (size - kStlHeaderSize) / kStlFacetSize;
-  // Fewer bytes than a facet behind the last one are some program's own; whole facets are a
-  // wrong count.
+  // Some programs append a few bytes. If a whole facet follows the last one, the count is wrong.
   if (count != room) {
     file.fail(80, "the header promises " + std::to_string(count) +
                       " triangles, but the file's size fits " + std::to_string(room));
@@ -158,7 +157,7 @@ Mesh read_binary(SourceFile& file) {
 
   Mesh mesh;
   Welder welder(mesh.positions);
-  welder.reserve(count / 2);  // what a closed surface has
+  welder.reserve(count / 2);  // vertices of a closed surface
   MeshAttributes& attributes = mesh.edit_attributes();
   attributes.normals.reserve(count);
   attributes.corner_normals.reserve(3 * count);

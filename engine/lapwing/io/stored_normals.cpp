@@ -27,13 +27,13 @@ Vector3d area_vector(std::span<const Index> face, std::span<const Vector3d> posi
   return 0.5 * sum;
 }
 
-// Zero for a sum without direction.
+// Returns zero if the sum has no direction.
 Vector3d direction(const Vector3d& sum) {
   const double length = sum.norm();
   return length > 0.0 && std::isfinite(length) ? Vector3d(sum / length) : Vector3d::Zero();
 }
 
-// A corner of some face that uses a normal.
+// A face corner that uses a normal.
 struct Use {
   Index normal;
   Index vertex;
@@ -64,7 +64,7 @@ class NormalUpdate {
   }
 
  private:
-  // What the corners of one vertex that share a normal turn it into.
+  // The new normal of those corners of a vertex that share one.
   struct Group {
     std::span<const Use> uses;
     Vector3d normal;
@@ -77,7 +77,7 @@ class NormalUpdate {
                                                      : mesh_.attributes().corner_normals[corner];
   }
 
-  // Gathers the corners on seams, by leader.
+  // Collects the corners on seams, sorted by leader.
   void find_seams() {
     const JoinedSurface joined = joined_surface(mesh_);
     if (joined.empty()) return;
@@ -94,8 +94,8 @@ class NormalUpdate {
     std::ranges::stable_sort(seam_uses_, {}, [&](const Use& use) { return leaders_[use.vertex]; });
   }
 
-  // Those at the other vertices that are one with its own, if they have an equal normal: there the
-  // surface is smooth, and was split for another reason.
+  // Returns the uses at vertices joined to `vertex` that have an equal normal. The surface is
+  // smooth there and was split for another reason.
   std::vector<Use> uses_beyond_seams(Index vertex, Index normal) const {
     std::vector<Use> beyond;
     if (leaders_.empty()) return beyond;
@@ -141,7 +141,7 @@ class NormalUpdate {
     return uses;
   }
 
-  // By corner, so that both sides of a seam come to the same bits.
+  // Sorted by corner, so that both sides of a seam get the same bits.
   std::vector<Use> with_those_beyond(std::span<const Use> uses) const {
     std::vector<Use> all = uses_beyond_seams(uses.front().vertex, uses.front().normal);
     all.insert(all.end(), uses.begin(), uses.end());

@@ -8,9 +8,9 @@
 
 namespace lapwing {
 
-/// Reads one number of text that starts at `begin`: decimal or exponent form, a leading '+', nan
-/// and inf (also as "1.#INF", "1.#IND"). Returns the first byte behind it, `begin` if there is
-/// none. Values beyond the range of double become infinite.
+/// Parses the number that starts at `begin`: decimal or exponent form, a leading '+', nan and inf
+/// (also as "1.#INF", "1.#IND"). Returns the first byte behind it, or `begin` if there is none.
+/// Values beyond the range of double become infinite.
 const char* parse_number(const char* begin, const char* end, double& value);
 
 /// Walks over the text of a mesh file, word by word. Blanks are spaces, tabs and a backslash before
@@ -31,32 +31,32 @@ class TextScanner {
       ++here_;
     }
   }
-  /// Skips blanks. True at a line end, a comment or the end of the file.
+  /// Skips blanks. Returns true at a line end, a comment or the end of the file.
   bool at_line_end() {
     skip_blanks();
     return *here_ == '\n' || *here_ == '\r' || here_ == end_ ||
            (comment_ != '\0' && *here_ == comment_);
   }
-  /// Goes to the start of the next line, over whatever is left of this one.
+  /// Skips the rest of this line.
   void next_line();
   /// Skips blanks, line ends and comments.
   void skip_space();
 
-  /// The next word of this line; empty at the line's end.
+  /// Returns the next word of this line; empty at the line's end.
   std::string_view word();
-  /// What is left of the line, comments included, without blanks at either end. Stops before the
-  /// line end.
+  /// Returns the rest of the line, comments included, without blanks at either end. Stops before
+  /// the line end.
   std::string_view rest_of_line();
 
-  /// The next number of this line. `what` says what it stands for, for the error.
+  /// Returns the next number of this line. `what` names it in error messages.
   double number(std::string_view what);
-  /// The next integer of this line, which may end at any byte that is no digit.
+  /// Returns the next integer of this line, which may end at any byte that is not a digit.
   std::int64_t integer(std::string_view what);
-  /// Demands that a blank, a line end or a comment follows.
+  /// Throws InputError unless a blank, a line end or a comment follows.
   void end_word(std::string_view what) {
     if (!is_word_end()) fail_word(what);
   }
-  /// Throws InputError: expected `what`, found the word at the present place.
+  /// Throws InputError: expected `what`, found the word at this position.
   [[noreturn]] void fail_expected(std::string_view what) const;
 
  private:

@@ -5,9 +5,9 @@
 
 namespace lapwing {
 
-/// The relative path that a URI means: "my%20mesh.bin" is "my mesh.bin".
+/// Returns the relative path of a URI: "my%20mesh.bin" becomes "my mesh.bin".
 std::string path_of_uri(std::string_view uri);
-/// The other way round.
+/// Returns the URI of a relative path.
 std::string uri_of_path(std::string_view path);
 
 }  // namespace lapwing

@@ -24,7 +24,7 @@ Index Welder::vertex_at(const Eigen::Vector3d& position) {
   if (2 * (positions_.size() - first_ + 1) > slots_.size())
     resize_table(std::max<std::size_t>(64, 2 * slots_.size()));
   const auto vertex = static_cast<Index>(positions_.size());
-  // Unequal to all, these would pile up in one place of the table.
+  // Positions with a NaN equal none, so they would pile up in one place of the table.
   if (!position.hasNaN()) {
     const std::size_t slot = find_slot(position);
     if (slots_[slot] != kNoIndex) return slots_[slot];

@@ -6,22 +6,22 @@
 
 namespace lapwing {
 
-/// Gives equal positions one vertex: numbers vertices in order of appearance and appends each new
-/// one to a list. 0 and -0 are equal; a position with a NaN equals none.
+/// Merges equal positions into one vertex. Numbers vertices in order of appearance and appends each
+/// new one to a list. 0 and -0 are equal; a position with a NaN equals none.
 class Welder {
  public:
-  /// `positions` outlives the welder and is changed by it alone. Those that are there already are
-  /// no vertices of its own: nothing is welded to them.
+  /// `positions` must outlive the welder, which alone may change it. Nothing is welded to the
+  /// positions that it already holds.
   explicit Welder(Positions& positions) : positions_(positions), first_(positions.size()) {}
 
   /// Makes room for `count` vertices.
   void reserve(std::size_t count);
 
-  /// Expected constant time.
+  /// Returns the vertex at `position`, and adds it if it is new. Expected constant time.
   Index vertex_at(const Eigen::Vector3d& position);
 
  private:
-  // Where the position's vertex is, or the free slot where it would go.
+  // Returns the slot of the vertex at `position`, or the free slot for it.
   std::size_t find_slot(const Eigen::Vector3d& position) const;
   void resize_table(std::size_t size);
 

@@ -12,19 +12,18 @@
 
 namespace lapwing {
 
-/// Append the shortest text that reads back as the same double, or the same float.
-/// `text` in a text file's line: a NUL, or an end of a line, which names of binary files may have,
-/// becomes a blank.
+/// Returns `text` as part of one line: NULs and line ends, which names in binary files may have,
+/// become blanks.
 std::string as_line(std::string text);
 
+/// Appends the shortest text that reads back as the same number.
 void append_number(std::string& out, double value);
 void append_number(std::string& out, float value);
 void append_number(std::string& out, std::size_t value);
-/// The shortest text that a reader of a property of this type reads back; nearest integer for
-/// integer types.
+/// Appends the shortest text that reads back as the same number of `type`. Rounds to integer types.
 void append_number(std::string& out, double value, Scalar type);
 
-/// Appends the numbers of a vector, each behind a blank.
+/// Appends the numbers of a vector, with a blank before each.
 template <class Vector>
 void append_numbers(std::string& out, const Vector& values) {
   for (const auto value : values) {
@@ -33,33 +32,33 @@ void append_numbers(std::string& out, const Vector& values) {
   }
 }
 
-/// "texture coordinates (14,290): OFF has no place for them", unless `count` is 0.
+/// Reports "texture coordinates (14,290): OFF has no place for them", unless `count` is 0.
 void report_loss(WriteReport& report, MeshFormat format, std::string_view what, std::size_t count);
 
-/// Reports extra attributes, which only PLY has places for.
+/// Reports extra attributes, which only PLY can hold.
 void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
-/// Reports materials, in a format that has no place for them.
+/// Reports materials, for a format that cannot hold them.
 void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
-/// Reports what only the file it came from holds.
+/// Reports data that only the source file holds.
 void report_uneditable(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
 
-/// The numbers of a list of vectors, one after the other.
+/// Views a list of vectors as one list of numbers.
 template <class Vector>
 std::span<const double> numbers_of(const std::vector<Vector>& vectors) {
   if (vectors.empty()) return {};
   return {vectors.front().data(), vectors.size() * Vector::SizeAtCompileTime};
 }
 
-/// kFloat32 if every one of the numbers is a float, else kFloat64.
+/// Returns float32 if every number is exactly a float, else float64.
 Scalar narrowest_type(std::span<const double> numbers);
 
-/// Whether all colours are whole numbers of 255ths; they then fit bytes without loss.
+/// Whether all colours are multiples of 1/255 in [0, 1], which fit bytes without loss.
 bool fit_bytes(std::span<const Eigen::Vector4f> colors);
 /// Whether some colour is not opaque.
 bool has_alpha(std::span<const Eigen::Vector4f> colors);
 
-/// Values per corner as values per vertex, if the corners of each vertex agree; 0 for a vertex
-/// without corners. `of_corner` empty: the values are per vertex already, or there are none.
+/// Converts values per corner to values per vertex: 0 for vertices without corners, nullopt if
+/// corners of a vertex differ. If `of_corner` is empty, values are per vertex already or absent.
 template <class Vector>
 std::optional<std::vector<Vector>> per_vertex(const Mesh& mesh, const std::vector<Vector>& values,
                                               const std::vector<Index>& of_corner) {
@@ -81,8 +80,8 @@ std::optional<std::vector<Vector>> per_vertex(const Mesh& mesh, const std::vecto
   return result;
 }
 
-/// Throws InputError when a face or an attribute names what the mesh does not have, or a list has
-/// not the length that MeshAttributes states.
+/// Throws InputError if an index of a face or attribute is out of range, or if a list does not have
+/// the length that MeshAttributes states.
 void validate_for_writing(const Mesh& mesh);
 
 }  // namespace lapwing

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a message says was found.
+// Describes a value for "got ..." in a message.
 std::string in_words(const Json& json) {
   switch (json.type()) {
     case Json::value_t::null:
@@ -41,7 +41,7 @@ std::string in_words(const Json& json) {
 
 bool is_vertex(const Json& json) {
   if (!json.is_number_integer()) return false;
-  // A document that was not read from text has whole numbers of either kind.
+  // In documents not read from text, whole numbers may be signed or unsigned.
   const bool negative = !json.is_number_unsigned() && json.get<std::int64_t>() < 0;
   return !negative && json.get<std::uint64_t>() < kNoIndex;
 }
@@ -202,7 +202,7 @@ double JsonNode::number_from_zero() const {
 std::size_t JsonNode::count() const {
   const Json& json = *value_->json;
   // Some exporters write 12.0.
-  constexpr double kMost = 9007199254740992.0;  // up to here a double holds every whole number
+  constexpr double kMost = 9007199254740992.0;  // 2^53: doubles hold all whole numbers up to it
   const double value = json.is_number() ? json.get<double>() : -1.0;
   if (!(value >= 0.0 && value <= kMost && std::floor(value) == value)) {
     fail_expecting("a whole number from 0");
@@ -219,7 +219,7 @@ std::vector<Index> JsonNode::vertices() const {
   require_list("a list of vertex numbers");
   std::vector<Index> indices;
   indices.reserve(value_->json->size());
-  // Lists of a million are common: an element gets a node of its own only to complain.
+  // Lists of a million are common, so an element only gets a JsonNode to report an error.
   for (const Json& element : *value_->json) {
     indices.push_back(is_vertex(element)
                           ? element.get<Index>()

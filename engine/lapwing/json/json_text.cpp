@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-// Whether the string at `quoted`, quotes included, says `key`.
+// Returns whether the string `quoted`, with its quotes, equals `key`.
 bool says(std::string_view quoted, std::string_view key) {
   const std::string_view bare = quoted.substr(1, quoted.size() - 2);
   if (bare.find('\\') == std::string_view::npos) return bare == key;
@@ -48,7 +48,7 @@ std::size_t JsonText::skip_value(std::size_t at) const {
 }
 
 JsonPlace JsonText::root() const {
-  // parse_json accepts a byte-order mark before the document, so its place is not the document's.
+  // parse_json accepts a byte-order mark before the document.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   const std::size_t begin = skip_blanks(text_.starts_with(kByteOrderMark) ? 3 : 0);
   return {begin, skip_value(begin)};
@@ -60,13 +60,13 @@ std::optional<JsonPlace> JsonText::find_member(JsonPlace object, std::string_vie
   while (at < object.end && text_[at] == '"') {
     const std::size_t key_end = skip_string(at);
     const bool is_it = says(text_.substr(at, key_end - at), key);
-    const std::size_t begin = skip_blanks(skip_blanks(key_end) + 1);  // behind the colon
+    const std::size_t begin = skip_blanks(skip_blanks(key_end) + 1);  // after the colon
     const std::size_t end = skip_value(begin);
     if (is_it) {
       value = begin;
       return JsonPlace{at, end};
     }
-    at = skip_blanks(skip_blanks(end) + 1);  // behind the comma
+    at = skip_blanks(skip_blanks(end) + 1);  // after the comma
   }
   return std::nullopt;
 }
@@ -86,7 +86,7 @@ std::optional<JsonPlace> JsonText::member_with_key(JsonPlace object, std::string
 void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits) {
   const auto place = text.member_with_key(object, key);
   if (!place) return;
-  // With the comma behind it, or the one before the last.
+  // Remove the comma after the member, or the one before it if it is the last.
   std::size_t begin = place->begin;
   std::size_t end = place->end;
   const std::size_t next = text.text().find_first_not_of(" \t\r\n", end);

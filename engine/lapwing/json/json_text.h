@@ -8,33 +8,33 @@
 
 namespace lapwing {
 
-/// A value in the text of a JSON document: its first byte and the one behind its last.
+/// The place of a value in the text of a JSON document: its first byte, and the one after its last.
 struct JsonPlace {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Finds values in a text that `parse_json` has taken, so that one can be replaced and all other
-/// bytes stay. Each call reads the value it is given once.
+/// Finds values in a text that `parse_json` has accepted, so that one can be replaced while all
+/// other bytes stay. Each call scans the given value once.
 class JsonText {
  public:
   explicit JsonText(std::string_view text) : text_(text) {}
 
   std::string_view text() const { return text_; }
   JsonPlace root() const;
-  /// The value of `key` in the object at `object`; nothing where it has none.
+  /// Returns the place of the value of `key` in `object`, or nothing if it has no such key.
   std::optional<JsonPlace> member(JsonPlace object, std::string_view key) const;
-  /// The same from the first byte of the key on.
+  /// The same, starting at the first byte of the key.
   std::optional<JsonPlace> member_with_key(JsonPlace object, std::string_view key) const;
-  /// The values of the list at `list`, in order.
+  /// Returns the places of the values in `list`, in order.
   std::vector<JsonPlace> elements(JsonPlace list) const;
-  /// Element `number` of the document's list `list`; both are there.
+  /// Returns element `number` of the list `list` of the document's root. Both must exist.
   JsonPlace element(std::string_view list, std::size_t number) const {
     return elements(*member(root(), list)).at(number);
   }
 
  private:
-  // Key and value, with `begin` of the value in `value`.
+  // Returns the place of key and value, and sets `value` to the beginning of the value.
   std::optional<JsonPlace> find_member(JsonPlace object, std::string_view key,
                                        std::size_t& value) const;
   std::size_t skip_blanks(std::size_t at) const;
@@ -46,17 +46,17 @@ class JsonText {
 
 class TextEdits;
 
-/// Takes `key` and its value out of the object at `object`, if it has it.
+/// Removes `key` and its value from `object`, if it has the key.
 void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits);
 
-/// Replaces stretches of a text and leaves the rest as it is.
+/// Replaces ranges of a text and keeps the rest.
 class TextEdits {
  public:
   void replace(JsonPlace place, std::string text) { edits_.push_back({place, std::move(text)}); }
   void insert(std::size_t at, std::string text) { replace({at, at}, std::move(text)); }
   bool empty() const { return edits_.empty(); }
 
-  /// `text` with all of them made; what is inserted at one place stands in the order of the calls.
+  /// Returns `text` with all edits. Insertions at one place keep the order of the calls.
   std::string applied_to(std::string_view text) const;
 
  private:

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// The characters of a text, and how many of them the library's reader has taken.
+// Iterates over a text and counts the characters that the library's parser has read.
 class CountedText {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -41,7 +41,7 @@ class CountedText {
   std::size_t* count_;
 };
 
-// Builds the document, and names the place where it cannot: line, column and JSON pointer.
+// Builds the document. Reports errors with line, column and JSON pointer.
 class DocumentBuilder : public nlohmann::json_sax<Json> {
  public:
   DocumentBuilder(std::string_view text, const std::string& name, std::size_t first_line)
@@ -84,7 +84,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
  private:
-  // The library's message without its own prefix of class, number and position.
+  // Returns the library's message without its prefix of class, number and position.
   static std::string bare_message(const nlohmann::detail::exception& error) {
     const std::string_view text = error.what();
     const std::size_t at = text.find("syntax error");
@@ -128,14 +128,14 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  // Of the value that is being read.
+  // Returns the pointer of the value that is being read.
   std::string pointer() const {
     return open_.empty()              ? "/"
            : open_.back()->is_array() ? pointer(std::to_string(open_.back()->size()))
                                       : pointer(keys_.back());
   }
 
-  // Of what is called `last` in the innermost object or list.
+  // Returns the pointer of `last` in the innermost object or list.
   std::string pointer(std::string_view last) const {
     std::string text;
     for (std::size_t k = 0; k + 1 < open_.size(); ++k) {
@@ -160,8 +160,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   std::size_t first_line_;
   std::size_t read_ = 0;
   Json root_;
-  std::vector<Json*> open_;        // the objects and lists around the place that is read
-  std::vector<std::string> keys_;  // for each the key that was read last; of a list empty
+  std::vector<Json*> open_;        // open objects and lists, outermost first
+  std::vector<std::string> keys_;  // their last keys; empty for a list
 };
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace lapwing {
 namespace {
 
-// Insertions, deletions and substitutions that turn a into b (Levenshtein).
+// Returns the Levenshtein distance: the number of insertions, deletions and substitutions that turn
+// a into b.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -35,11 +36,11 @@ std::string quoted_list(std::span<const std::string_view> names) {
 }
 
 std::string suggest(std::string_view name, std::span<const std::string_view> known) {
-  // Half of the letters wrong is another word, not a slip.
+  // If half of the letters differ, it is another word and not a typo.
   std::size_t least = std::max<std::size_t>(name.size() / 2, 1) + 1;
   std::string_view nearest;
   for (const std::string_view candidate : known) {
-    // A name cut short is as good as one wrong letter.
+    // A prefix counts like one wrong letter.
     const bool is_start = !name.empty() && candidate.starts_with(name);
     const std::size_t distance = is_start ? 1 : edit_distance(name, candidate);
     if (distance < least) {

@@ -6,11 +6,11 @@
 
 namespace lapwing {
 
-/// The end of a message about a name that is none of `known`: `did you mean "roi"? Known are "op",
-/// "roi".` The question is left out when no known name is close.
+/// Returns the end of a message about a name that is not in `known`: `did you mean "roi"? Known
+/// here: "op", "roi"`. Leaves the question out if no known name is close.
 std::string suggest(std::string_view name, std::span<const std::string_view> known);
 
-/// The names in quotes, separated by commas.
+/// Returns the names in quotes, separated by commas.
 std::string quoted_list(std::span<const std::string_view> names);
 
 }  // namespace lapwing

@@ -7,12 +7,12 @@
 namespace lapwing {
 namespace {
 
-// So many displacements stay in the first cache while the columns pass by.
+// The displacements of this many vertices stay in the L1 cache while the columns pass by.
 constexpr std::size_t kVerticesPerBatch = 256;
 
 using Displacements = std::array<double, 3 * kVerticesPerBatch>;
 
-// Adds column k, `parameter` times, to the displacements of `count` vertices from moving[first] on.
+// Adds `parameter` times column k to the displacements of `count` vertices from moving[first] on.
 void add_column(const ResponseColumns& columns, std::size_t k, double parameter, std::size_t first,
                 std::size_t count, Displacements& displacement) {
   const std::size_t moving = columns.moving.size();

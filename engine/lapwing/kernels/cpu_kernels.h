@@ -5,8 +5,8 @@
 
 namespace lapwing {
 
-/// The kernels on the CPU, in double precision, on all threads: what the device is tested against,
-/// and what runs with `--device cpu` or where there is no Vulkan.
+/// The kernels on the CPU, in double precision, on all threads. The device is tested against them,
+/// and they run with `--device cpu` or without Vulkan.
 class CpuKernels final : public Kernels {
  public:
   CpuKernels();
@@ -28,13 +28,13 @@ class CpuKernels final : public Kernels {
 };
 
 /// CPU twin of the kernel blend_response: current[v] = rest[v] + sum_k parameters[k] column_k[v]
-/// for the moving vertices. `rest` and `current` are of the whole mesh and may be the same. A
-/// column with parameter 0 adds nothing. Allocates nothing.
+/// for the moving vertices. `rest` and `current` have one vector per vertex of the mesh and may be
+/// the same. Columns with parameter 0 are skipped. Allocates nothing.
 void blend_response(std::span<const Eigen::Vector3d> rest, const ResponseColumns& columns,
                     std::span<const double> parameters, std::span<Eigen::Vector3d> current);
 
 /// CPU twin of the kernel vertex_normals: unit area-weighted normals of the vertices `which`; zero
-/// where no triangle around has area.
+/// if no triangle around the vertex has area.
 void vertex_normals(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles,
                     const Adjacency& vertex_triangles, std::span<const Index> which,
                     std::span<Eigen::Vector3d> normals);

@@ -9,11 +9,11 @@
 
 namespace lapwing {
 
-/// RingRotations in double precision, on all threads. Allocates nothing after construction, but for
-/// the first rest stretch.
+/// RingRotations in double precision, on all threads. Allocates nothing after construction, except
+/// for the first rest stretch.
 class CpuRingRotations final : public RingRotations {
  public:
-  /// By the loops for `set`, one of the available ones.
+  /// Uses the loops for `set`, which must be available.
   explicit CpuRingRotations(std::shared_ptr<const RegionRings> rings,
                             InstructionSet set = available_instruction_sets().front());
 
@@ -34,8 +34,8 @@ class CpuRingRotations final : public RingRotations {
   std::vector<FitStretch> stretch_;        ///< per batch; empty for the identity
   std::vector<std::size_t> entry_starts_;  ///< per batch, in entries_
   std::vector<FitEntries> entries_;
-  std::vector<PaddedVector> displacement_;  ///< per vertex, of the last fit; no fewer than lanes
-  std::vector<PaddedTurn> turns_;           ///< per vertex, of the last fit; 0 for no row
+  std::vector<PaddedVector> displacement_;  ///< per vertex, of the last fit; padded to full batches
+  std::vector<PaddedTurn> turns_;           ///< per vertex, of the last fit; 0 if it is no row
   std::vector<PaddedVector> residuals_;     ///< likewise: om_i (L(v')_i - T_i delta_i)
 };
 

@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// The device as long as it works, and the CPU.
+/// The device until it fails, and the CPU.
 class FallbackKernels::Devices {
  public:
   explicit Devices(const std::function<std::unique_ptr<Kernels>()>& make) {
@@ -31,7 +31,7 @@ class FallbackKernels::Devices {
         std::string("the device failed, and the CPU went on in its place: ") + error.what();
   }
 
-  /// `call` on the device, or again on the CPU.
+  /// Runs `call` on the device, and again on the CPU if the device fails.
   template <class Call>
   auto run(const Call& call) {
     if (device_works()) {
@@ -86,7 +86,7 @@ class FallbackKernels::Rotations final : public RingRotations {
       if (!is_on_device) rings.reset();
     }
 
-    // Where the last calls left those of the device.
+    // Recreates on the CPU what the last calls left on the device.
     void move_to_cpu() {
       rotations.reset();
       make();
@@ -111,7 +111,7 @@ class FallbackKernels::Rotations final : public RingRotations {
     }
 
     std::shared_ptr<Devices> devices;
-    std::shared_ptr<const RegionRings> rings;  ///< as long as they are on the device, as `fitted`
+    std::shared_ptr<const RegionRings> rings;  ///< kept only while on the device, like `fitted`
     std::size_t row_count = rings->row_count();
     std::vector<Eigen::Matrix3d> stretch;
     std::vector<Eigen::Vector3d> fitted;  ///< the displacement of the last fit

@@ -7,16 +7,15 @@
 
 namespace lapwing {
 
-/// The kernels of a device that may fail. The call in which it does (GpuError: lost, or out of
-/// memory) is done again by the CPU twin, and so are all that follow: the caller loses nothing, and
-/// results stay within the tolerance of the twins. `device()` is then the CPU, and says what it
-/// took over from.
+/// The kernels of a device that may fail. If a call fails (GpuError: lost, or out of memory), the
+/// CPU twin repeats it and runs all later ones. The caller loses nothing, and results stay within
+/// the tolerance of the twins. `device()` is then the CPU, and says which device failed.
 ///
-/// Its ring rotations keep the rings and the last displacement for that: 300 bytes a vertex of the
-/// region. They may outlive it. Not for use from several threads at once.
+/// For this, its ring rotations keep the rings and the last displacement: 300 bytes per vertex of
+/// the region. They may outlive the object. Not thread-safe.
 class FallbackKernels final : public Kernels {
  public:
-  /// Where `make` throws GpuError the CPU does everything.
+  /// If `make` throws GpuError, the CPU does everything.
   explicit FallbackKernels(const std::function<std::unique_ptr<Kernels>()>& make);
 
   const DeviceInfo& device() const override;

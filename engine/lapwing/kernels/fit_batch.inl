@@ -1,7 +1,7 @@
-// The inner loops of fit_rotations (kernels/fit_rotations.cpp). A batch is done kLanes rows at a
-// time, as many as a register holds: compilers take wider vectors apart into single numbers.
-// Included by ring_loops_*.cpp inside an unnamed namespace, after kLanes is defined. Calls nothing
-// that has external linkage: the linker would be free to take another instruction set's copy.
+// The inner loops of fit_rotations (kernels/fit_rotations.cpp). A batch is computed kLanes rows at
+// a time, as many as a register holds, because compilers split wider vectors into single numbers.
+// ring_loops_*.cpp include this file inside an unnamed namespace, after they define kLanes. It
+// calls nothing with external linkage: the linker could use another instruction set's copy.
 
 static_assert(kFitLanes % kLanes == 0);
 
@@ -14,10 +14,10 @@ typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 // As in laplacian/rotation.cpp: below this product of distances to the other eigenvalues the
 // eigenvector loses half its digits.
 constexpr double kSmallestGap = 1e-6;
-// From the upper bound a well-conditioned root takes three or four steps.
+// From the upper bound, a well-conditioned root takes three or four steps.
 constexpr int kUncheckedNewtonSteps = 2;
 constexpr int kMostNewtonSteps = 12;
-// A step this small squares to nothing.
+// Convergence is quadratic, so that the error after a step this small is negligible.
 constexpr double kConverged = 1e-9;
 
 LAPWING_INLINE Lanes absolute(Lanes x) { return x < 0.0 ? -x : x; }
@@ -48,7 +48,7 @@ struct Points {
   Lanes axis[3];
 };
 
-// The displacements of each lane's vertex.
+// Returns the displacement of each lane's vertex.
 LAPWING_INLINE Points gather(const PaddedVector* displacement, const std::uint32_t* vertices) {
   Points points;
   for (int a = 0; a < 3; ++a) {
@@ -63,7 +63,7 @@ LAPWING_INLINE void number_rows(const FitRings& rings, int first, std::uint32_t*
   }
 }
 
-// C and `moved`.
+// Computes C and `moved`.
 LAPWING_INLINE void sum_rings(const FitRings& rings, int first, FitBatch& batch) {
   std::uint32_t rows[kLanes];
   number_rows(rings, first, rows);
@@ -96,10 +96,11 @@ LAPWING_INLINE void sum_rings(const FitRings& rings, int first, FitBatch& batch)
 
 struct Root {
   Lanes value;
-  LaneBits found;  // with a slope that is large enough
+  LaneBits found;  // the slope is large enough
 };
 
-// The largest root of Horn's matrix for |H| = 1, as largest_root in laplacian/rotation.cpp.
+// Returns the largest root of Horn's matrix for |H| = 1, like largest_root in
+// laplacian/rotation.cpp.
 LAPWING_INLINE Root largest_root(const Lanes* H) {
   const Lanes c0 = H[4] * H[8] - H[5] * H[7];
   const Lanes c1 = H[5] * H[6] - H[3] * H[8];
@@ -115,8 +116,9 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
                         c7 * c7 + c8 * c8;
   const Lanes b = -8.0 * determinant;
   const Lanes c = 1.0 - 4.0 * squares;
-  // The root l is the sum of the singular values, the last with the sign of the determinant, and
-  // so l^2 = 1 + 2 sqrt(squares + 2 determinant l), l^2 <= 3. A bound from above, and rounded up.
+  // The root l is the sum of the singular values, the last with the sign of the determinant. So
+  //     l^2 = 1 + 2 sqrt(squares + 2 determinant l) and l^2 <= 3.
+  // This gives an upper bound, which is rounded up.
   const Lanes positive = determinant > 0.0 ? determinant : Lanes{};
   Lanes l = rough_root(1.0 + 2.0 * rough_root(squares + 3.4641016151377544 * positive)) * 1.000001;
   Lanes down = {};
@@ -128,7 +130,7 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
     down = (moving & (slope > kSmallestGap)) ? value / slope : Lanes{};
     l -= down;
     if (step < kUncheckedNewtonSteps) continue;
-    // What a row comes to must not depend on which others share the register.
+    // The result of a row must not depend on the other rows in the register.
     moving &= down > kConverged;
     if (!any(moving)) break;
   }
@@ -136,7 +138,7 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
   return {l, (slope > kSmallestGap) & (absolute(down) <= kConverged)};
 }
 
-// R from C, both column after column; a bit for every lane where it is not sure.
+// Computes R from C, both column-major. Returns a bit for every lane whose R is unreliable.
 LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   Lanes H[9];
   Lanes square = {};
@@ -149,7 +151,7 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   for (int k = 0; k < 9; ++k) H[k] = usable ? H[k] * inverse : Lanes{};
   const Root root = largest_root(H);
 
-  // N - l I, N as quaternion_form in laplacian/rotation.cpp.
+  // N - l I, with N of quaternion_form in laplacian/rotation.cpp.
   const Lanes a00 = H[0] + H[4] + H[8] - root.value;
   const Lanes a11 = H[0] - H[4] - H[8] - root.value;
   const Lanes a22 = H[4] - H[0] - H[8] - root.value;
@@ -218,8 +220,8 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   return unsure;
 }
 
-// What follows from T. Differences of edges come from displacements and T - I, so that small ones
-// keep their digits.
+// Computes residual and energy from T. Differences of edges come from displacements and T - I, so
+// that small ones keep their digits.
 LAPWING_INLINE void finish(const FitRings& rings, int first, FitBatch& batch) {
   std::uint32_t rows[kLanes];
   number_rows(rings, first, rows);
@@ -252,7 +254,7 @@ LAPWING_INLINE void finish(const FitRings& rings, int first, FitBatch& batch) {
   lanes_at(batch.energy + first) = energy;
 }
 
-// `m` S in place of `m`, both column after column, S the rest stretch.
+// Replaces `m` by `m` S, with S the rest stretch; column-major.
 LAPWING_INLINE void stretch_from_right(const FitStretch& stretch, int first, Lanes* m) {
   constexpr int kEntry[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
   for (int row = 0; row < 3; ++row) {

@@ -1,6 +1,6 @@
 // The inner loop of energy_gradient (kernels/energy_gradient.cpp). Included after fit_batch.inl.
 
-// Arithmetic on it is as good where a register holds half of it.
+// Arithmetic on it is as good if a register holds only half of it.
 typedef double Padded __attribute__((vector_size(sizeof(PaddedVector)), may_alias));
 
 LAPWING_INLINE const Padded& padded(const PaddedVector& vector) {
@@ -11,11 +11,11 @@ LAPWING_INLINE Padded turned(const PaddedTurn& turn, double x, double y, double 
   return padded(turn.column[0]) * x + padded(turn.column[1]) * y + padded(turn.column[2]) * z;
 }
 
-// What the edges of a row pull by. They go from the row to its neighbours, against the sense of
-// the contract: both signs cancel.
+// Returns the edge terms of a row's gradient. Edges go from the row to its neighbours, against the
+// sense of the contract; both signs cancel.
 LAPWING_INLINE Padded edge_forces(const GradientRings& rings, std::size_t row) {
   const Padded here = padded(rings.displacement[row]);
-  double own[3] = {};  // sum of k (v_j - v_i), whose turn T_i - I is taken once
+  double own[3] = {};  // sum of k (v_j - v_i), to which T_i - I is applied once
   Padded sum = {};
   for (std::size_t e = rings.starts[row]; e < rings.starts[row + 1]; ++e) {
     const std::size_t j = rings.neighbours[e];

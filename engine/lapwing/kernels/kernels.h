@@ -12,20 +12,19 @@
 
 namespace lapwing {
 
-/// What runs the kernels.
+/// The device that runs the kernels.
 struct DeviceInfo {
   std::string name;     ///< "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"
   std::string type;     ///< "discrete GPU", "integrated GPU", "software", "cpu"
   std::string driver;   ///< driver name and version; empty for the CPU twins
-  bool float64 = true;  ///< whether all but surfaces runs in float64
-  /// Whether settling runs on it. The processor does it sooner than a device that is the processor
-  /// in disguise.
+  bool float64 = true;  ///< whether kernels run in float64, except those of drawn surfaces
+  /// Whether the energy is minimized on it. A software device is slower at this than the CPU twin.
   bool frames = true;
-  /// Of a device that took over from one that failed: which that was, and how; empty otherwise.
+  /// If it took over from a device that failed: which one, and how. Empty otherwise.
   std::string took_over = {};
 };
 
-/// The one-rings a kernel gathers over. `rows` names the vertices that get a result, in order.
+/// The one-rings that a kernel gathers over. `rows` lists the vertices that get a result, in order.
 struct RingProblem {
   std::span<const Eigen::Vector3d> positions;  ///< of the whole mesh
   const Adjacency& rings;                      ///< of the whole mesh
@@ -33,125 +32,130 @@ struct RingProblem {
   std::span<const Index> rows;
 };
 
-/// The one-rings of an energy (EnergyWeights), whose `laplacian` are the weights of `rings`.
+/// The one-rings of an energy (EnergyWeights). The weights of `rings` are its `laplacian`.
 struct EnergyProblem {
   RingProblem rings;
   std::span<const double> row_weights;  ///< om_i, per vertex of the mesh
   std::span<const double> stiffness;    ///< k_ij, per ring entry
 };
 
-/// The energy of an edit (EnergyWeights) as its rings see it, in the position u of the surface:
+/// The energy of an edit (EnergyWeights) as a function of the surface's displacement u:
 ///     E(u) = sum_i min over rotations R_i of om_i |L(v'_i) - R_i S_i delta_i|^2
 ///                                        + sum_j k_ij |(v'_i - v'_j) - R_i S_i (v_i - v_j)|^2.
 class RingRotations {
  public:
   virtual ~RingRotations() = default;
 
-  /// The rest stretch S_i of each row, symmetric and positive definite. The identity until it is
-  /// called, and again if `stretch` is empty.
+  /// Sets the rest stretch S_i of each row, symmetric and positive definite. It is the identity
+  /// before the first call, or if `stretch` is empty.
   virtual void set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) = 0;
 
-  /// R_i of every row: the nearest rotation to C_i S_i, C_i = om_i L(v'_i) delta_i' + sum_j k_ij
-  /// (v'_i - v'_j) (v_i - v_j)', which makes the energy least. `displacement` has one vector for
-  /// each of RegionRings::vertices. `energies` gets what row i adds to E.
+  /// Fits R_i of every row, which minimizes the energy: the nearest rotation to C_i S_i,
+  ///     C_i = om_i L(v'_i) delta_i' + sum_j k_ij (v'_i - v'_j) (v_i - v_j)'.
+  /// `displacement` has one vector for each of RegionRings::vertices. Sets energies[i] to the part
+  /// of row i in E.
   virtual void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                              std::span<double> energies) = 0;
 
-  /// Half of the gradient of E by every unknown k, at the displacement of the last `fit_rotations`,
-  /// with the rotations found there (which are the best, so it is that of E): a gather over rings,
+  /// Computes half of the gradient of E by every unknown k, at the displacement and the rotations
+  /// of the last `fit_rotations`. These rotations are optimal, so their derivatives do not count. A
+  /// gather over rings:
   ///     g_k = sum_i L_ik om_i (L(v'_i) - T_i delta_i)
-  ///         + sum_j k_kj (2 (v'_k - v'_j) - (T_k + T_j) (v_k - v_j)),     T_i = R_i S_i,
-  /// T_j left out, and one 1 of the 2, for a neighbour that is no row. x of all unknowns, then y,
-  /// then z.
+  ///         + sum_j k_kj (2 (v'_k - v'_j) - (T_k + T_j) (v_k - v_j)),     T_i = R_i S_i.
+  /// For a neighbour j that is no row, T_j is left out and 2 becomes 1. g has x of all unknowns,
+  /// then y, then z.
   virtual void energy_gradient(std::span<double> g) = 0;
 
-  /// T_i of every row, as last fitted. For tests and reports.
+  /// Returns T_i of every row, as last fitted. For tests and reports.
   virtual std::vector<Eigen::Matrix3d> transforms() const = 0;
 };
 
-/// The one-rings of a target region, laid onto a source surface through a common domain (paper
+/// The one-rings of a target region, mapped to a source surface through a common domain (paper
 /// section 5.2).
 struct MappedRings {
   const RegionRings& target;
-  /// Per RegionRings::vertices: where it comes to lie on the source. Nowhere for a vertex that the
-  /// map does not reach; fields are 0 there, and frames leave it out.
+  /// The point on the source for each of RegionRings::vertices. Nowhere if the map does not reach
+  /// the vertex: fields are 0 there, and frames leave it out.
   std::span<const SurfacePoint> points;
 };
 
-/// How Laplacians are taken from a source surface.
+/// How Laplacians are sampled from a source surface.
 enum class MappedSampling {
-  one_ring,  ///< the target's ring is laid onto the source and its Laplacian taken there
-  linear,    ///< those of the three corners, as densities, are interpolated
+  one_ring,  ///< the Laplacian of the target's ring, mapped to the source
+  linear,    ///< the Laplacians of the three corners, interpolated as densities
 };
 
-/// A surface with its unit normals, one of each per vertex; a normal may be 0.
+/// A surface with one position and one unit normal per vertex. A normal may be 0.
 struct FramedSurface {
   std::span<const Eigen::Vector3d> positions;
   std::span<const Eigen::Vector3d> normals;
 };
 
 /// The kernels, as the core sees the device. Each has a CPU twin in double precision (CpuKernels)
-/// and a Vulkan twin of the same name. Calls return when the result is there. Same input, same
-/// bits, on one device. Throws GpuError when the device fails.
+/// and a Vulkan twin of the same name. Calls return when the result is complete. The same input
+/// gives the same bits on one device. Throws GpuError if the device fails.
 class Kernels {
  public:
   virtual ~Kernels() = default;
 
   virtual const DeviceInfo& device() const = 0;
 
-  /// The 3 x 3 blocks of the rows of M (ENERGY.md section 2):
+  /// Computes the 3 x 3 blocks of the rows of M (ENERGY.md section 2):
   ///     B_ik = delta_i x_k' / S - [delta_i]x J^-1 [x_k]x - l_ik I,   l_ii = 1, l_ij = -w_ij.
-  /// Row after row; in a row the block of i itself, then those of its ring in order; each block
-  /// column after column. `blocks` holds 9 numbers for each of sum_rows (1 + |N_i|) blocks. A
-  /// vertex without ring has the block 0.
+  /// `blocks` holds 9 numbers for each of sum_rows (1 + |N_i|) blocks, row after row. A row has the
+  /// block of i itself, then those of its ring in order, each column-major. A vertex without ring
+  /// has the block 0.
   virtual void assemble_rsi(const RingProblem& problem, std::span<double> blocks) = 0;
 
-  /// The 3 x 3 blocks of the rows G of the energy's tangent at rest (ENERGY.md section 5): to
-  /// second order E(u) = sum of the energy with rotations held - |G u|^2, where the rotations
+  /// Computes the 3 x 3 blocks of the rows G of the energy's tangent at rest (ENERGY.md section 5).
+  /// To second order, E(u) is the energy at fixed rotations minus |G u|^2, because the rotations
   /// follow u:
   ///     a_i(u) = sum_j k_ij [e_ij]x (u_i - u_j) + om_i [delta_i]x L(u)_i,   e_ij = v_i - v_j,
   ///     G_i = F_i^-1 a_i,   F_i F_i' = K_i = tr(C_i) I - C_i,
-  ///     C_i = om_i delta_i delta_i' + sum_j k_ij e_ij e_ij',
-  /// F_i the lower Cholesky factor; where K_i is singular (all edges on a line) the direction in
-  /// which nothing turns is left out. Layout of `blocks` as in `assemble_rsi`.
+  ///     C_i = om_i delta_i delta_i' + sum_j k_ij e_ij e_ij'.
+  /// F_i is the lower Cholesky factor. If K_i is singular (all edges on a line), the direction in
+  /// which nothing turns is left out. `blocks` has the layout of `assemble_rsi`.
   virtual void assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) = 0;
 
-  /// delta_i = sum_j w_ij (v_i - v_j) for each row (eq. 1); 0 for a vertex without ring.
+  /// Computes delta_i = sum_j w_ij (v_i - v_j) for each row (eq. 1); 0 for a vertex without ring.
   virtual void sample_laplacians(const RingProblem& problem,
                                  std::span<Eigen::Vector3d> laplacians) = 0;
 
-  /// Laplacian coordinates of a source at the rows of a target, before they are turned. `source`
-  /// has one vector per source vertex: with one_ring a field f (positions, say, or what coats a
-  /// smooth surface), of which each row gets f(p_i) - sum_j w_ij f(p_j); with linear Laplacians, of
-  /// which each row gets the one at p_i. Laplacians grow with the square of their ring's radius r:
-  /// `source` has these as densities, 4 / r^2 as large, and who samples takes r^2 / 4 of the
-  /// target's ring. 0 for a row that lies nowhere and, with one_ring, for one without ring.
+  /// Samples Laplacian coordinates of a source at the rows of a target, before they are rotated.
+  /// `source` has one vector per source vertex. With one_ring, it is a field f, such as positions
+  /// or the coat of a smooth surface, and each row gets f(p_i) - sum_j w_ij f(p_j). With linear, it
+  /// has Laplacians, and each row gets the one at p_i. Laplacians grow with the square of their
+  /// ring's radius r. So `source` has them as densities, times 4 / r^2, and the caller multiplies
+  /// by r^2 / 4 of the target's ring. 0 for a row that lies nowhere and, with one_ring, for one
+  /// without ring.
   virtual void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
                                         std::span<const Eigen::Vector3d> source,
                                         std::span<Eigen::Vector3d> laplacians) = 0;
 
-  /// T_i = s_i R_i for each row, the turn from the source's frame at p_i to the target's frame
-  /// (paper section 5.1): R_i carries the source's normal at p_i, interpolated, to the target's,
-  /// and the edges of the mapped ring, projected onto the tangent plane, to those of the ring, in
-  /// the least-squares sense over all of them. s_i is the local edge-length ratio
-  /// sqrt(sum_j |target edge|^2 / sum_j |mapped edge|^2), 1 where the mapped ring has no extent.
+  /// Computes T_i = s_i R_i for each row, from the source's frame at p_i to the target's frame
+  /// (paper section 5.1). R_i carries the source's interpolated normal at p_i to the target's. It
+  /// also fits the edges of the mapped ring, projected onto the tangent plane, to those of the
+  /// target's ring in the least-squares sense. s_i is the local edge-length ratio, 1 if the mapped
+  /// ring has no extent:
+  ///     s_i = sqrt(sum_j |target edge|^2 / sum_j |mapped edge|^2).
   /// `source` is per source vertex, `target` per RegionRings::vertices; both should be the
-  /// low-frequency surfaces. Where the edges tell nothing, R_i is the smallest rotation that
-  /// carries the normal; where a normal is 0, the best rotation of the unprojected edges, the
+  /// low-frequency surfaces. If the edges determine no turn, R_i is the smallest rotation that
+  /// carries the normal. If a normal is 0, R_i is the best rotation of the unprojected edges, the
   /// identity if there are none. A row that lies nowhere gets the identity.
   virtual void rotate_frames(const MappedRings& rings, const FramedSurface& source,
                              const FramedSurface& target,
                              std::span<Eigen::Matrix3d> transforms) = 0;
 
-  /// The rings of a region, not turned yet.
+  /// Returns the ring rotations of a region, not fitted yet.
   virtual std::unique_ptr<RingRotations> make_ring_rotations(
       std::shared_ptr<const RegionRings> rings) = 0;
 };
 
-/// M for `problem.rows`, assembled on the device. The cost is one kernel and one copy.
+/// Returns M for `problem.rows`, assembled on the device. The cost is one kernel and one copy.
 BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem);
 
-/// Number of blocks that `assemble_rsi` writes before each row, and in all: rows + 1 numbers.
+/// Returns the number of blocks that `assemble_rsi` writes before each row, and the total: rows + 1
+/// numbers.
 std::vector<std::size_t> rsi_block_starts(const RingProblem& problem);
 
 }  // namespace lapwing

@@ -8,8 +8,9 @@
 
 namespace lapwing {
 
-/// What `values`, one per vertex, are at `point`, less `anchor`. Differences of two such offsets
-/// from a value nearby keep their digits however far from 0 the values lie. `point` is not nowhere.
+/// Returns `values`, one per vertex, interpolated at `point`, minus `anchor`. If `anchor` is near
+/// the values, differences of such offsets keep their digits, however far from 0 these are. `point`
+/// must not be nowhere.
 inline Eigen::Vector3d offset_from(const Eigen::Vector3d& anchor, const SurfacePoint& point,
                                    std::span<const Eigen::Vector3d> values) {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();

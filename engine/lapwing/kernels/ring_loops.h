@@ -7,21 +7,20 @@
 
 namespace lapwing {
 
-/// Rows that fit_rotations works on at once, one in each lane.
+/// Number of rows that fit_rotations computes at once, one in each lane.
 inline constexpr int kFitLanes = 8;
 
-/// A vector as one load of a register.
+/// A vector that fits one register load.
 struct alignas(32) PaddedVector {
   double xyz0[4] = {};
 };
 
-/// How a ring is stretched and turned: T - I, which keeps the digits of small turns; column after
-/// column.
+/// T - I of a ring, which keeps the digits of small turns; column-major.
 struct PaddedTurn {
   PaddedVector column[3];
 };
 
-/// What kFitLanes rows keep from rest, lane after lane.
+/// The rest shape of kFitLanes rows, lane after lane.
 struct alignas(64) FitRest {
   double delta[3][kFitLanes];  ///< L(v)_i
   double weight[kFitLanes];    ///< om_i
@@ -32,8 +31,8 @@ struct alignas(64) FitStretch {
   double S[6][kFitLanes];
 };
 
-/// One ring entry of each of kFitLanes rows. A row whose ring has no more points to itself, with 0
-/// for the numbers.
+/// One ring entry of each of kFitLanes rows. If a row has no more entries, it points to itself with
+/// numbers 0.
 struct alignas(64) FitEntries {
   double edge[3][kFitLanes];    ///< v_j - v_i
   double weight[kFitLanes];     ///< w_ij
@@ -41,17 +40,17 @@ struct alignas(64) FitEntries {
   std::uint32_t neighbour[kFitLanes];
 };
 
-/// What fit_rotations reads of kFitLanes rows.
+/// Input of fit_rotations for kFitLanes rows.
 struct FitRings {
   const FitRest& rest;
   const FitEntries* entries;
-  std::size_t entry_count;  ///< as many as the longest ring has
+  std::size_t entry_count;  ///< of the longest ring
   std::uint32_t first_row;
   const PaddedVector* displacement;  ///< per vertex
   const FitStretch* stretch;         ///< null for the identity
 };
 
-/// kFitLanes rows, lane after lane.
+/// Results of fit_rotations for kFitLanes rows, lane after lane.
 struct alignas(64) FitBatch {
   double C[9][kFitLanes];         ///< as in RingRotations::fit_rotations, column after column
   double moved[3][kFitLanes];     ///< L(v')_i
@@ -60,33 +59,34 @@ struct alignas(64) FitBatch {
   double energy[kFitLanes];
 };
 
-/// What energy_gradient reads: RegionRings, and what the last fit left.
+/// Input of energy_gradient: RegionRings, and the results of the last fit.
 struct GradientRings {
   const std::uint32_t* starts;
   const std::uint32_t* neighbours;
   const double* edges;  ///< 3 numbers per entry
   const double* reverse_weights;
-  const double* stiffness;  ///< null where there is none
+  const double* stiffness;  ///< null if there is none
   std::size_t row_count;
   const std::uint32_t* unknown_rows;
   std::size_t unknown_count;
   const PaddedVector* displacement;  ///< per vertex
-  const PaddedVector* residuals;     ///< per vertex; 0 for one that is no row
+  const PaddedVector* residuals;     ///< per vertex; 0 if it is no row
   const PaddedTurn* turns;           ///< likewise
 };
 
-/// What fits and gradients do most, for one instruction set.
+/// The inner loops of fits and gradients, for one instruction set.
 struct RingLoops {
-  /// Fills `batch`. Returns a bit for every lane whose T, and what follows from it, is not to be
-  /// used, since its C has rank one or none or leaves the rotation nearly free.
+  /// Fills `batch`. Returns a bit for every lane whose T, and what follows from it, is invalid: its
+  /// C has at most rank one, or leaves the rotation nearly free.
   unsigned (*fit)(const FitRings& rings, FitBatch& batch);
-  /// The same for lanes whose T is given: residual and energy.
+  /// Computes residual and energy of all lanes for a given T.
   void (*finish)(const FitRings& rings, FitBatch& batch);
-  /// The gradient by the unknowns [first, last), in its place among x of all unknowns, y and z.
+  /// Computes the gradient by the unknowns [first, last), at their places in x of all unknowns, y
+  /// and z.
   void (*gradient)(const GradientRings& rings, std::size_t first, std::size_t last, double* g);
 };
 
-/// `set` is to be among the available ones.
+/// Returns the loops for `set`, which must be available.
 const RingLoops& ring_loops(InstructionSet set);
 
 }  // namespace lapwing

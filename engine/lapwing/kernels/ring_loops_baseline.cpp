@@ -3,7 +3,7 @@
 namespace lapwing {
 namespace {
 
-constexpr int kLanes = 2;  // numbers of a register
+constexpr int kLanes = 2;  // numbers per register
 
 #include "lapwing/kernels/fit_batch.inl"
 #include "lapwing/kernels/gradient_rows.inl"

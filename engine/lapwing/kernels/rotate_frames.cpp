@@ -13,12 +13,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// What cancels to less than this share is rounding and tells nothing.
+// A sum that cancels to less than this share is only rounding error.
 constexpr double kRoundingShare = 1e-12;
-// A ring that much smaller than the target's has no extent but rounding.
+// A mapped ring this many times smaller than the target's has no extent beyond rounding error.
 constexpr double kMostScale = 1e12;
 
-// What a row knows of its turn. a_j are edges of the mapped ring, b_j those of the target's.
+// The edges of a row: a_j are those of the mapped ring, b_j those of the target's ring.
 struct RingEdges {
   Matrix3d moment = Matrix3d::Zero();  // sum_j b_j a_j'
   double source_spread = 0.0;          // sum_j |a_j|^2
@@ -78,8 +78,9 @@ struct PlaneTurn {
   double length;
 };
 
-// F_t Rz F_s': Rz turns the projected edges of the mapped ring to those of the target's. Where they
-// tell nothing, the axes of space take the place of edges, which gives the smallest rotation.
+// Returns F_t Rz F_s', in which Rz turns the projected edges of the mapped ring to those of the
+// target's. If they determine no turn, the axes of space replace the edges, which gives the
+// smallest rotation.
 Matrix3d turn_of_frames(const Vector3d& source_normal, const Vector3d& target_normal,
                         const RingEdges& edges) {
   const Matrix3d source = frame_of(source_normal);

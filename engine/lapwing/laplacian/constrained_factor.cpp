@@ -6,7 +6,7 @@
 namespace lapwing {
 namespace {
 
-// Whom a factorization tells how far it is, for as long as that lasts.
+// Sets the progress callback of a solver while it lives.
 class Reporting {
  public:
   Reporting(BlockSolver& solver, const Progress& progress) : solver_(solver) {

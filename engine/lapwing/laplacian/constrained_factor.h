@@ -10,41 +10,41 @@
 
 namespace lapwing {
 
-/// The Cholesky factor of A + diag(W): a region's normal matrix A and, per unknown, how firmly it
-/// is held. Analyzed once; after that A and W may change as often as wanted, and `factor` redoes
-/// what depends on what did. One thread at a time, `analyze` excepted.
+/// The Cholesky factor of A + diag(W), with A a region's normal matrix and W the stiffness that
+/// holds each unknown. After one analysis, A and W may change at any time, and `factor` redoes what
+/// depends on the change. For one thread at a time, except `analyze`.
 class ConstrainedFactor {
  public:
-  /// Of matrices in blocks of `block_size`, 3 for M'M or 1 for L'L. `pattern` must outlive the
+  /// For matrices in blocks of `block_size`, 3 for M'M or 1 for L'L. `pattern` must outlive the
   /// object.
   ConstrainedFactor(const SystemPattern& pattern, int block_size,
                     FactorPrecision precision = FactorPrecision::float64);
 
-  /// The symbolic work, the order included, which needs no numbers; may run beside `set_matrix`.
-  /// Does nothing when done already.
+  /// Computes the order and the symbolic factorization, which need no values. May run beside
+  /// `set_matrix`. Does nothing if already done.
   void analyze();
-  /// The same in an order of one's own, new to old.
+  /// The same in an order of the caller's, new to old.
   void analyze(std::span<const int> order);
-  /// The same, as another one of the same pattern and block size has done it.
+  /// Takes over the analysis of another factor with the same pattern and block size.
   void analyze_as(const ConstrainedFactor& other);
   bool is_analyzed() const { return analyzed_; }
 
-  /// A, without W.
+  /// Sets A, without W.
   void set_matrix(BlockMatrix A);
-  /// A + diag(W) as factored last.
+  /// Returns A + diag(W) as factored last.
   const BlockMatrix& matrix() const { return A_; }
-  /// A as set last.
+  /// Returns A as set last.
   BlockMatrix unconstrained_matrix() const;
-  /// What the last A lay in, for the next. There is no A then.
+  /// Returns the memory of A for the next matrix. Leaves no A.
   Numbers take_memory();
 
-  /// Whether A + diag(W) is what is factored.
+  /// Returns true if the current factor is that of A + diag(W).
   bool holds(std::span<const double> W) const;
 
-  /// Factors A + diag(W), after the two above; does nothing when that is factored already. Where
-  /// only W differs from the last time it keeps the parts of the factor that no changed number
-  /// reaches. Same bits either way. Throws NotPositiveDefinite, Cancelled: analysis and A are then
-  /// kept, the factor is not.
+  /// Factorizes A + diag(W), after `analyze` and `set_matrix`. Does nothing if that is the current
+  /// factor. If only W has changed, keeps the parts of the factor that do not depend on the change;
+  /// the bits are the same. Throws NotPositiveDefinite or Cancelled, and then keeps analysis and A,
+  /// but not the factor.
   void factor(std::span<const double> W, const Progress& progress = {});
 
   BlockSolver& solver() const { return *solver_; }

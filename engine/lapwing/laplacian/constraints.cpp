@@ -11,7 +11,7 @@ Constraints constraints_of(const EditRegion& region, const Topology& topology, d
                            bool hard) {
   std::vector<double> handle_weights = region.handle_weights;
   handle_weights.resize(region.handles.size(), 1.0);
-  // Times the constraint weight; 0 where nothing holds.
+  // In units of the constraint weight; 0 if the vertex is not held.
   std::vector<double> anchored(topology.vertex_count(), 0.0);
   for (const Index v : region.belt) anchored[v] = 1.0;
   for (std::size_t h = 0; h < region.handles.size(); ++h) {

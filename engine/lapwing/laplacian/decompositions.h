@@ -4,22 +4,22 @@
 
 namespace lapwing {
 
-// Eigen's decompositions of 3 x 3 matrices, compiled once: each file that used Eigen's own would
-// take seconds longer.
+// Eigen's decompositions of 3 x 3 matrices, compiled once. A file that uses Eigen's own takes
+// seconds longer to compile.
 
 struct SingularValues3 {
   Eigen::Matrix3d U;
-  Eigen::Vector3d sigma;  ///< descending, none below 0
+  Eigen::Vector3d sigma;  ///< descending, at least 0
   Eigen::Matrix3d V;
 };
-/// M = U diag(sigma) V'. U and V are orthogonal; either may be a reflection.
+/// Returns M = U diag(sigma) V'. U and V are orthogonal; either may be a reflection.
 SingularValues3 singular_values(const Eigen::Matrix3d& M);
 
 struct Eigenvectors3 {
   Eigen::Vector3d values;   ///< ascending
-  Eigen::Matrix3d vectors;  ///< in columns, of length 1
+  Eigen::Matrix3d vectors;  ///< unit vectors, in columns
 };
-/// Of a symmetric matrix, of which the lower triangle is read.
+/// Decomposes a symmetric matrix. Reads only its lower triangle.
 Eigenvectors3 symmetric_eigenvectors(const Eigen::Matrix3d& M);
 
 }  // namespace lapwing

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A region of triangles this much smaller than usual, or without area, counts as that: the weight
-// of a row must stay a number that sums with others.
+// A ring area below this share of the mean counts as this share, so that row weights stay finite
+// and can be summed.
 constexpr double kSmallestAreaShare = 1e-3;
 
 // The weight of an edge between equilateral triangles, and the sum of six around a vertex.
@@ -30,7 +30,7 @@ double ring_area(Index i, const Topology& topology, std::span<const Vector3d> po
   return area / 6.0;
 }
 
-// Of i or of its neighbours on average, whichever is larger.
+// Returns the ring area of i or the mean of its neighbours', whichever is larger.
 double area_around(Index i, const Adjacency& rings, std::span<const double> areas) {
   const auto ring = rings[i];
   double sum = 0.0;
@@ -38,7 +38,7 @@ double area_around(Index i, const Adjacency& rings, std::span<const double> area
   return ring.empty() ? areas[i] : std::max(areas[i], sum / static_cast<double>(ring.size()));
 }
 
-// Of the vertices of `roi` and their neighbours alone.
+// Returns the ring areas of the vertices of `roi` and their neighbours. Others are undefined.
 Numbers ring_areas(const Topology& topology, std::span<const Vector3d> rest,
                    std::span<const Index> roi) {
   constexpr std::size_t kRowsPerTask = 2048;
@@ -61,8 +61,8 @@ Numbers ring_areas(const Topology& topology, std::span<const Vector3d> rest,
   return areas;
 }
 
-// A / r^2 of a region of area A and radius of gyration r: 4 pi of a sphere, 2 pi of a disc, 12 over
-// its aspect of a narrow strip, which one vertex counts as.
+// Returns A / r^2 of a region of area A and radius of gyration r: 4 pi for a sphere, 2 pi for a
+// disc, 12 over the aspect ratio for a narrow strip. A single vertex counts as the narrowest strip.
 double area_over_square_of_radius(std::span<const Vector3d> rest, std::span<const Index> roi,
                                   std::span<const double> areas) {
   constexpr double kNarrowest = 12.0 / 100.0;

@@ -8,9 +8,9 @@
 
 namespace lapwing {
 
-/// What `wanted`, one vector for each vertex of the mesh, says of those of `roi` that are not
-/// solved for, and 0 elsewhere: what a right-hand side has to account for. Empty where that is
-/// nothing, as with soft constraints, so that no field over the mesh is made for it.
+/// Returns `wanted`, one vector per vertex of the mesh, at the vertices of `roi` that are not
+/// unknowns, and 0 elsewhere. Right-hand sides must account for it. Returns an empty vector if all
+/// are 0, as with soft constraints, to save a field over the mesh.
 inline std::vector<Eigen::Vector3d> given_displacement(std::span<const Index> roi,
                                                        const Unknowns& unknowns,
                                                        std::span<const Eigen::Vector3d> wanted) {

@@ -32,7 +32,7 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
   const Stopwatch watch;
   parallel_invoke([&] { assemble(rest, terms); }, [&] { analyze(); });
   factor(constraints.W);
-  shared_rings();  // while `rest` is there
+  shared_rings();  // while `rest` is valid
   timings.add("laplacian", watch.elapsed_ms());
 }
 
@@ -107,7 +107,7 @@ std::shared_ptr<const RegionRings> LaplacianSystem::shared_rings() const {
   return rings_;
 }
 
-// The vertices of the unknowns in the order of elimination, then the others of the region.
+// Returns the vertices of the unknowns in the order of elimination, then the others of the region.
 std::vector<Index> LaplacianSystem::rows_by_elimination() const {
   const Unknowns& unknowns = constraints_.unknowns;
   std::vector<Index> rows;

@@ -18,82 +18,81 @@
 namespace lapwing {
 
 /// The factored n x n system (L'Om L + K + W) u = b of one region, the same for x, y and z
-/// (ENERGY.md sections 3 and 4). Om are the weights of the rows and K the matrix of the edge energy
-/// sum_ij k_ij |u_i - u_j|^2, each row counting the edges of its ring (EnergyWeights); without a
-/// detail length this is L'L + W. Springs, where there are any, are part of K.
+/// (ENERGY.md sections 3 and 4). Om holds the weights of the rows. K is the matrix of the springs
+/// and of the edge energy sum_ij k_ij |u_i - u_j|^2, in which each row counts the edges of its ring
+/// (EnergyWeights). Without a detail length, Om is the identity and K has no edge energy.
 class LaplacianSystem {
  public:
-  /// Assembles and factors; stage "laplacian". `topology` and `pattern` must outlive the object.
-  /// Throws SolverError, naming the vertex, where a component is not held.
+  /// Assembles and factorizes; stage "laplacian". `topology` and `pattern` must outlive the object.
+  /// Throws SolverError with the vertex if a component is not held.
   LaplacianSystem(std::span<const Eigen::Vector3d> rest, const Topology& topology,
                   std::span<const Index> roi, const Constraints& constraints,
                   const SystemPattern& pattern, const EnergyTerms& terms, StageTimings& timings);
 
-  /// The same, to be prepared step by step: `assemble` and `analyze` (in any order, or beside each
-  /// other), then `factor`. The steps may be repeated when positions, weights or constraints have
-  /// changed.
+  /// The same, prepared in steps: `assemble` and `analyze` in any order or in parallel, then
+  /// `factor`. Repeat a step after positions, weights or constraints have changed.
   LaplacianSystem(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
                   const SystemPattern& pattern);
 
-  /// Takes symbolic factorization, weights and rings over from a system of the same unknowns.
+  /// Takes over the symbolic factorization, weights and rings of a system with the same unknowns.
   void begin_like(const LaplacianSystem& other);
 
-  /// L and L'Om L + K, for which neither order nor constraints are needed. `rest` must stay where
-  /// it is until the rings are first asked for.
+  /// Assembles L and L'Om L + K, which need neither order nor constraints. `rest` must stay valid
+  /// until `rings` is first called.
   void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
                 std::span<const Spring> springs = {});
-  /// The same with known weights. If they are those of the last time, so is `rest`, and the rings
-  /// are kept.
+  /// The same with known weights. If they are those of the last call, `rest` must be, too, and the
+  /// rings are kept.
   void assemble(std::span<const Eigen::Vector3d> rest, std::shared_ptr<const EnergyWeights> weights,
                 std::span<const Spring> springs);
   bool is_assembled() const { return is_assembled_; }
-  /// As last assembled.
+  /// The weights as last assembled.
   const EnergyWeights& weights() const { return *weights_; }
-  /// The same, which stay what they are when others are assembled.
+  /// The same, unchanged by later assemblies.
   const std::shared_ptr<const EnergyWeights>& shared_weights() const { return weights_; }
-  /// Likewise, none kStiff any more.
+  /// The springs as last assembled, with a finite stiffness instead of kStiff.
   std::span<const Spring> springs() const { return springs_; }
-  /// L'Om L + K, without W.
+  /// Returns L'Om L + K, without W.
   BlockMatrix unconstrained_matrix() const { return factor_.unconstrained_matrix(); }
-  /// (L'Om L + K) u over the unknowns, u given for the whole mesh and 0 outside the region: 3
-  /// numbers per unknown.
+  /// Computes y = (L'Om L + K) u over the unknowns, 3 numbers each. `u` has one vector per vertex
+  /// of the mesh, 0 outside the region.
   void multiply(std::span<const Eigen::Vector3d> u, std::span<double> y) const;
-  /// Order and symbolic factorization, for which the pattern is enough. Does nothing the second
-  /// time.
+  /// Computes order and symbolic factorization, which need only the pattern. Does nothing the
+  /// second time.
   void analyze();
   bool is_analyzed() const { return factor_.is_analyzed(); }
-  /// The factor under `W`, one number per unknown; redoes what has changed since the last time.
-  /// Throws SolverError as above; all but the factor is kept then.
+  /// Factorizes under `W`, one number per unknown, and redoes only what has changed since the last
+  /// time. Throws SolverError as above, and then keeps all but the factor.
   void factor(std::span<const double> W);
-  /// Whether the system is factored under `W`.
+  /// Returns true if the system is factored under `W`.
   bool holds(std::span<const double> W) const { return is_assembled_ && factor_.holds(W); }
 
-  /// Unknowns and their rows come in the order of elimination, so that neighbours in space are
-  /// neighbours in memory: unknown k of these is unknown `elimination_order()[k]`. Built by the
-  /// first call, after the system has been analyzed.
+  /// Returns the rings, with unknowns and rows in the order of elimination, so that neighbours in
+  /// space are neighbours in memory: unknown k of the rings is unknown `elimination_order()[k]`.
+  /// The first call builds them. The system must be analyzed.
   const RegionRings& rings() const { return *shared_rings(); }
-  /// The same, which stay what they are when others are made.
+  /// The same, unchanged when others are built.
   std::shared_ptr<const RegionRings> shared_rings() const;
   const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
   std::string_view solver_name() const { return factor_.solver().name(); }
-  /// Memory of the factorization, known once analyzed.
+  /// Returns the memory of the factorization, known once analyzed.
   std::size_t factor_bytes() const { return factor_.solver().statistics().peak_bytes; }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
-  /// b = W d - (L'Om L + K) d', d what `wanted` (one vector for each vertex of the mesh) says for
-  /// unknowns that are held, d' for vertices of the region whose motion is given. x of all
-  /// unknowns, then y, then z.
+  /// Computes b = W d - (L'Om L + K) d': x of all unknowns, then y, then z. `wanted` has one vector
+  /// per vertex of the mesh. d are those of the held unknowns, d' those of the region's vertices
+  /// whose motion is given.
   void right_hand_side(std::span<const Eigen::Vector3d> wanted, std::span<double> b) const;
 
-  /// b += what the springs pull by, in that order.
+  /// Adds the forces of the springs to b, in that order.
   void add_spring_forces(std::span<double> b) const;
 
   /// Replaces `columns` right-hand sides of `size()` numbers, one after the other, by their
   /// solutions. Allocates nothing from the second call on. May be called from several threads,
   /// which wait for each other.
   void solve_in_place(std::span<double> columns_of_b, std::size_t columns) const;
-  /// As `solve_in_place`, the unknowns in the order of elimination.
+  /// Like `solve_in_place`, with the unknowns in the order of elimination.
   void solve_in_elimination_order(std::span<double> columns_of_b, std::size_t columns) const;
 
  private:
@@ -111,8 +110,8 @@ class LaplacianSystem {
   bool is_assembled_ = false;
   std::span<const Eigen::Vector3d> rest_;  ///< as assembled last
   mutable std::mutex building_rings_;
-  mutable std::shared_ptr<const RegionRings> rings_;  ///< null until they are asked for
-  std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination
+  mutable std::shared_ptr<const RegionRings> rings_;  ///< null until first used
+  std::vector<Index> places_;  ///< unknown -> its place in the order of elimination
   ConstrainedFactor factor_;
 };
 

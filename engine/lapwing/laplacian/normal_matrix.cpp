@@ -93,7 +93,7 @@ void NormalPattern::add_products(const BlockRows& M, BlockMatrix& N,
   const auto size = static_cast<std::size_t>(M.block_size);
   const std::size_t numbers = size * size;
   parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
-    // Where in the column at hand each row lies. Only entries of that column are read.
+    // The entry of each row in the current column. Only rows of that column are read.
     std::vector<std::size_t> place(n);
     CancelCheck cancel_check;
     for (std::size_t c = begin; c < end; ++c) {

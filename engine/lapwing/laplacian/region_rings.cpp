@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-// Where vertex j stands in ring i of the whole mesh.
+// Returns the entry of vertex j in ring i of the whole mesh.
 std::size_t entry_of(const Adjacency& rings, Index i, Index j) {
   const auto ring = rings[i];
   return rings.starts[i] +

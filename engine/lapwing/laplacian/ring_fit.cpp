@@ -11,14 +11,15 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Mean of K_i relative to v_i. Differences first: positions far from the origin lose nothing.
+// Returns the mean of K_i relative to v_i. The sum of differences loses no digits far from the
+// origin.
 Vector3d ring_center(Index i, std::span<const Index> ring, std::span<const Vector3d> positions) {
   Vector3d sum = Vector3d::Zero();
   for (const Index j : ring) sum += positions[j] - positions[i];
   return sum / static_cast<double>(ring.size() + 1);
 }
 
-// J = S I - C of a spread C of rank 1 has the eigenvalue 0 along the ring's line and S across it.
+// If C has rank 1, J = S I - C has the eigenvalue 0 along the ring's line and S across it.
 Matrix3d pseudo_inverse_on_line(const Matrix3d& C, double S) {
   Eigen::Index widest = 0;
   C.diagonal().maxCoeff(&widest);
@@ -81,7 +82,7 @@ struct RingMoments {
 
 RingMoments ring_moments(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                          std::span<const Vector3d> current) {
-  // The x_k sum to 0 over K_i, so v'_k need not be centred, and relative to v'_i that of i is 0.
+  // The x_k sum to 0 over K_i, so the v'_k need not be centred. Relative to v'_i, that of i is 0.
   const Vector3d center = ring_center(i, ring, rest);
   RingMoments sums;
   sums.size = center.squaredNorm();

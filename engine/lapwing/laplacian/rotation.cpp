@@ -1,5 +1,5 @@
-// Based on: Horn, "Closed-form solution of absolute orientation using unit quaternions", 1987, the
-// largest eigenvalue found as by Theobald, "Rapid calculation of RMSDs using a quaternion-based
+// Based on: Horn, "Closed-form solution of absolute orientation using unit quaternions", 1987. The
+// largest eigenvalue is found as in Theobald, "Rapid calculation of RMSDs using a quaternion-based
 // characteristic polynomial", 2005.
 #include "lapwing/laplacian/rotation.h"
 
@@ -24,7 +24,7 @@ constexpr double kRankOneShare = 1e-12;
 // Below this product of distances to the other eigenvalues the eigenvector loses half its digits.
 constexpr double kSmallestGap = 1e-6;
 constexpr int kMostNewtonSteps = 40;
-// Radians from opposite directions within which rounding decides about the axis between them.
+// Angle from opposite directions, in radians, within which rounding decides the axis.
 constexpr double kOpposite = 1e-9;
 
 Matrix3d rotation_by_svd(const Matrix3d& H) {
@@ -51,7 +51,7 @@ Matrix4d quaternion_form(const Matrix3d& H) {
 }
 
 // The largest root of N's characteristic polynomial l^4 + a l^2 + b l + c, for |H| = 1, and the
-// polynomial's slope there. Newton's method from above goes down to it and nowhere else.
+// polynomial's slope there. Newton's method from above descends to this root.
 struct LargestRoot {
   double value = 0.0;
   double slope = 0.0;
@@ -65,7 +65,7 @@ LargestRoot largest_root(const Matrix3d& H) {
   const double b = -8.0 * H.col(0).dot(cofactors.col(0));
   const double c = 1.0 - 4.0 * cofactors.squaredNorm();
   const auto slope_at = [&](double l) { return (4.0 * l * l + 2.0 * a) * l + b; };
-  double l = std::sqrt(3.0);  // the singular values of a matrix of norm 1 sum to no more
+  double l = std::sqrt(3.0);  // the singular values of a matrix of norm 1 sum to at most this
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     const double slope = slope_at(l);
     if (!(slope > kSmallestGap)) break;
@@ -116,7 +116,7 @@ Matrix3d nearest_rotation(const Matrix3d& given) {
 }
 
 Matrix3d least_rotation(const Vector3d& from, const Vector3d& to) {
-  const Vector3d axis = from.cross(to);  // times twice sine and cosine of half the angle
+  const Vector3d axis = from.cross(to);  // unit axis times 2 sin(a / 2) cos(a / 2) for an angle a
   Eigen::Quaterniond turn(1.0 + from.dot(to), axis.x(), axis.y(), axis.z());
   if (turn.norm() < kOpposite) turn = Eigen::AngleAxisd(std::numbers::pi, from.unitOrthogonal());
   return turn.normalized().toRotationMatrix();

@@ -19,48 +19,49 @@ struct BlockRows {
   std::size_t size() const { return starts.size() - 1; }
 };
 
-/// Where the blocks of M and of L are, for `rows`: each vertex, then its ring. No values.
+/// Returns the pattern of M and of L for `rows`, without values: each vertex, then its ring.
 BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows);
 
-/// The rows of M for `rows`, their values undefined (Kernels::assemble_rsi).
+/// Returns the rows of M for `rows`. Their values are undefined (see Kernels::assemble_rsi).
 BlockRows rsi_rows(const Adjacency& rings, std::span<const Index> rows);
 
-/// The rows of L for `rows`: 1 for the vertex itself, -w_ij for its ring; a vertex without ring has
-/// the block 0. `weights` as laplacian_weights gives them.
+/// Returns the rows of L for `rows`: 1 for the vertex itself, -w_ij for its ring. A vertex without
+/// ring has the block 0. `weights` are those of laplacian_weights.
 BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
                          std::span<const Index> rows);
 
-/// Which vertices are unknowns, and as which number.
+/// The unknowns of a system and their vertices.
 struct Unknowns {
   std::vector<Index> vertices;   ///< unknown -> vertex, ascending
-  std::vector<Index> of_vertex;  ///< vertex -> unknown, or kNoIndex where the motion is given
+  std::vector<Index> of_vertex;  ///< vertex -> unknown, or kNoIndex if it is none
 
   Unknowns() = default;
   Unknowns(std::vector<Index> list, std::size_t vertex_count);
   std::size_t size() const { return vertices.size(); }
 };
 
-/// Where each unknown appears in M (or L), and the pattern of M'M over the unknowns that follows.
-/// Depends on the region alone, not on positions or weights.
+/// The places of each unknown in M (or L), and the pattern of M'M over the unknowns. Depends on the
+/// region alone, not on positions or weights.
 class NormalPattern {
  public:
-  /// `M` with or without values.
+  /// `M` needs no values.
   NormalPattern(const BlockRows& M, const Unknowns& unknowns);
 
   const BlockPattern& blocks() const { return blocks_; }
 
-  /// N = M'M + diag(W), W given per unknown, or empty for 0. A gather over the rows that two
-  /// unknowns share: each block is summed by one thread in a fixed order. `memory`, of a matrix
-  /// that is no longer needed, saves taking new.
+  /// Returns N = M'M + diag(W). W has one number per unknown, or is empty for 0. Gathers over the
+  /// rows that two unknowns share, so that one thread sums each block in a fixed order. Reuses
+  /// `memory`, of a matrix that is no longer needed.
   BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W = {},
                             Numbers memory = {}) const;
 
-  /// A x I - G'G: what is left of a scalar matrix over the same unknowns where the rows G (3 x 3
-  /// blocks, laid out as those of M) may follow freely. `memory` as above.
+  /// Returns A x I - G'G, the matrix after eliminating the rotations of the rows G (ENERGY.md
+  /// section 5). A is a scalar matrix over the same unknowns. G has 3 x 3 blocks, in the layout of
+  /// M. `memory` as above.
   BlockMatrix reduced_matrix(const BlockMatrix& A, const BlockRows& G, Numbers memory = {}) const;
 
-  /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out. A 1 x 1 block acts on x,
-  /// y and z alike.
+  /// Computes y = M' r over the unknowns: 3 numbers of r per row, 3 of y per unknown. A 1 x 1 block
+  /// acts on x, y and z alike.
   void multiply_transposed(const BlockRows& M, std::span<const double> r,
                            std::span<double> y) const;
 
@@ -75,7 +76,7 @@ class NormalPattern {
   }
   void find_entries(const BlockRows& M, const Unknowns& unknowns);
   void find_blocks(const BlockRows& M);
-  // Adds kSign M'M to the columns of N, which `begin_column` has filled.
+  // Adds kSign M'M to the columns of N, which `begin_column` initializes.
   template <int kSign, typename Begin>
   void add_products(const BlockRows& M, BlockMatrix& N, const Begin& begin_column) const;
 
@@ -85,8 +86,8 @@ class NormalPattern {
   BlockPattern blocks_;
 };
 
-/// r = M u, or L u for x, y and z: `displacement` per vertex of the whole mesh in, 3 numbers per
-/// row out.
+/// Computes r = M u, or L u for x, y and z. `displacement` has one vector per vertex of the whole
+/// mesh, r 3 numbers per row.
 void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
               std::span<double> r);
 

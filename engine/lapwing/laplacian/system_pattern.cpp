@@ -10,9 +10,9 @@
 namespace lapwing {
 namespace {
 
-// Whether it pays to look for a better order than that of minimum degree, which makes of L'L of `n`
-// unknowns so many operations. On surfaces nested dissection comes to some 84 n^1.5; M'M takes 27
-// times as many, and the search for n unknowns as long as this many of them.
+// Returns true if nested dissection pays for M'M of `n` unknowns, given the `operations` for L'L in
+// the minimum degree order. On surfaces, nested dissection needs about 84 n^1.5 for L'L. M'M takes
+// 27 times as many. The search takes as long as kSearch operations per unknown.
 bool is_worth_dissecting(double n, double operations) {
   constexpr double kOfDissection = 84.0;
   constexpr double kSearch = 250'000.0;

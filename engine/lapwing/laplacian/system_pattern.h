@@ -12,12 +12,12 @@
 
 namespace lapwing {
 
-/// How `rows` of M couple the unknowns of M'M; `rings` is the mesh's.
+/// Returns how `rows` of M couple the unknowns of M'M. `rings` are those of the mesh.
 CouplingGraph coupling_graph(const Adjacency& rings, std::span<const Index> rows,
                              const Unknowns& unknowns);
 
-/// Where the unknowns of a region meet, and the orders in which to eliminate them. The rows of M
-/// and of L hold the same vertices, so M'M and L'L have one pattern.
+/// The pattern of a region's normal matrices and their orders of elimination. The rows of M and of
+/// L hold the same vertices, so M'M and L'L have one pattern.
 class SystemPattern {
  public:
   SystemPattern(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns);
@@ -25,29 +25,30 @@ class SystemPattern {
   const NormalPattern& normal() const { return normal_; }
   const BlockPattern& blocks() const { return normal_.blocks(); }
 
-  /// New to old, for L'L, found fast since a preview waits for it: by minimum degree, or in a
-  /// region of more than kMinimumDegreeLimit unknowns by nested dissection. Found in the first
-  /// call, by whichever thread that is.
+  /// Returns the order for L'L, new to old. It is found fast, because a preview waits for it: by
+  /// minimum degree, or by nested dissection above kMinimumDegreeLimit unknowns. The first call on
+  /// any thread finds it.
   const std::vector<int>& order() const;
-  /// Whether it has been; not to be asked while another thread may be finding it.
+  /// Returns true if the order is known. Do not call while another thread may be finding it.
   bool is_ordered() const { return order_.size() == blocks().size(); }
-  /// The order for M'M: the same, or that of nested dissection if its search costs less than it
-  /// saves in the factorization, which takes 27 times the operations. The first call finds it.
+  /// Returns the order for M'M: the same, or that of nested dissection if its search costs less
+  /// than it saves in the factorization, which takes 27 times the operations. The first call finds
+  /// it.
   const std::vector<int>& thorough_order() const;
-  /// The symbolic factorization of M'M in that order, which all its factors share: found when it is
-  /// asked for, and kept for as long as one of them has it.
+  /// Returns the symbolic factorization of M'M in that order, which all its factors share. Computed
+  /// on demand, and kept while one of them uses it.
   std::shared_ptr<const SolverAnalysis> analysis() const;
-  /// Whether that is there. Waits for whoever is finding it.
+  /// Returns true if it exists. Waits if another thread is computing it.
   bool has_analysis() const;
 
  private:
   NormalPattern normal_;
-  mutable CouplingGraph coupling_;  // until there are orders
+  mutable CouplingGraph coupling_;  // until the orders are known
   mutable Once ordering_;
   mutable std::vector<int> order_;
-  mutable double operations_ = 0;  // of L'L in that order, where minimum degree found it
+  mutable double operations_ = 0;  // of L'L in that order, if minimum degree found it
   mutable Once thorough_ordering_;
-  mutable std::vector<int> thorough_order_;  // empty where it is the same
+  mutable std::vector<int> thorough_order_;  // empty if it is the same
   mutable std::mutex analyzing_;
   mutable std::weak_ptr<const SolverAnalysis> analysis_;
 };

@@ -16,9 +16,9 @@ void set_uniform(std::span<double> row) {
   std::fill(row.begin(), row.end(), 1.0 / static_cast<double>(row.size()));
 }
 
-// Cotangent of the angle at `apex`, within the limits, which a triangle without area reaches as one
-// next to it does: rounding decides which of the two it is. Not a number where two corners are at
-// one place.
+// Returns the cotangent of the angle at `apex`, within the limits. A triangle without area reaches
+// a limit, as almost flat ones do, because rounding decides which of the two it is. NaN if `apex`
+// coincides with `a` or `b`.
 double cotangent(const Vector3d& apex, const Vector3d& a, const Vector3d& b) {
   const Vector3d u = a - apex;
   const Vector3d v = b - apex;
@@ -41,7 +41,7 @@ void add_triangle(const Triangle& t, Index i, std::span<const Vector3d> position
   add(k, j);
 }
 
-// The sum of the cotangents opposite to each edge of ring i.
+// Sets row i to the sums of the cotangents opposite to its edges.
 void set_cotangents(const Topology& topology, Index i, std::span<const Vector3d> positions,
                     std::span<double> row) {
   std::fill(row.begin(), row.end(), 0.0);
@@ -50,7 +50,7 @@ void set_cotangents(const Topology& topology, Index i, std::span<const Vector3d>
   }
 }
 
-// Raises every weight to a share of the mean; false where there is no finite mean to go by.
+// Raises every weight to a share of the mean. Returns false if the mean is 0 or not finite.
 bool make_positive(std::span<double> weights) {
   double mean = 0.0;
   for (const double w : weights) mean += std::abs(w);
@@ -66,7 +66,6 @@ double sum_of(std::span<const double> row) {
   return sum;
 }
 
-// The rows of a mesh.
 class AllRows {
  public:
   explicit AllRows(const Topology& topology) : count_(topology.rings.row_count()) {}
@@ -77,7 +76,7 @@ class AllRows {
   std::size_t count_;
 };
 
-// Calls body(i, entries of row i) for each of `rows`, all of the mesh or some, that has any.
+// Calls body(i, entries of row i) for each of `rows` that has entries.
 template <typename Rows, typename Body>
 void for_rows(const Topology& topology, const Rows& rows, std::span<double> values,
               const Body& body) {
@@ -99,7 +98,7 @@ void set_sums(const Topology& topology, std::span<const Vector3d> positions, con
            [&](Index i, std::span<double> row) { set_cotangents(topology, i, positions, row); });
 }
 
-// Of cotangent sums.
+// Turns a row of cotangent sums into weights.
 void make_weights(std::span<double> row) {
   if (!make_positive(row)) return set_uniform(row);
   const double sum = sum_of(row);

@@ -8,8 +8,8 @@
 namespace lapwing {
 namespace {
 
-// Coordinates of real meshes differ in a few middle bits only; multiplying and folding after each
-// spreads them over the whole word (the finalizer of MurmurHash3).
+// The finalizer of MurmurHash3. Coordinates of real meshes differ only in a few middle bits, which
+// this spreads over the whole word.
 std::uint64_t mix(std::uint64_t bits) {
   bits ^= bits >> 33;
   bits *= 0xFF51AFD7ED558CCDULL;

@@ -7,8 +7,8 @@
 
 namespace lapwing {
 
-/// For each position the number of the first one exactly equal to it (its own number if there is no
-/// earlier one). 0 equals -0; a position that is not finite equals no other. Expected linear time.
+/// Returns, for each position, the index of the first position exactly equal to it, which may be
+/// its own. 0 equals -0. A position that is not finite equals no other. Expected linear time.
 std::vector<Index> first_at_same_position(std::span<const Eigen::Vector3d> positions);
 
 }  // namespace lapwing

@@ -23,7 +23,7 @@ void require_extras(const std::vector<ExtraAttribute>& extras, std::size_t eleme
   }
 }
 
-// Replaces values by values[sources[i]]; an attribute that the mesh does not carry stays empty.
+// Sets element i to the old element `sources[i]`. An empty list stays empty.
 template <typename Value>
 void gather(std::vector<Value>& values, std::span<const Index> sources,
             std::size_t components = 1) {
@@ -43,7 +43,7 @@ void gather(std::vector<ExtraAttribute>& extras, std::span<const Index> sources)
   }
 }
 
-// Keeps the values that `numbers` name, and renumbers those.
+// Keeps only the values that `numbers` refers to, and renumbers `numbers`.
 template <typename Value>
 void drop_unnamed(std::vector<Value>& values, std::vector<Index>& numbers) {
   std::vector<Index> renumbered(values.size(), kNoIndex);

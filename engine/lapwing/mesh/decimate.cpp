@@ -19,19 +19,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the fourth power of an edge's length, beside the quadric error, which is an area times a
-// squared distance. Chosen by pictures: less leaves needles in flat parts.
+// Weight of the fourth power of the edge length beside the quadric error, which is an area times a
+// squared distance. Chosen on pictures: smaller values leave needles in flat parts.
 constexpr double kEdgeShare = 1e-3;
-// What is left of a triangle's height over its longest edge, and of the cosine between its normals.
+// Lower limits after a merge: height of a triangle over its longest edge, and cosine between its
+// old and new normals.
 constexpr double kLeastHeight = 0.15;
 constexpr double kLeastCosine = 0.7;
-// Around what is left of two vertices: more make needles later.
+// Limit on the neighbours of a merged vertex. More lead to needles later.
 constexpr std::size_t kMostNeighbours = 14;
-// Around one of them: inside a surface that are as many neighbours, of which the other takes two.
+// Limit on the triangles at each of the two vertices. In the interior, more would always exceed
+// kMostNeighbours.
 constexpr std::size_t kMostAroundOne = kMostNeighbours + 2;
-// Of the candidates of a pass, the cheapest; the others are more expensive by then.
-constexpr std::size_t kCandidatesPerPass = 3;  // one in
-constexpr std::size_t kSmallPass = 100;        // merges less than one in so many
+// A pass tries the cheapest third of the candidates. Its merges make the others more expensive.
+constexpr std::size_t kCandidatesPerPass = 3;  // tries 1 in this many
+constexpr std::size_t kSmallPass = 100;        // a small pass merges fewer than 1 in this many
 constexpr std::size_t kVerticesPerTask = 256;
 
 bool has(const Triangle& triangle, Index v) {
@@ -72,14 +74,14 @@ class Decimation {
   Decimated run(std::size_t count) {
     while (left_.size() > count) {
       const std::size_t merged = pass(left_.size() - count);
-      // What is left may hardly be merged: each pass costs as much as a large one.
+      // Few of the remaining vertices can be merged, and a small pass costs as much as a large one.
       if (kSmallPass * merged < left_.size()) break;
     }
     return result();
   }
 
  private:
-  // act(place in list, entry), by several threads.
+  // Calls act(index in list, entry) on several threads.
   template <typename T, typename Act>
   static void for_each(std::span<const T> list, const Act& act) {
     parallel_for(list.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
@@ -91,13 +93,14 @@ class Decimation {
     for_each(std::span<const T>(list), act);
   }
 
-  // What changes from pass to pass.
+  // Updates `around_` and drops vertices without triangles from `left_`.
   void find_around() {
     around_ = triangles_around_vertices(positions_.size(), triangles_);
     std::erase_if(left_, [&](Index v) { return around_.size(v) == 0; });
   }
 
-  // That of the triangles at a vertex, and across sides on a boundary, which keep that where it is.
+  // Adds the planes of the triangles at v. At a boundary edge it also adds the plane through the
+  // edge perpendicular to the triangle, which holds the boundary in place.
   void find_quadric(Index v) {
     std::vector<Spoke> spokes;
     if (is_plain_[v] == 0) spokes = spokes_of(v, around_[v], triangles_);
@@ -121,15 +124,15 @@ class Decimation {
     }
   }
 
-  // With `from` where `to` is; twice the area long.
+  // Returns the normal of t with its corner `from` moved to `to`. Its length is twice the area.
   Vector3d normal_of(const Triangle& t, Index from, Index to) const {
     std::array<Vector3d, 3> p;
     for (std::size_t c = 0; c < 3; ++c) p[c] = positions_[t[c] == from ? to : t[c]];
     return (p[1] - p[0]).cross(p[2] - p[0]);
   }
 
-  // Edges with one triangle at v; many where v is to be kept: on an edge of more than two
-  // triangles, or where fans meet.
+  // Returns the number of edges at v with one triangle, or kMany if v must be kept: on an edge of
+  // more than two triangles, or where fans meet.
   std::size_t boundary_edges(Index v, std::span<const Spoke> spokes) const {
     constexpr std::size_t kMany = 3;
     std::size_t open = 0;
@@ -137,7 +140,7 @@ class Decimation {
       if (spoke.triangles() > 2) return kMany;
       if (spoke.triangles() == 1) ++open;
     }
-    // One fan has as many edges as triangles, or one more with a boundary.
+    // A single fan has as many edges as triangles, or one more on a boundary.
     const std::size_t of_one_fan = around_.size(v) + (open > 0 ? 1 : 0);
     return spokes.size() == of_one_fan ? open : kMany;
   }
@@ -165,7 +168,7 @@ class Decimation {
     return best;
   }
 
-  // The neighbours of one of at most kMostAroundOne.
+  // Neighbours of a vertex with at most kMostAroundOne triangles.
   struct Neighbours {
     std::array<Index, 2 * kMostAroundOne> list;
     std::size_t size = 0;
@@ -185,7 +188,8 @@ class Decimation {
     return found;
   }
 
-  // Whether the surface stays one, and no triangle folds or becomes a needle.
+  // Returns whether the merge meets the link condition and the limits on neighbours, heights and
+  // normals.
   bool may_merge(Index from, Index into) const {
     if (std::max(around_.size(from), around_.size(into)) > kMostAroundOne) return false;
     const Neighbours a = neighbours_of(from);
@@ -216,7 +220,7 @@ class Decimation {
            before.dot(after) >= kLeastCosine * before.norm() * length;
   }
 
-  // The third corners of the triangles on an edge, of which there are at most two.
+  // Returns the third corners of the triangles on the edge ab, at most two.
   std::array<Index, 2> corners_beside(Index a, Index b) const {
     std::array<Index, 2> beside{kNoIndex, kNoIndex};
     std::size_t count = 0;
@@ -230,8 +234,8 @@ class Decimation {
     return beside;
   }
 
-  // Which of `merges`, the cheapest first, can all be made at once: at most `most`, and none next
-  // to another.
+  // Returns the merges to make in one pass, cheapest first: at most `most`, no two of them
+  // adjacent.
   std::vector<Merge> compatible(std::vector<Merge> merges, std::size_t most) const {
     const std::size_t tried =
         std::min(std::max<std::size_t>(merges.size() / kCandidatesPerPass, 1), merges.size());
@@ -245,9 +249,9 @@ class Decimation {
     std::sort(merges.begin(), end_of_tried);
     ask(0, tried);
     std::vector<char> is_taken(positions_.size(), 0);
-    std::vector<char> loses(positions_.size(), 0);  // a triangle
+    std::vector<char> loses(positions_.size(), 0);  // whether the vertex loses a triangle
     std::vector<Merge> made;
-    // Of the others only where few of the cheapest may.
+    // Try the others only if few of the cheapest could be made.
     const auto goes_on = [&](std::size_t k) {
       return made.size() < most && (k < tried || kSmallPass / 2 * made.size() < merges.size());
     };
@@ -277,7 +281,7 @@ class Decimation {
     return made;
   }
 
-  // Merges at most `most` vertices, none next to another; returns how many.
+  // Merges at most `most` vertices, no two of them adjacent. Returns how many.
   std::size_t pass(std::size_t most) {
     std::vector<Merge> merges(left_.size());
     for_each(left_, [&](std::size_t k, Index v) {
@@ -305,7 +309,7 @@ class Decimation {
     }
   }
 
-  // What a vertex costs changes with the quadrics of its neighbours, and which these are.
+  // The cost of a vertex depends on its neighbours and their quadrics.
   void find_changed(std::span<const Merge> merges) {
     std::fill(has_changed_.begin(), has_changed_.end(), char{0});
     for (const Merge& merge : merges) {
@@ -315,7 +319,7 @@ class Decimation {
     }
   }
 
-  // Two merges may have pinched the surface at an edge of what they went into.
+  // Two merges of one pass may have pinched the surface at an edge of a merged vertex.
   void find_plain_around(std::span<const Merge> merges) {
     std::vector<char> is_still(merges.size());
     for_each(merges, [&](std::size_t k, const Merge& merge) {
@@ -354,19 +358,19 @@ class Decimation {
   std::span<const Index> groups_;
   std::vector<Triangle> triangles_;
   std::vector<Index> left_;        ///< vertices that have triangles, ascending
-  std::vector<Index> owners_;      ///< per vertex: what it went into, itself where it is left
-  std::vector<char> has_changed_;  ///< per vertex: whether its cheapest_ may be another
+  std::vector<Index> owners_;      ///< per vertex: the vertex it was merged into, or itself
+  std::vector<char> has_changed_;  ///< per vertex: whether `cheapest_` must be recomputed
   std::vector<Merge> cheapest_;    ///< per vertex
-  /// Per vertex: `has_plain_spokes`, as inside a surface with one orientation; or not, though it
-  /// may be so again.
+  /// Per vertex: `has_plain_spokes`. It may still be 0 after the spokes have become plain again.
   std::vector<char> is_plain_;
   std::vector<ErrorQuadric> quadrics_;
   Adjacency around_;
 };
 
-// The surface renumbered so that neighbours are close in memory, where most of the time goes.
+// The surface, renumbered so that neighbours are close in memory. Memory access takes most of the
+// time.
 struct Renumbered {
-  std::vector<Index> vertices;  // own number -> that given
+  std::vector<Index> vertices;  // new number -> original vertex
   std::vector<Vector3d> positions;
   std::vector<Triangle> triangles;
   std::vector<Index> groups;
@@ -395,7 +399,7 @@ Renumbered renumbered(std::span<const Vector3d> positions, std::vector<Triangle>
   return result;
 }
 
-// In the numbers given: those of the vertices left, ascending.
+// Converts the result back to the original numbers and sorts `kept`.
 Decimated numbered_as_given(Decimated own, std::span<const Index> vertices) {
   Decimated result;
   for (const Index k : own.kept) result.kept.push_back(vertices[k]);

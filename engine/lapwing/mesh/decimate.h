@@ -7,25 +7,27 @@
 
 namespace lapwing {
 
-/// A surface with fewer vertices, all of them vertices that it had.
+/// A decimated surface, whose vertices are a subset of the original ones.
 struct Decimated {
-  std::vector<Index> kept;          ///< own number -> vertex, ascending
-  std::vector<Triangle> triangles;  ///< own numbers
-  /// Per vertex, the own number of the one that it went into; kNoIndex without triangles.
+  std::vector<Index> kept;          ///< new number -> original vertex, ascending
+  std::vector<Triangle> triangles;  ///< in new numbers
+  /// New number of the vertex that each original one was merged into; kNoIndex if it had no
+  /// triangle.
   std::vector<Index> owners;
 };
 
-/// Group of a vertex that is kept.
+/// Group of vertices that must not be merged.
 inline constexpr Index kKeptGroup = kNoIndex;
 
-/// Merges vertices into neighbours of the same group until about `count` are left, those first
-/// whose going changes the surface least: quadric error, and a little of the fourth power of the
-/// edge, so that flat parts keep triangles of one size. No triangle folds over or becomes a needle,
-/// boundaries go along themselves, and vertices of edges with more than two triangles and where
-/// fans meet are kept; more than `count` are left where that forbids most of the rest. `groups`:
-/// one per vertex, or kKeptGroup. Same result for any number of threads. Linear in the size at each
-/// of some dozen passes, each of which takes a fifth away. Based on: Garland, Heckbert, "Surface
-/// Simplification Using Quadric Error Metrics", 1997. Throws Cancelled.
+/// Merges vertices into neighbours of the same group until about `count` are left, those first that
+/// change the surface least. The cost is the quadric error plus a small multiple of the fourth
+/// power of the edge length, so that flat parts keep triangles of one size. No triangle folds over
+/// or becomes a needle. Boundary vertices merge only along the boundary. Vertices on edges with
+/// more than two triangles, or where fans meet, are kept. If these rules forbid most merges, more
+/// than `count` are left. `groups` has one entry per vertex. The result does not depend on the
+/// number of threads. Takes some dozen linear passes, each of which removes about a fifth of the
+/// vertices. Based on Garland, Heckbert, "Surface Simplification Using Quadric Error Metrics",
+/// 1997. Throws Cancelled.
 Decimated decimate(std::span<const Eigen::Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count);
 

@@ -14,16 +14,16 @@ using Eigen::Vector2d;
 
 namespace {
 
-// At points and boxes of points: more than any polygon needs that does not cut through itself, and
-// all that 64 corners can take.
+// Budget of tests of points and boxes: more than any simple polygon needs, and enough for every
+// polygon of 64 corners.
 constexpr std::size_t kLooksPerCorner = 2000;
 constexpr std::size_t kLooksAtLeast = 500'000;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-// Far more than `orient` is off by rounding, as a share of the squared size of what it is given.
+// Far above the rounding error of `orient`, relative to the squared size of its arguments.
 constexpr double kOrientError = 1e-12;
 
-// Whether all of the box is to the right of the line from a to b, beyond rounding.
+// Returns whether the whole box lies to the right of the line from a to b, beyond rounding.
 bool is_right_of(const AlignedBox2d& box, const Vector2d& a, const Vector2d& b) {
   const Vector2d along = b - a;
   // The corner that is farthest to the left.
@@ -33,7 +33,7 @@ bool is_right_of(const AlignedBox2d& box, const Vector2d& a, const Vector2d& b) 
   return orient(a, b, corner) < -kOrientError * size;
 }
 
-// The points of all corners without repetition, and which one each corner has.
+// Returns the distinct positions of the corners, and sets `point_of` to the index of each corner's.
 std::vector<Vector2d> distinct(std::span<const Vector2d> plane,
                                std::vector<std::size_t>& point_of) {
   std::vector<std::size_t> order(plane.size());
@@ -81,7 +81,7 @@ EarClipper::EarClipper(std::span<const Vector2d> plane)
   }
 }
 
-// Corners keep their order, so that the first one left has the lowest number.
+// Corners keep their order, so the first remaining one has the lowest number.
 std::size_t EarClipper::next_ear() const {
   auto ear = ears_.begin();
   if (ear != ears_.end() && *ear == first_ && ears_.size() > 1) ++ear;
@@ -121,8 +121,8 @@ void EarClipper::look_at(std::size_t corner) {
   }
 }
 
-// A point in the triangle of an ear, or none. A corner at the same point as one of the triangle's,
-// as where a bridge to a hole comes back, is no obstacle.
+// Returns a point in the triangle of `corner`, or kNone. Points equal to a corner of the triangle,
+// as at the bridge to a hole, do not block it.
 std::size_t EarClipper::blocker_of(std::size_t corner) {
   const Vector2d& a = plane_[before_[corner]];
   const Vector2d& b = plane_[corner];

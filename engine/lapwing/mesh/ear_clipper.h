@@ -11,21 +11,21 @@
 
 namespace lapwing {
 
-/// Twice the signed area of the triangle a, b, c; above 0 where it turns to the left.
+/// Returns twice the signed area of the triangle a, b, c, positive if it turns left.
 double orient(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
-/// Cuts a polygon of the plane into triangles by clipping ears: corners where it turns to the left
-/// and whose triangle with their neighbours holds no other corner. Of the ears there are, the first
-/// after the polygon's first corner goes first, that one last. Where a polygon that cuts through
-/// itself has no ear, the second corner left is clipped, so that it always ends.
+/// Triangulates a polygon of the plane by ear clipping. An ear is a corner that turns left and
+/// whose triangle with its neighbours contains no other corner. The first ear after the polygon's
+/// first corner is clipped first, and the first corner itself last. If a self-intersecting polygon
+/// has no ear, the second remaining corner is clipped, so that the algorithm always ends.
 ///
-/// A corner is looked at again only where a neighbour has gone or the one corner that was found in
-/// its triangle, with all at the same point; corners in a triangle are found by a tree. n log n
-/// mostly. After some thousand looks at other corners for each one, which no polygon needs that
-/// does not cut through itself, what is left is cut off corner by corner.
+/// A corner is tested again only after a neighbour was removed, or all corners at the point found
+/// in its triangle. A tree finds the points in a triangle, so the cost is mostly O(n log n). If a
+/// polygon uses up some thousand tests per corner, which only self-intersecting ones do, the rest
+/// is cut off corner by corner.
 class EarClipper {
  public:
-  /// `plane` has at least 3 corners and outlives the object.
+  /// `plane` must have at least 3 corners and outlive the object.
   explicit EarClipper(std::span<const Eigen::Vector2d> plane);
 
   /// Calls `add(a, b, c)` with the corners of each triangle. Throws Cancelled.
@@ -48,16 +48,16 @@ class EarClipper {
   std::span<const Eigen::Vector2d> plane_;
   std::vector<std::size_t> before_;
   std::vector<std::size_t> after_;
-  std::vector<std::size_t> point_of_;              // by corner, numbers of points_
-  std::vector<Eigen::Vector2d> points_;            // of all corners, without repetition
-  std::vector<std::size_t> corners_at_;            // how many are left at each point
-  std::vector<std::size_t> blocker_;               // by corner: the point found in its triangle
-  std::vector<std::vector<std::size_t>> waiting_;  // by point: the corners it blocks
+  std::vector<std::size_t> point_of_;              // per corner: index into points_
+  std::vector<Eigen::Vector2d> points_;            // distinct positions of the corners
+  std::vector<std::size_t> corners_at_;            // per point: number of corners left
+  std::vector<std::size_t> blocker_;               // per corner: the point found in its triangle
+  std::vector<std::vector<std::size_t>> waiting_;  // per point: the corners it blocks
   std::set<std::size_t> ears_;
   PointTree tree_;
   std::size_t first_ = 0;
   std::size_t left_;
-  std::size_t looks_;  // at points and boxes, that may still be taken
+  std::size_t looks_;  // tests of points and boxes still allowed
 };
 
 }  // namespace lapwing

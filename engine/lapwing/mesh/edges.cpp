@@ -36,7 +36,7 @@ Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face) 
            (use_face.empty() || use_face[edges.face_of_corner[c]]);
   };
   const std::size_t corner_count = mesh.face_vertices().size();
-  // Sides grouped by their lower vertex, then sorted within each small group.
+  // Group the sides by their lower vertex, then sort within each small group.
   std::vector<Index> starts(mesh.vertex_count() + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) {
     if (!is_side(c)) continue;

@@ -23,12 +23,11 @@ struct Edges {
   bool is_boundary(std::size_t edge) const { return sides.size(edge) == 1; }
 };
 
-/// Collects the edges of the faces of `mesh` for which `use_face` is not 0 (one entry per face;
-/// empty: all faces). Sorts within the edges of each vertex: near-linear. Requires valid indices
-/// (`validate_indices`).
+/// Collects the edges of the faces for which `use_face` is not 0. `use_face` has one entry per
+/// face, or is empty for all faces. Near-linear time. Requires valid indices (`validate_indices`).
 Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face = {});
 
-/// "12-40", as messages name the edge between two vertices.
+/// Returns the name of an edge in messages, such as "12-40".
 std::string name_edge(Index a, Index b);
 
 }  // namespace lapwing

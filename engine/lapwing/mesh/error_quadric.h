@@ -4,29 +4,29 @@
 
 namespace lapwing {
 
-/// sum_t area_t (squared distance from the plane of t), as a polynomial about a vertex of its own,
-/// which keeps the numbers small far from the origin.
+/// The quadric error sum_t area_t (distance to the plane of t)^2 = x'A x + 2 g.x + c. x is the
+/// offset from a vertex, which keeps the numbers small far from the origin.
 struct ErrorQuadric {
-  Eigen::Vector3d diagonal = Eigen::Vector3d::Zero();  ///< of a symmetric matrix A
-  Eigen::Vector3d beside = Eigen::Vector3d::Zero();    ///< its yz, xz and xy
+  Eigen::Vector3d diagonal = Eigen::Vector3d::Zero();  ///< diagonal of the symmetric matrix A
+  Eigen::Vector3d beside = Eigen::Vector3d::Zero();    ///< entries yz, xz and xy of A
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
   double c = 0.0;
 
-  /// A plane through the vertex.
+  /// Adds a plane through the vertex.
   void add_plane(const Eigen::Vector3d& normal, double area) {
     const Eigen::Vector3d n = area * normal;
     diagonal += n.cwiseProduct(normal);
     beside += Eigen::Vector3d(n.y() * normal.z(), n.x() * normal.z(), n.x() * normal.y());
   }
-  /// A x.
+  /// Returns A x.
   Eigen::Vector3d times(const Eigen::Vector3d& x) const {
     return {diagonal.x() * x.x() + beside.z() * x.y() + beside.y() * x.z(),
             beside.z() * x.x() + diagonal.y() * x.y() + beside.x() * x.z(),
             beside.y() * x.x() + beside.x() * x.y() + diagonal.z() * x.z()};
   }
-  /// At this offset from the vertex.
+  /// Returns the error at `offset` from the vertex.
   double at(const Eigen::Vector3d& offset) const { return offset.dot(times(offset) + 2.0 * g) + c; }
-  /// `other` about a vertex that lies at -offset from this one's.
+  /// Adds `other`, whose vertex lies at -offset from this one's.
   void add(const ErrorQuadric& other, const Eigen::Vector3d& offset) {
     diagonal += other.diagonal;
     beside += other.beside;

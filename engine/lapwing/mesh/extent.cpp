@@ -18,7 +18,7 @@ double require_extent(std::span<const Index> vertices, std::span<const Eigen::Ve
     bounds->max = bounds->max.cwiseMax(p);
   }
   if (!bounds) return 0.0;
-  // Not its diagonal, whose square is no number long before.
+  // The squared length of the diagonal would overflow long before.
   const double extent = (bounds->max - bounds->min).maxCoeff();
   if (extent == 0.0 || (extent >= kSmallestExtent && extent <= kLargestExtent)) return extent;
   std::ostringstream text;

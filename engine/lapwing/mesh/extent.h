@@ -7,14 +7,14 @@
 
 namespace lapwing {
 
-/// The sizes of what can be computed with: all that meshes of 32-bit floats can have, which end at
-/// 1e-38 and 3e38. The mathematics goes up to sixth powers of edge lengths, which double precision
-/// holds for edges a ten-thousandth as long.
+/// Sizes of meshes that the engine supports: all that 32-bit floats can hold (1e-38 to 3e38). The
+/// mathematics uses up to the sixth power of edge lengths, which doubles hold even for edges of a
+/// ten-thousandth of the size.
 inline constexpr double kSmallestExtent = 1e-38;
 inline constexpr double kLargestExtent = 1e39;
 
-/// The largest side of the box around those vertices that have finite positions; 0 where all are at
-/// one place. Throws InputError, naming `where`, for any other size beyond those two.
+/// Returns the largest side of the bounding box of the vertices with finite positions, or 0 if they
+/// coincide. Throws InputError, naming `where`, if any other size is outside those limits.
 double require_extent(std::span<const Index> vertices, std::span<const Eigen::Vector3d> positions,
                       const std::string& where);
 

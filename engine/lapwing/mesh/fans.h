@@ -7,8 +7,8 @@
 
 namespace lapwing {
 
-/// Which of the corners of faces are in one fan around their vertex. Side c of a face goes from
-/// corner c, at vertex `start(c)`, to corner `next(c)`; `sides` are those of each edge.
+/// Links the corners of faces that belong to one fan around their vertex. Side c of a face goes
+/// from corner c, at vertex `start(c)`, to corner `next(c)`. `sides` lists the sides on each edge.
 template <class Start, class Next>
 UnionFind linked_fans(const Adjacency& sides, std::size_t corners, const Start& start,
                       const Next& next) {
@@ -24,8 +24,8 @@ UnionFind linked_fans(const Adjacency& sides, std::size_t corners, const Start& 
   return fans;
 }
 
-/// Which fans, each named by a corner, are in one boundary loop: a vertex where parts touch counts
-/// once per fan.
+/// Links the fans, each given by a corner, that lie on one boundary loop. A vertex where parts
+/// touch counts once per fan.
 template <class Fan, class Next>
 UnionFind linked_loops(const Adjacency& sides, std::size_t corners, const Fan& fan_of,
                        const Next& next) {
@@ -44,10 +44,10 @@ struct Fans {
   std::vector<Index> bow_tie_vertices;  ///< vertices with more than one fan, ascending
 };
 
-/// Near-linear. `edges` are those of `mesh`.
+/// Finds the fans in near-linear time. `edges` must be those of `mesh`.
 Fans find_fans(const Mesh& mesh, const Edges& edges);
 
-/// Number of boundary loops, where a bow-tie vertex counts as one vertex per fan: two holes that
+/// Returns the number of boundary loops. A bow-tie vertex counts once per fan, so two holes that
 /// touch at a point are two loops.
 std::size_t count_boundary_loops(const Edges& edges, const Fans& fans);
 

@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-// One entry per face: whether it has a triangle.
+// Returns one entry per face: 1 if it has a triangle.
 std::vector<unsigned char> proper_faces(const Mesh& mesh) {
   std::vector<unsigned char> proper(mesh.face_count(), 0);
   for (const Index face : mesh.topology().triangle_faces) proper[face] = 1;
@@ -34,7 +34,7 @@ bool JoinedSurface::is_closed_at(std::span<const Eigen::Vector3d> positions) con
 
 void JoinedSurface::close(std::span<Eigen::Vector3d> positions) const {
   for (const Index v : followers) {
-    // Where they agree, -0 stays beside 0.
+    // Equal positions stay, so that 0 does not replace -0.
     if (positions[v] != positions[leaders[v]]) positions[v] = positions[leaders[v]];
   }
 }

@@ -7,15 +7,15 @@
 
 namespace lapwing {
 
-/// The mesh of n vertices and m triangles with positions `V` (n x 3) and vertex numbers `F` (m x
-/// 3), as libigl has them. Throws InputError, naming the row, for a number that is no vertex.
+/// Returns the mesh with positions `V` (n x 3) and triangles `F` (m x 3), as in libigl. Throws
+/// InputError, naming the row, if an entry of `F` is not a vertex.
 Mesh mesh_of(const Eigen::Ref<const Eigen::MatrixX3d>& V,
              const Eigen::Ref<const Eigen::MatrixX3i>& F);
 
-// How Eigen allocates a matrix depends on the compiler's flags. The next two are inline, so that
-// the program that frees a matrix is also the one that allocated it.
+// How Eigen allocates a matrix depends on the compiler flags. The next two functions are inline, so
+// that the same program allocates and frees the matrix.
 
-/// The positions of a mesh, n x 3.
+/// Returns the positions of a mesh, n x 3.
 inline Eigen::MatrixX3d vertex_matrix(const Mesh& mesh) {
   Eigen::MatrixX3d V(static_cast<Eigen::Index>(mesh.vertex_count()), 3);
   for (Eigen::Index v = 0; v < V.rows(); ++v) {
@@ -24,8 +24,8 @@ inline Eigen::MatrixX3d vertex_matrix(const Mesh& mesh) {
   return V;
 }
 
-/// The vertex numbers of the triangles of a mesh, m x 3. Polygons of more than three corners are
-/// cut into triangles.
+/// Returns the vertex numbers of the triangles of a mesh, m x 3. Polygons of more than three
+/// corners are triangulated.
 inline Eigen::MatrixX3i triangle_matrix(const Mesh& mesh) {
   const std::vector<Triangle>& triangles = mesh.topology().triangles;
   Eigen::MatrixX3i F(static_cast<Eigen::Index>(triangles.size()), 3);

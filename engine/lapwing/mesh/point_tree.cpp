@@ -20,7 +20,7 @@ PointTree::PointTree(std::span<const Eigen::Vector2d> points)
   build(0, items_.size(), 0);
 }
 
-// Halves at the median along the longer side.
+// Splits at the median along the longer side of the box.
 std::size_t PointTree::build(std::size_t begin, std::size_t end, std::size_t parent) {
   const std::size_t number = nodes_.size();
   Eigen::AlignedBox2d box;

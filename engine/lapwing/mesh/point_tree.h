@@ -8,17 +8,17 @@
 
 namespace lapwing {
 
-/// Points of the plane, to be asked for one in a triangle, and taken out one by one.
+/// A k-d tree of points in the plane, which can be removed one by one.
 class PointTree {
  public:
-  /// `points` outlive the tree. n log n.
+  /// `points` must outlive the tree. O(n log n).
   explicit PointTree(std::span<const Eigen::Vector2d> points);
 
   void take_out(std::size_t point);
 
-  /// A point still there for which `holds(point)`, the number of points where there is none. Looks
-  /// where `may_hold(box)` only, and stops at the first; which one is found depends on the points
-  /// alone.
+  /// Returns a remaining point for which `holds(point)` is true, or the number of points if there
+  /// is none. Searches only boxes for which `may_hold(box)` is true, and stops at the first hit.
+  /// The choice depends on the points alone.
   template <typename Holds, typename MayHold>
   std::size_t find(const Holds& holds, const MayHold& may_hold) const {
     std::vector<std::size_t> open{0};
@@ -42,9 +42,9 @@ class PointTree {
  private:
   struct Node {
     Eigen::AlignedBox2d box;
-    std::size_t begin = 0, end = 0;  // of items_
-    std::size_t count = 0;           // still there
-    std::size_t second = 0;          // the first child follows its parent; 0 in a leaf
+    std::size_t begin = 0, end = 0;  // range in items_
+    std::size_t count = 0;           // points not taken out
+    std::size_t second = 0;          // second child, 0 in a leaf; the first is the next node
     std::size_t parent = 0;
   };
 

@@ -22,7 +22,7 @@ void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
   mesh.add_face(t);
 }
 
-// The vertices on the skin of a box of grid points, as they are asked for.
+// Creates the vertices on the surface of a box of grid points on demand.
 class BoxSkin {
  public:
   BoxSkin(Mesh& mesh, Index across, double width, double step)
@@ -135,7 +135,7 @@ Mesh bumpy_plane(Index cells, Index bumps, double height) {
   for (Vector3d& p : mesh.positions) {
     const double x = p.x() * bumps;
     const double y = p.y() * bumps;
-    // From the middle of the bump's square, whose half side is the bump's radius.
+    // Distance from the centre of the bump, in radii. Its radius is half the side of its square.
     const double r = 2.0 * std::hypot(x - std::floor(x) - 0.5, y - std::floor(y) - 0.5);
     if (r < 1.0) p.z() = 0.5 * height * (1.0 + std::cos(std::numbers::pi * r));
   }
@@ -206,7 +206,7 @@ std::span<const NamedShape> named_shapes() {
       NamedShape{"sphere", [] { return icosphere(5); }},
       NamedShape{"sheet", [] { return grid(100, 100); }},
       NamedShape{"torus", [] { return torus(160, 64, 1.0, 0.4); }},
-      // What the motions of tools/classics start from.
+      // Start shapes of the motions in tools/classics.
       NamedShape{"bumpy-plane", [] { return bumpy_plane(200, 10, 0.03); }},
       NamedShape{"cylinder", [] { return cylinder(48, 100, 0.5, 6.0); }},
       NamedShape{"bar", [] { return bar(16, 96, 1.0, 6.0); }}};

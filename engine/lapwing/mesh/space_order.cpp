@@ -28,7 +28,7 @@ std::vector<Index> order_in_space(std::span<const Eigen::Vector3f> points) {
   for (int axis = 0; axis < 3; ++axis) {
     float& lowest = low[static_cast<std::size_t>(axis)];
     float high = -kInfinity;
-    // Passes over what is not a number, as do all comparisons here.
+    // In this argument order, std::min and std::max ignore NaN.
     for (const Eigen::Vector3f& point : points) {
       lowest = std::min(lowest, point[axis]);
       high = std::max(high, point[axis]);

@@ -7,9 +7,8 @@
 
 namespace lapwing {
 
-/// The numbers of the points along a curve that fills the space around them (Morton 1966): most
-/// neighbours on a surface are close in it. Coordinates that are not numbers count as the least.
-/// O(n log n).
+/// Returns the indices of the points in Morton order (Morton 1966), in which most neighbours on a
+/// surface are close. NaN coordinates count as the smallest. O(n log n).
 std::vector<Index> order_in_space(std::span<const Eigen::Vector3f> points);
 
 }  // namespace lapwing

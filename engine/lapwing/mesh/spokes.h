@@ -7,7 +7,7 @@
 
 namespace lapwing {
 
-/// The corner of a triangle that comes after that at `v`, and the one that comes before it.
+/// The corners of a triangle after and before the one at `v`.
 inline Index next_corner(const Triangle& triangle, Index v) {
   if (triangle[0] == v) return triangle[1];
   return triangle[1] == v ? triangle[2] : triangle[0];
@@ -17,8 +17,8 @@ inline Index last_corner(const Triangle& triangle, Index v) {
   return triangle[1] == v ? triangle[0] : triangle[1];
 }
 
-/// An edge at a vertex, and in how many triangles there its other end comes next after the vertex,
-/// and last before it.
+/// An edge from a vertex v to `to`. Counts the triangles in which `to` is the corner after v, and
+/// those in which it is the corner before v.
 struct Spoke {
   Index to = kNoIndex;
   std::size_t as_next = 0;
@@ -28,13 +28,13 @@ struct Spoke {
   bool is_plain() const { return as_next == 1 && as_last == 1; }
 };
 
-/// Those of a vertex, by other ends, ascending. `around`: the triangles there.
+/// Returns the spokes of `v`, ascending by `to`. `around` lists the triangles at `v`.
 std::vector<Spoke> spokes_of(Index v, std::span<const Index> around,
                              std::span<const Triangle> triangles);
 
-/// Whether all of them are plain, as inside a surface with one orientation: the corners that come
-/// next are the neighbours then. False for more than 16 triangles, too, since each is compared with
-/// each.
+/// Returns whether all spokes of `v` are plain, as in the interior of an oriented surface. Then the
+/// next corners are exactly the neighbours. Also returns false for more than 16 triangles, because
+/// it compares all pairs.
 bool has_plain_spokes(Index v, std::span<const Index> around, std::span<const Triangle> triangles);
 
 }  // namespace lapwing

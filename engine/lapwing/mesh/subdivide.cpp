@@ -29,7 +29,7 @@ void require_triangles(const Mesh& mesh) {
   }
 }
 
-// Old vertices where they were, new ones at the midpoints of edges.
+// Splits each triangle into four at the midpoints of its edges.
 Mesh split(const Mesh& mesh, const Edges& edges) {
   Mesh fine;
   fine.positions = mesh.positions;
@@ -45,7 +45,7 @@ Mesh split(const Mesh& mesh, const Edges& edges) {
     std::array<Index, 3> middle{};
     for (Index e = 0; e < 3; ++e) {
       const Index edge = edges.edge_of_side[corner + e];
-      // A side from a vertex to itself has no edge and no middle but that vertex.
+      // A side from a vertex to itself has no edge; its midpoint is that vertex.
       middle[e] = edge == kNoIndex ? t[e] : count + edge;
     }
     const auto& [a, b, c] = middle;
@@ -57,18 +57,18 @@ Mesh split(const Mesh& mesh, const Edges& edges) {
   return fine;
 }
 
-// How much of each neighbour a vertex with `valence` of them takes on.
+// Loop's weight of each neighbour of a vertex.
 double share_of_neighbour(std::size_t valence) {
   const auto n = static_cast<double>(valence);
   const double c = 0.375 + 0.25 * std::cos(2.0 * std::numbers::pi / n);
   return (0.625 - c * c) / n;
 }
 
-// The edges at one vertex, summed up.
+// Sums over the edges at one vertex.
 struct Surroundings {
-  Vector3d sum = Vector3d::Zero();  ///< of the neighbours
+  Vector3d sum = Vector3d::Zero();  ///< over all neighbours
   std::size_t valence = 0;
-  Vector3d crease_sum = Vector3d::Zero();  ///< of those across edges that are creases
+  Vector3d crease_sum = Vector3d::Zero();  ///< over crease edges only
   std::size_t creases = 0;
 
   void add(const Vector3d& neighbour, bool crease) {

@@ -10,7 +10,7 @@
 namespace lapwing {
 
 /// A point on a triangulated surface: sum_k weights[k] * (position of corners[k]). Weights are at
-/// least 0 and sum to 1; all three are 0 for "nowhere", where every value reads as 0.
+/// least 0 and sum to 1. For `nowhere()` all weights are 0, and so is every value.
 struct SurfacePoint {
   std::array<Index, 3> corners{};
   std::array<double, 3> weights{};
@@ -19,7 +19,7 @@ struct SurfacePoint {
   static SurfacePoint nowhere() { return {}; }
   bool is_nowhere() const { return weights[0] == 0.0 && weights[1] == 0.0 && weights[2] == 0.0; }
 
-  /// What `values`, one per vertex, are there, linear on the triangle.
+  /// Returns the value at the point, interpolated linearly from `values`, one per vertex.
   template <class Value>
   Value of(std::span<const Value> values) const {
     return Value(weights[0] * values[corners[0]] + weights[1] * values[corners[1]] +

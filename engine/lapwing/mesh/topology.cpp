@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-// Fills `starts` from counts per row shifted by one.
+// Turns counts per row, shifted by one, into row starts.
 void accumulate_starts(std::vector<Index>& starts) {
   for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
 }

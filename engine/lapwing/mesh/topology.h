@@ -22,13 +22,13 @@ struct Adjacency {
   }
 };
 
-/// What the mathematics needs to know of a mesh's connectivity. Depends on the polygons only (and,
-/// where a polygon is not convex, on the positions that decide how it is cut into triangles).
+/// The connectivity of a mesh. It depends only on the polygons and, if a polygon is not convex, on
+/// the positions that decide how it is triangulated.
 struct Topology {
-  std::vector<Triangle> triangles;    ///< polygons cut into triangles; degenerate corners dropped
+  std::vector<Triangle> triangles;    ///< triangulated polygons, without degenerate triangles
   std::vector<Index> triangle_faces;  ///< the polygon each triangle came from
-  /// One-ring N_i: every vertex that shares a triangle edge with i, in both directions, on the
-  /// boundary or not, ascending, without i and without repeats.
+  /// One-ring N_i: all vertices that share a triangle edge with i, ascending and without repeats.
+  /// The relation is symmetric, also on the boundary.
   Adjacency rings;
   /// The triangles around each vertex, ascending.
   Adjacency vertex_triangles;
@@ -36,51 +36,51 @@ struct Topology {
   std::size_t vertex_count() const { return rings.row_count(); }
 };
 
-/// Builds the topology of `mesh`. Linear in its size. Triangles that name one vertex twice are left
-/// out. Throws InputError when a face names a vertex that the mesh does not have.
+/// Builds the topology of `mesh` in linear time. Skips triangles that use a vertex twice. Throws
+/// InputError if a face uses a vertex that the mesh does not have.
 Topology build_topology(const Mesh& mesh);
 
-/// The triangles around each vertex, ascending. Linear time.
+/// Returns the triangles around each vertex, ascending. Linear time.
 Adjacency triangles_around_vertices(std::size_t vertex_count, std::span<const Triangle> triangles);
 
-/// The one-ring of each vertex, as in Topology. `vertex_triangles` as above.
+/// Returns the one-ring of each vertex, as in Topology.
 Adjacency rings_by_triangles(const Adjacency& vertex_triangles,
                              std::span<const Triangle> triangles);
 
-/// Cuts one polygon into triangles that keep its orientation: a triangle as it is, a convex polygon
-/// as a fan from its first corner, any other by clipping ears in its mean plane. Appends to
-/// `triangles`. Corners keep their order, so the result depends only on the polygon's shape.
+/// Appends a triangulation of one polygon, with its orientation, to `triangles`. A convex polygon
+/// becomes a fan from its first corner. Any other is cut by ear clipping in its mean plane. Corners
+/// keep their order, so the result depends only on the polygon's shape.
 void triangulate_polygon(std::span<const Index> polygon, std::span<const Eigen::Vector3d> positions,
                          std::vector<Triangle>& triangles);
 
-/// Connected component of each vertex along ring edges, numbered by smallest vertex, and their
-/// number. A vertex with an empty ring is a component of its own.
+/// Connected components of the vertices along ring edges, numbered by smallest vertex. A vertex
+/// with an empty ring is a component by itself.
 struct Components {
   std::vector<Index> of_vertex;
   std::size_t count = 0;
 };
 Components connected_components(const Adjacency& rings);
 
-/// Where each of 0 .. count - 1 is in `list`, whose entries differ; kNoIndex where it is not.
-/// Entries that are kNoIndex are passed over.
+/// Returns the index in `list` of each of 0 .. count - 1, or kNoIndex if it is not listed. Entries
+/// must differ; those equal to kNoIndex are skipped.
 std::vector<Index> places_in(std::span<const Index> list, std::size_t count);
 
-/// Every place in `list` of each of 0 .. count - 1, ascending. Entries that are kNoIndex are passed
-/// over. Linear time.
+/// Returns all indices in `list` of each of 0 .. count - 1, ascending. Skips entries equal to
+/// kNoIndex. Linear time.
 Adjacency all_places_in(std::span<const Index> list, std::size_t count);
 
-/// Triangles in numbers of their own.
+/// Triangles with compact vertex numbers.
 struct NumberedTriangles {
-  std::vector<Index> vertices;      ///< own number -> the vertex it was, ascending
-  std::vector<Triangle> triangles;  ///< own numbers, in the order given
+  std::vector<Index> vertices;      ///< new number -> original vertex, ascending
+  std::vector<Triangle> triangles;  ///< new numbers, in the order given
 };
-/// Linear in the largest vertex that is named.
+/// Numbers the vertices of `triangles` compactly. Linear in the largest vertex number.
 NumberedTriangles numbered(std::span<const Triangle> triangles);
 
-/// `vertices` and their ring neighbours, ascending.
+/// Returns `vertices` and their ring neighbours, ascending.
 std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings);
 
-/// Mean length of the ring edges; 0 without edges.
+/// Returns the mean length of the ring edges, or 0 without edges.
 double mean_edge_length(const Adjacency& rings, std::span<const Eigen::Vector3d> positions);
 
 }  // namespace lapwing

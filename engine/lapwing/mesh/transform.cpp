@@ -24,7 +24,7 @@ void flip_all_faces(Mesh& mesh) {
 void transform(Mesh& mesh, const Eigen::Affine3d& motion) {
   for (Vector3d& position : mesh.positions) position = motion * position;
   const double determinant = motion.linear().determinant();
-  // Of a motion that flattens, normals are none any more.
+  // A singular motion leaves no direction for normals, so they stay.
   if (determinant != 0.0) {
     const Eigen::Matrix3d turn = motion.linear().inverse().transpose();
     for (Vector3d& normal : mesh.edit_attributes().normals) {

@@ -9,7 +9,7 @@ namespace lapwing {
 
 Adjacency sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count) {
   const auto side_count = static_cast<Index>(3 * triangles.size());
-  // Sorted by the lower end by counting, within one lower end by the other and the side's number.
+  // Counting sort by the lower end, then a sort by the other end and the side's number.
   std::vector<Index> starts(vertex_count + 1, 0);
   const auto ends = [&](Index side) {
     return std::minmax({side_start(triangles, side), side_end(triangles, side)});

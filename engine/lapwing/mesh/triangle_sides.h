@@ -15,8 +15,8 @@ inline Index side_end(std::span<const Triangle> triangles, Index side) {
   return triangles[side / 3][(side + 1) % 3];
 }
 
-/// The sides on each edge, ascending; edges ascend by their lower vertex, then by the other. Near-
-/// linear. No triangle may name a vertex twice.
+/// Returns the sides on each edge, ascending. Edges are sorted by their lower vertex, then by the
+/// other. Near-linear time. No triangle may use a vertex twice.
 Adjacency sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count);
 
 }  // namespace lapwing

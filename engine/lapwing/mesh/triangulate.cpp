@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// The polygon in its mean plane, counter-clockwise: Newell's normal is the axis that the polygon
-// turns around, whatever its shape.
+// Projects the polygon to its mean plane, counter-clockwise. Newell's normal is the axis that a
+// polygon of any shape turns around.
 std::vector<Vector2d> project_to_mean_plane(std::span<const Index> polygon,
                                             std::span<const Vector3d> positions) {
   const std::size_t n = polygon.size();
@@ -57,7 +57,7 @@ void triangulate_polygon(std::span<const Index> polygon, std::span<const Vector3
     triangles.push_back({polygon[a], polygon[b], polygon[c]});
   };
   const std::vector<Vector2d> plane = project_to_mean_plane(polygon, positions);
-  // What clipping would make of a convex polygon, too.
+  // Ear clipping would cut a convex polygon in the same way.
   if (fan_is_valid(plane)) {
     for (std::size_t i = 1; i + 1 < n; ++i) add(0, i, i + 1);
   } else {

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Pins as they are named to a person: a midpoint has no number in the mesh.
+// Returns the name of a pin for messages; a midpoint has no number in the mesh.
 std::string name_pin(const Patch& patch, Index pin) {
   if (pin < patch.vertices.size()) return "vertex " + std::to_string(patch.vertices[pin]);
   return "own vertex " + std::to_string(pin) + " of the patch";
@@ -25,12 +25,12 @@ std::string names(const Patch& patch, const BoundaryPins& pins) {
   return text;
 }
 
-// From one place in a loop of n vertices on to another, a whole round to itself.
+// Returns the edges from one place in a loop of n vertices to another, n if both are the same.
 std::size_t edges_between(std::size_t from, std::size_t to, std::size_t n) {
   return from < to ? to - from : to + n - from;
 }
 
-// Where each pin is in the loop.
+// Returns the place of each pin in the loop.
 std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const BoundaryPins& pins) {
   const std::size_t needed = pin_count(domain);
   if (pins.size() != needed) {
@@ -62,7 +62,7 @@ std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const Bou
   return places;
 }
 
-// Length of the loop's edges, edge k from vertex k on.
+// Returns the lengths of the loop's edges in mean edge lengths; edge k starts at vertex k.
 std::vector<double> edge_lengths(const Patch& patch, std::span<const Vector3d> own_positions) {
   const std::size_t n = patch.loop.size();
   std::vector<double> lengths(n);
@@ -76,7 +76,7 @@ std::vector<double> edge_lengths(const Patch& patch, std::span<const Vector3d> o
   return lengths;
 }
 
-// A share of the way from pin `p` to the next one.
+// Returns the point at `share` of the way from pin `p` to the next one.
 Vector2d point_at(Domain domain, std::size_t p, double share) {
   if (domain == Domain::disk) {
     const double angle = 2.0 * std::numbers::pi * share;

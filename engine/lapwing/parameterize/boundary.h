@@ -7,9 +7,9 @@
 
 namespace lapwing {
 
-/// Where the vertices of `patch.loop` lie in the domain, in the order of the loop: what
-/// `mean_value_map` holds. A boundary edge counts as at least kShortestBoundaryEdge mean ones long,
-/// so that no two vertices come to one point. Throws what `mean_value_map` throws of pins.
+/// Returns the places of `patch.loop` in the domain, in its order, at which `mean_value_map` holds
+/// it. A boundary edge counts as at least kShortestBoundaryEdge mean edge lengths long, so that no
+/// two vertices coincide. Throws what `mean_value_map` throws about pins.
 std::vector<Eigen::Vector2d> boundary_points(const Patch& patch,
                                              std::span<const Eigen::Vector3d> own_positions,
                                              Domain domain, const BoundaryPins& pins);

@@ -9,14 +9,14 @@
 
 namespace lapwing {
 
-/// Throws InputError, naming pull and vertex, when a warp cannot be asked for: a triangle that is
-/// turned over or flat, a vertex that is on the boundary or in no triangle or pulled twice, a
-/// target that is not inside the boundary.
+/// Throws InputError, naming pull and vertex, if a warp is impossible: if a triangle is turned over
+/// or flat, if a pulled vertex is on the boundary, in no triangle or pulled twice, or if a target
+/// is not inside the boundary.
 void check_warp(std::span<const Triangle> triangles, std::span<const Index> boundary,
                 std::span<const Eigen::Vector2d> points, std::span<const PointPull> pulls);
 
-/// Pulls that no bijection can meet together, ascending: those whose targets coincide (nearer than
-/// `tolerance`), and those whose targets turn over or flatten a triangle all of whose corners are
+/// Returns the pulls, ascending, that no bijection can meet together: those whose targets coincide
+/// (nearer than `tolerance`), and those that turn over or flatten a triangle whose corners are all
 /// pulled or held.
 std::vector<Index> contradicting_pulls(std::span<const Triangle> triangles,
                                        std::span<const char> is_held,

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// The vertices of the loop a quarter of its length apart, from place `first` on.
+// Returns four vertices of the loop a quarter of its length apart, from place `first` on.
 BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, std::size_t first) {
   const std::size_t n = patch.loop.size();
   const auto at = [&](std::size_t k) { return patch.loop[(first + k) % n]; };
@@ -26,7 +26,7 @@ BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, s
   BoundaryPins pins{at(0)};
   std::size_t k = 0;
   for (std::size_t pin = 1; pin < 4; ++pin) {
-    // Later pins need a vertex each, too.
+    // Each later pin needs a vertex, too.
     const double wanted = 0.25 * static_cast<double>(pin) * passed[n];
     do ++k;
     while (passed[k] < wanted && k + 4 < n + pin);
@@ -35,7 +35,7 @@ BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, s
   return pins;
 }
 
-// The vertices of the loop next to the corners of the rectangle around it.
+// Returns the vertices of the loop nearest to the corners of its bounding rectangle.
 BoundaryPins corner_pins(const Patch& patch, const PrincipalView& view) {
   Eigen::AlignedBox2d box;
   for (const Index v : patch.loop) box.extend(view(v));
@@ -54,7 +54,7 @@ std::size_t place_of(const Patch& patch, Index pin) {
                                   patch.loop.begin());
 }
 
-// Whether the pins are different and follow each other in one round.
+// Returns whether the pins are distinct and in order within one round.
 bool are_in_order(const Patch& patch, const BoundaryPins& pins) {
   const std::size_t n = patch.loop.size();
   const std::size_t first = place_of(patch, pins[0]);
@@ -81,7 +81,7 @@ BoundaryPins default_pins(const Patch& patch, std::span<const Vector3d> own_posi
     area += 0.5 *
             (own_positions[b] - own_positions[a]).cross(own_positions[c] - own_positions[a]).norm();
   }
-  // A patch without area, or one that is not finite, is refused where it is mapped.
+  // `mean_value_map` rejects a patch without area, or one that is not finite.
   if (!(area > 0.0) || !std::isfinite(area)) {
     if (domain == Domain::disk) return {patch.loop.front()};
     return quarters(patch, own_positions, 0);

@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-// How far from the circle or the rectangle, relative to its size, a boundary vertex may lie.
+// Largest distance of a boundary vertex from the circle or rectangle, relative to its size.
 constexpr double kTolerance = 1e-6;
 
-// Whether both ends of every side lie on one side of the box from -half_size to half_size.
+// Returns whether each boundary edge lies on one side of the box from -half_size to half_size.
 bool follows_box(std::span<const Index> boundary, std::span<const Vector2d> points,
                  const Vector2d& centre, const Vector2d& half_size) {
   for (std::size_t k = 0; k < boundary.size(); ++k) {
@@ -37,7 +37,7 @@ bool follows_box(std::span<const Index> boundary, std::span<const Vector2d> poin
 
 constexpr double kLemniscate = 2.622057554292119464840;
 
-// The lemniscate sine at kLemniscate * t / pi, by its Fourier series
+// Returns the lemniscate sine at kLemniscate * t / pi, by its Fourier series
 //   2 pi / kLemniscate * sum_n (-1)^n sin((2n + 1) t) / cosh((n + 1/2) pi).
 double lemniscate_sine(double t) {
   static const auto coefficients = [] {
@@ -62,8 +62,8 @@ double lemniscate_sine(double t) {
   return sine * (sum + last);
 }
 
-// The square [-1, 1]^2, whose corners the lemniscate sine takes to +-1 and +-i when turned by an
-// eighth. Real and imaginary part, and 1 - |z|^2, from the addition theorems.
+// Maps the square [-1, 1]^2 by the lemniscate sine, which, after a rotation by an eighth, takes its
+// corners to +-1 and +-i. Real and imaginary part, and 1 - |z|^2, are from the addition theorems.
 DomainChart::Place place_in_square(double x, double y) {
   constexpr double kQuarter = 0.25 * std::numbers::pi;
   const double s = lemniscate_sine(kQuarter * (x - y));
@@ -78,7 +78,7 @@ DomainChart::Place place_in_square(double x, double y) {
   return {z / below, sides * (1.0 + A + B - A * B) / below};
 }
 
-// The centre of the circle through three points.
+// Returns the centre of the circle through three points.
 Vector2d circumcentre(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   Eigen::Matrix2d chords;
   chords.row(0) = b - a;

@@ -8,13 +8,13 @@
 
 namespace lapwing {
 
-/// Lays a domain conformally over the unit disk, its boundary on the circle: a disk by scaling, a
-/// square by the lemniscate sine, which is the inverse of its Schwarz-Christoffel map. (A rectangle
-/// along the axes is scaled to a square first.) Keeps the symmetries of the domain, to rounding.
+/// Maps a domain conformally to the unit disk, its boundary to the circle: a disk by scaling, a
+/// square by the lemniscate sine, the inverse of its Schwarz-Christoffel map. An axis-aligned
+/// rectangle is first scaled to a square. Keeps the symmetries of the domain up to rounding.
 class DomainChart {
  public:
-  /// Throws InputError when the boundary vertices lie neither on a circle nor on a rectangle
-  /// along the axes.
+  /// Throws InputError if the boundary vertices lie neither on a circle nor on an axis-aligned
+  /// rectangle.
   DomainChart(std::span<const Index> boundary, std::span<const Eigen::Vector2d> points);
 
   struct Place {

@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-// A cell takes the triangles within this share of its size, so that rounding in a point's cell or
-// in a triangle's outline never parts the two.
+// A cell lists the triangles within this share of its size, so that rounding in a point's cell or
+// in a triangle's outline never separates the two.
 constexpr double kCellSlack = 1e-6;
 
-// The nearest point to p of the segment ab, as a share of the way.
+// Returns the point of the segment ab nearest to p, as a share of the way from a to b.
 double nearest_share(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
   const Vector2d edge = b - a;
   const double squared = edge.squaredNorm();
@@ -85,7 +85,7 @@ struct DomainLocator::Grid {
       const SurfacePoint found = inside(t, p);
       if (!found.is_nowhere()) return found;
     }
-    // Outside, or on an edge and by rounding in neither triangle: the nearest point there is.
+    // Outside, or in neither triangle of an edge because of rounding: take the nearest point.
     Nearest nearest;
     for (const Index t : candidates) {
       const auto& [a, b, c] = triangles[t];
@@ -116,7 +116,7 @@ struct DomainLocator::Grid {
     }
   }
 
-  // One cell per triangle on average, square unless the triangulation is a line.
+  // Makes one cell per triangle on average, square unless the triangulation is a line.
   void lay_out() {
     Eigen::AlignedBox2d box;
     for (const Triangle& t : triangles) {
@@ -186,7 +186,7 @@ struct DomainLocator::Grid {
     }
   }
 
-  // Barycentric coordinates, or nowhere where one is negative.
+  // Returns the barycentric coordinates, or nowhere if one is negative.
   SurfacePoint inside(Index t, const Vector2d& p) const {
     const Triangle& corners = triangles[t];
     const Vector2d a = points[corners[0]] - p;
@@ -196,7 +196,7 @@ struct DomainLocator::Grid {
     const double at_b = cross(c, a);
     const double at_c = cross(a, b);
     const double sum = at_a + at_b + at_c;
-    // A triangle that is turned over has them all negative inside.
+    // Inside a triangle that is turned over, all are negative.
     const double sign = sum < 0.0 ? -1.0 : 1.0;
     if (sum == 0.0 || sign * at_a < 0.0 || sign * at_b < 0.0 || sign * at_c < 0.0) {
       return SurfacePoint::nowhere();

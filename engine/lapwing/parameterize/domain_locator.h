@@ -11,20 +11,20 @@
 
 namespace lapwing {
 
-/// Finds the triangle of a planar triangulation over a point: a uniform grid with one cell per
-/// triangle on average. A point outside gets the nearest point of the boundary. Threads may share
-/// one.
+/// Finds the triangle of a planar triangulation at a point, with a uniform grid of one cell per
+/// triangle on average. Points outside get the nearest point of the boundary. Threads may share an
+/// object.
 class DomainLocator {
  public:
-  /// Both are copied. O(n).
+  /// Copies both. O(n).
   DomainLocator(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> points);
   ~DomainLocator();
   DomainLocator(DomainLocator&&) noexcept;
   DomainLocator& operator=(DomainLocator&&) noexcept;
 
-  /// A vertex of the triangulation gives that vertex with weight 1 up to rounding.
+  /// Returns a vertex of the triangulation with weight 1, up to rounding, at its point.
   SurfacePoint locate(const Eigen::Vector2d& point) const;
-  /// All of them, on all threads.
+  /// Locates all points, on all threads.
   std::vector<SurfacePoint> locate(std::span<const Eigen::Vector2d> points) const;
 
  private:

@@ -17,7 +17,7 @@ DomainMap mean_value_map(const Patch& patch, std::span<const Eigen::Vector3d> ow
 
 std::vector<Index> flipped_triangles(std::span<const Triangle> triangles,
                                      std::span<const Vector2d> points) {
-  // The rounding of the difference of two products, itself of differences.
+  // Rounding of a difference of two products of differences.
   constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
   std::vector<Index> flipped;
   for (std::size_t t = 0; t < triangles.size(); ++t) {

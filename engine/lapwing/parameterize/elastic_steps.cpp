@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-// The share of its area that a triangle keeps in one step. Smaller ones take fewer steps, but leave
-// triangles that the next step has to start from thin; with larger ones the symmetric Dirichlet
-// energy at the end hardly falls.
+// Share of its area that a triangle keeps in one step. With a smaller share there are fewer steps,
+// but the next step starts from thin triangles. With a larger one the symmetric Dirichlet energy at
+// the end hardly falls.
 constexpr double kKeptShare = 0.5;
 
 Vector2d turned(double angle, const Vector2d& p) {
@@ -23,8 +23,8 @@ Vector2d turned(double angle, const Vector2d& p) {
   return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
 }
 
-// The rest of the ways: over [0, 1], the pulled vertices' centroid moves straight, and around it
-// their shape changes evenly while it turns.
+// The remaining paths, over [0, 1]: the centroid of the pulled vertices moves straight, and around
+// it their shape changes evenly while it rotates.
 class RestOfWays {
  public:
   RestOfWays(std::span<const PointPull> pulls, PullWays ways, std::span<const Vector2d> points) {
@@ -54,7 +54,7 @@ class RestOfWays {
   }
 
  private:
-  // The rotation about the centroids that fits best in the sense of least squares.
+  // Finds the least-squares rotation about the centroids.
   void find_turn() {
     const auto count = static_cast<double>(from_.size());
     for (std::size_t k = 0; k < from_.size(); ++k) {
@@ -77,7 +77,7 @@ class RestOfWays {
   double angle_ = 0.0;
 };
 
-// Where every vertex goes when the pulled ones make these displacements.
+// Returns the moves of all vertices if the pulled ones make these displacements.
 std::vector<Vector2d> elastic_moves(const WarpedDomain& domain, std::span<const PointPull> pulls,
                                     std::span<const Vector2d> displacements,
                                     std::span<const Vector2d> centres,
@@ -90,7 +90,7 @@ std::vector<Vector2d> elastic_moves(const WarpedDomain& domain, std::span<const 
       if (domain.is_held[v] == 0) moves[v] = field.at(points[v]);
     }
   });
-  // The field is there to rounding; this makes it exact.
+  // The field has these values up to rounding; this makes them exact.
   for (std::size_t k = 0; k < pulls.size(); ++k) moves[pulls[k].vertex] = displacements[k];
   return moves;
 }
@@ -115,8 +115,8 @@ int step_elastically(const WarpedDomain& domain, std::span<const PointPull> pull
   while (steps < most_steps && largest_distance(pulls, points) > 0.0) {
     const RestOfWays rest(pulls, ways, points);
     std::vector<Vector2d> moves;
-    // As many even parts as the fold of the attempt before says; an arc's first part bends less
-    // than the whole, so a few attempts do.
+    // The fold of an attempt gives the number of even parts of the next one. An arc's first part
+    // bends less than the whole, so a few attempts suffice.
     double parts = 1.0;
     double step = 0.0;
     while (parts <= most_steps) {

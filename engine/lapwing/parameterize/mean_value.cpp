@@ -22,17 +22,17 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// What the refined points must come to: rounding, with room for rings of many neighbours.
+// Limit of the refined points' residual: rounding, with room for rings of many neighbours.
 constexpr double kResidualLimit = 1e-12;
 
-// Refinement goes on while it gains at least this factor.
+// Refinement goes on while it reduces the residual below this share.
 constexpr double kLeastGain = 0.5;
 
-// The normal matrix holds the square of a ring's size in entries: beyond this ring size, those of
-// one vertex outweigh a whole patch.
+// The normal matrix has the square of a ring's size in entries. Beyond this ring size, those of one
+// vertex outnumber a whole patch's.
 constexpr std::size_t kLargestRingOfNormalEquations = 1000;
 
-// Of less area than this share of its extent's square a patch is a line or a point.
+// A patch of less area than this share of its extent's square is a line or a point.
 constexpr double kSmallestAreaShare = 1e-14;
 
 void require_extent(const Patch& patch, std::span<const Vector3d> positions) {
@@ -56,7 +56,7 @@ void require_extent(const Patch& patch, std::span<const Vector3d> positions) {
                    " has no area, so it has no place in the plane; choose a region that has");
 }
 
-// Everything but the points of the loop.
+// Returns all own vertices that are not on the loop.
 std::vector<Index> inner_vertices(const Patch& patch) {
   std::vector<char> on_loop(patch.size(), 0);
   for (const Index v : patch.loop) on_loop[v] = 1;
@@ -70,8 +70,8 @@ std::vector<Index> inner_vertices(const Patch& patch) {
   return inner;
 }
 
-// What is missing of each row, x of all rows, then y. Taken from differences, which are exact
-// between close points: rings far below the size of the domain keep all their digits.
+// Computes the residual of each row: x of all rows, then y. Differences of close points are exact,
+// so that rings far smaller than the domain keep all their digits.
 void residuals(const BlockRows& A, std::span<const Vector2d> points, std::span<double> r) {
   for (std::size_t row = 0; row < A.size(); ++row) {
     const Vector2d& center = points[A.columns[A.starts[row]]];
@@ -84,7 +84,7 @@ void residuals(const BlockRows& A, std::span<const Vector2d> points, std::span<d
   }
 }
 
-// Solves A dx = r for two columns in place, near enough for refinement.
+// Solves A dx = r for two columns in place, accurately enough for refinement.
 using Correction = std::function<void(std::span<double> columns)>;
 
 Correction normal_equations(const BlockRows& A, const Unknowns& unknowns) {
@@ -139,14 +139,14 @@ Correction sparse_lu(const BlockRows& A, const Unknowns& unknowns) {
   };
 }
 
-// Corrects the inner points until the residual falls no further; returns it.
+// Corrects the inner points until the residual falls no further. Returns the residual.
 double refine(const BlockRows& A, std::span<const Index> inner, const Correction& correction,
               std::vector<Vector2d>& points) {
   const std::size_t n = A.size();
   std::vector<double> step(2 * n);
   std::vector<Vector2d> best = points;
   double least = largest_residual(A, points);
-  for (;;) {  // as often as a number can be halved at most
+  for (;;) {  // ends, since each round but the last halves the residual
     check_cancelled();
     residuals(A, points, step);
     correction(step);
@@ -204,7 +204,7 @@ std::vector<Vector2d> mean_value_points(const Patch& patch, std::span<const Vect
         return points;
       }
     } catch (const NotPositiveDefinite&) {
-      // A is regular, but its square may not be so in double precision.
+      // A is regular, but A'A may not be so in double precision.
       if (solver == MapSolver::normal_equations) throw;
     }
   }

@@ -14,22 +14,21 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kRowsPerTask = 1024;
 
-// tan(a / 2) grows without limit towards a = 180 degrees, where the vertex lies on the edge across;
-// this is 2e-5 short of that. Also the longest edge of a ring over what its shortest counts as.
+// Limit of tan(a / 2), which is infinite at a = 180 degrees, with the vertex on the opposite edge;
+// this is 2e-5 short of that. Also limits the ratio of a ring's longest edge to its shortest.
 constexpr double kLargestRatio = 1e5;
 
 // Weights below this share of a ring's largest one would be lost to rounding.
 constexpr double kSmallestWeightShare = 1e-8;
 
-// tan(30 degrees): what an edge without length makes of the angle beside it, as in a triangle whose
-// sides are equal.
+// tan(30 degrees): next to an edge without length, an angle counts as in an equilateral triangle.
 constexpr double kHalfTangentOfNoAngle = 0.57735026918962576;
 
 double half_tangent(const Vector3d& u, const Vector3d& v) {
   const double lengths = u.norm() * v.norm();
   if (!(lengths > 0.0)) return kHalfTangentOfNoAngle;
   const double sine = u.cross(v).norm();
-  // Of the two forms of tan(a / 2), the one that subtracts nothing.
+  // Of the two forms of tan(a / 2), use the one without cancellation.
   const double cosine = u.dot(v);
   if (cosine >= 0.0) return sine / (lengths + cosine);
   return std::min((lengths - cosine) / sine, kLargestRatio);
@@ -40,7 +39,7 @@ struct Term {
   double half_tangents;
 };
 
-// One row: both neighbours of each triangle around i, then those of one vertex together.
+// Makes one row: collects both neighbours in each triangle around i, then merges equal neighbours.
 class RowMaker {
  public:
   RowMaker(std::span<const Triangle> triangles, std::span<const Vector3d> positions)
@@ -63,7 +62,7 @@ class RowMaker {
     const std::span weights = values.subspan(1);
     double sum = 0.0;
     for (double& w : weights) {
-      // Every angle 0: nothing tells the neighbours apart.
+      // If every angle is 0, all neighbours count the same.
       w = largest > 0.0 ? std::max(w, kSmallestWeightShare * largest) : 1.0;
       sum += w;
     }

@@ -11,36 +11,35 @@
 
 namespace lapwing {
 
-/// Lay a region into the plane: all of it but the mesh.
+/// A request to map a region to the plane, without the mesh.
 struct ParameterizeRequest {
   RegionSpec region;  ///< a disk
   Domain domain = Domain::disk;
-  /// As BoundaryPins, but vertices of the mesh; none: `default_pins`.
+  /// As BoundaryPins, but in vertices of the mesh; empty: `default_pins`.
   std::vector<Index> pins;
-  std::string where = "parameterize";  ///< as in RegionSpec; no part of the value
+  std::string where = "parameterize";  ///< as in RegionSpec; ignored by ==
   bool operator==(const ParameterizeRequest& other) const {
     return region == other.region && domain == other.domain && pins == other.pins;
   }
 };
 
-/// What `parameterize` makes of a mesh.
+/// The result of `parameterize`.
 struct Parameterized {
-  /// The one given with the patch's places as texture coordinates: `uv_mesh.h` says of which
-  /// corners. They fill the unit square: those of a disk are (point + (1, 1)) / 2.
+  /// The given mesh with the map as texture coordinates (see `with_uvs`). They fill the unit
+  /// square: those of a disk are (point + (1, 1)) / 2.
   Mesh mesh;
   Patch patch;
-  std::vector<Eigen::Vector3d> positions;  ///< of the patch's own vertices
+  std::vector<Eigen::Vector3d> positions;  ///< per own number of the patch
   DomainMap map;
-  BoundaryPins pins;           ///< own numbers
+  BoundaryPins pins;           ///< in own numbers
   std::vector<Index> flipped;  ///< triangles of the patch
   MapDistortion distortion;
-  std::vector<std::string> warnings;  ///< for a person
+  std::vector<std::string> warnings;  ///< messages to the user
 };
 
-/// Lays the region of `mesh` into the domain by mean value coordinates. Throws InputError, naming
-/// the region's `where`, for a region that does not fit the mesh or is no disk; naming `where`, for
-/// a pin that is not in the patch; what `mean_value_map` throws of pins and positions; and
-/// Cancelled.
+/// Maps the region of `mesh` to the domain by mean value coordinates. Throws InputError, naming the
+/// region's `where`, if the region does not fit the mesh or is not a disk, and naming `where` if a
+/// pin is not in the patch; what `mean_value_map` throws about pins and positions; and Cancelled.
 Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request,
                            const Progress& progress = {});
 

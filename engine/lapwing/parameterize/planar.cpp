@@ -20,7 +20,7 @@ double largest_step(std::span<const Triangle> triangles, std::span<const Vector2
     const Vector2d f = points[t[2]] - points[t[0]];
     const Vector2d de = moves[t[1]] - moves[t[0]];
     const Vector2d df = moves[t[2]] - moves[t[0]];
-    // Doubled area less the share to keep, as a + b s + c s^2. Its roots are 2a / (-b +- root of
+    // Doubled area minus the share to keep, as a + b s + c s^2. Its roots are 2a / (-b +- root of
     // the discriminant); the larger denominator gives the first one ahead.
     const double a = (1.0 - share) * cross(e, f);
     const double b = cross(e, df) + cross(de, f);
@@ -53,7 +53,7 @@ double extent(std::span<const Triangle> triangles, std::span<const Vector2d> poi
 
 bool is_inside(const Vector2d& point, std::span<const Index> polygon,
                std::span<const Vector2d> points) {
-  // Sides that cross the ray towards +x, upwards less downwards.
+  // Counts the sides that cross the ray towards +x, upwards minus downwards.
   int winding = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vector2d a = points[polygon[k]] - point;

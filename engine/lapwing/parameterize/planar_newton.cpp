@@ -14,17 +14,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Of the diagonal, added to it: keeps the factor positive definite where the projected twists leave
-// nothing but rounding.
+// Share of the diagonal that is added to it. Keeps the factor positive definite if the projection
+// of the twists leaves only rounding.
 constexpr double kDiagonalShift = 1e-10;
 
-// The line search: how close to the first flat triangle it starts, and what share of the decrease
-// that the slope promises it asks for.
+// Line search: where it starts, as a share of the way to the first flat triangle, and the decrease
+// that it demands, as a share of the slope's prediction.
 constexpr double kBarrierShare = 0.9;
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMostHalvings = 30;
 
-// The lower triangle of the graph of unknowns, one block per vertex.
+// Returns the lower triangle of the graph of unknowns, one block per vertex.
 BlockPattern vertex_pattern(std::span<const Triangle> triangles,
                             std::span<const Index> unknown_of_vertex, std::size_t unknowns) {
   std::vector<std::vector<Index>> below(unknowns);
@@ -49,7 +49,7 @@ BlockPattern vertex_pattern(std::span<const Triangle> triangles,
   return pattern;
 }
 
-// The same pattern in scalars, since the solver knows no 2 x 2 blocks.
+// Returns the same pattern in scalars, since the solver has no 2 x 2 blocks.
 BlockPattern scalar_pattern(const BlockPattern& blocks) {
   BlockPattern scalars;
   for (std::size_t c = 0; c < blocks.size(); ++c) {

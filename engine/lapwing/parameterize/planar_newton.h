@@ -12,24 +12,24 @@
 
 namespace lapwing {
 
-/// Projected Newton steps on the symmetric Dirichlet energy of a triangulation, some vertices held,
-/// plus springs from the pulled vertices to their targets:
-///   E(x) + stiffness / 2 sum |x_pull - target|^2.
+/// Projected Newton steps on the symmetric Dirichlet energy of a triangulation with some vertices
+/// held, plus springs from the pulled vertices to their targets:
+///     E(x) + stiffness / 2 sum |x_pull - target|^2.
 class PlanarNewton {
  public:
   PlanarNewton(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> rest,
                std::span<const char> is_held);
-  PlanarNewton(PlanarNewton&&) = delete;  // the matrix and the solver know where the pattern is
+  PlanarNewton(PlanarNewton&&) = delete;  // the matrix and the solver point to the pattern
 
-  /// Takes one step from `points`, which must be bijective and stay so: as far as the first
-  /// triangle to degenerate allows, then back until the objective falls (Smith and Schaefer 2015,
-  /// §3.3). Returns the share of the objective that it took away, 0 where it found no way down.
+  /// Takes one step from `points`, which must be bijective and stay so. Goes as far as the
+  /// triangles stay valid, then back until the objective falls (Smith and Schaefer 2015, §3.3).
+  /// Returns the share by which the objective fell, 0 if no step lowers it.
   double step(std::span<const PointPull> pulls, double stiffness,
               std::vector<Eigen::Vector2d>& points);
 
  private:
-  /// Where the 2 x 2 block of two corners goes: the places in the matrix of the first entry of its
-  /// two columns, or of the two parts of its lower triangle for a corner with itself.
+  /// Places in the matrix of the 2 x 2 block of two corners: the first entry of each of its
+  /// columns. For a corner with itself only the lower triangle is stored.
   struct BlockPlace {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -44,7 +44,7 @@ class PlanarNewton {
 
   std::span<const Triangle> triangles_;
   SymmetricDirichlet energy_;
-  std::vector<Index> unknown_of_vertex_;  ///< kNoIndex for held ones
+  std::vector<Index> unknown_of_vertex_;  ///< kNoIndex if held
   std::size_t unknowns_ = 0;
   BlockPattern pattern_;  ///< of scalars: unknown u is rows 2u and 2u + 1
   BlockMatrix hessian_;

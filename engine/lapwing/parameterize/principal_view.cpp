@@ -23,7 +23,7 @@ PrincipalView::PrincipalView(const Patch& patch, std::span<const Vector3d> own_p
   choose_sign();
 }
 
-// Six points a triangle that integrate polynomials of degree 4 exactly (Dunavant 1985).
+// Six points per triangle that integrate polynomials of degree 4 exactly (Dunavant 1985).
 void PrincipalView::sample_area() {
   constexpr std::array<std::array<double, 2>, 2> kOrbits{
       {{0.445948490915965, 0.223381589678011}, {0.091576213509771, 0.109951743655322}}};
@@ -53,7 +53,7 @@ void PrincipalView::place_center() {
   for (const Vector3d& p : positions_) radius_ = std::max(radius_, (p - center_).norm());
 }
 
-// Along the mean normal; of a patch that nearly closes, where it extends least.
+// Looks along the mean normal or, if the patch nearly closes, along its least extent.
 void PrincipalView::look_along_normal() {
   Vector3d normal = Vector3d::Zero();
   for (const auto& [a, b, c] : patch_.triangles) {
@@ -68,7 +68,7 @@ void PrincipalView::look_along_normal() {
     if (normal.dot(positions_[patch_.loop.front()] - center_) < 0.0) normal = -normal;
   }
   normal_ = normal.normalized();
-  // Until they are turned, the axes follow the boundary vertex that seems farthest from here.
+  // Before they are turned, the axes follow the boundary vertex that appears farthest away.
   const auto flat = [&](Index v) {
     const Vector3d p = positions_[v] - center_;
     return Vector3d(p - p.dot(normal_) * normal_);
@@ -85,7 +85,7 @@ void PrincipalView::turn(double angle) {
   axes_ = {first, normal_.cross(first)};
 }
 
-// Mean of z^power |z|^(2 rounds) over the patch, z = x + i y, in units of the radius.
+// Returns the mean of z^power |z|^(2 rounds) over the patch, z = x + i y, in units of the radius.
 std::complex<double> PrincipalView::moment(int power, int rounds) const {
   std::complex<double> sum = 0.0;
   CancelCheck cancel_check;
@@ -105,20 +105,21 @@ void PrincipalView::turn_to_principal_direction() {
     turn(0.5 * std::arg(second));
     return;
   }
-  // Equally wide all around, as a square is: then along its sides. One that is equally wide still
-  // keeps the axes it has.
+  // The patch is equally wide all around, like a square, so the axes follow its sides. If the
+  // fourth moment gives no direction either, they stay as they are.
   const std::complex<double> fourth = moment(4);
   if (std::abs(fourth) <= kSymmetric * size * size) return;
   turn(0.25 * (std::arg(fourth) + std::numbers::pi));
-  // Of the four ways, the one with the first boundary vertex at the lower left. Its quadrant is
-  // taken a little turned, for a vertex in the middle of a side.
+  // Of the four directions, take the one with the first boundary vertex at the lower left. That
+  // quadrant is rotated a little, so that a vertex in the middle of a side is not at its limit.
   const Vector2d first = (*this)(patch_.loop.front());
   const double quarter = 0.5 * std::numbers::pi;
   const double angle = std::atan2(first.y(), first.x()) + std::numbers::pi - 0.2 * quarter;
   turn(quarter * std::floor(angle / quarter));
 }
 
-// Toward the heavier tail; without one, away from the first boundary vertex that is on one side.
+// Points the first axis to the heavier tail or, without one, away from the first boundary vertex
+// that is on one side.
 void PrincipalView::choose_sign() {
   double tail = 0.0;
   for (const Sample& s : samples_) {

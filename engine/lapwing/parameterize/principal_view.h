@@ -13,19 +13,19 @@
 
 namespace lapwing {
 
-/// Moments closer to each other, or to 0, than this share of their size tell no direction: the
+/// Moments closer to each other, or to 0, than this share of their size give no direction: the
 /// shape is symmetric, and rounding would choose.
 inline constexpr double kSymmetric = 1e-6;
 
-/// A patch of some area seen along its mean normal, from its center of area, with its principal
-/// directions as axes (right-handed, the wider one first). Moves with the patch when that is
-/// turned, moved or scaled; what symmetry leaves open is settled by the numbers of boundary
-/// vertices. The arguments must outlive it.
+/// A patch with area, seen along its mean normal from its centre of area, with its principal
+/// directions as axes (right-handed, the wider one first). The view moves with the patch under
+/// rotation, translation and scale. The numbers of boundary vertices decide what symmetry leaves
+/// open. The arguments must outlive the object.
 class PrincipalView {
  public:
   PrincipalView(const Patch& patch, std::span<const Eigen::Vector3d> own_positions);
 
-  /// Where own vertex `v` is seen.
+  /// Returns the position in the view of the own vertex `v`.
   Eigen::Vector2d operator()(Index v) const { return seen(positions_[v]); }
   /// Largest distance of a vertex from the center.
   double radius() const { return radius_; }
@@ -58,8 +58,8 @@ class PrincipalView {
   std::array<Eigen::Vector3d, 2> axes_{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
 };
 
-/// Of the items, the one of the largest score; of those as good up to rounding in numbers of the
-/// size `scale`, the smallest, so that the choice survives a motion.
+/// Returns the item with the largest score. Of items equal up to rounding in numbers of size
+/// `scale`, it returns the smallest, so that a motion does not change the choice.
 template <class Score>
 Index best_of(std::span<const Index> items, double scale, const Score& score) {
   double best = -std::numeric_limits<double>::infinity();

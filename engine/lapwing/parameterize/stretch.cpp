@@ -14,7 +14,6 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// What is known of one triangle.
 struct Measures {
   double surface_area = 0.0;
   double plane_area = 0.0;
@@ -31,8 +30,8 @@ Measures measure(const Triangle& t, std::span<const Vector3d> positions,
   Measures measures;
   measures.surface_area = 0.5 * u.cross(v).norm();
   measures.plane_area = 0.5 * std::abs(plane.determinant());
-  // The first fundamental form: J'J with J = [u v] plane^-1; G^2 and g^2 are its eigenvalues, whose
-  // sum and product are known.
+  // The first fundamental form is J'J with J = [u v] plane^-1. Its trace and determinant are the
+  // sum and the product of its eigenvalues G^2 and g^2.
   Matrix2d gram;
   gram << u.squaredNorm(), u.dot(v), u.dot(v), v.squaredNorm();
   const Matrix2d inverse = plane.inverse();

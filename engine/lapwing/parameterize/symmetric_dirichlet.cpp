@@ -26,7 +26,7 @@ Matrix2d edges(const Triangle& t, std::span<const Vector2d> points) {
   return columns;
 }
 
-// J = U diag(s) V' with rotations U and V; s_0 >= s_1, both positive where det J is.
+// J = U diag(s) V' with rotations U and V; s_0 >= s_1, both positive if det J is.
 struct SignedSvd {
   Matrix2d U;
   Matrix2d V;
@@ -39,9 +39,9 @@ Matrix2d rotation(double angle) {
   return (Matrix2d() << c, -s, s, c).finished();
 }
 
-// `det` is given, since the determinant of J itself cancels for a sliver.
+// `det` is an argument, since the determinant of J itself cancels for a sliver.
 SignedSvd signed_svd(const Matrix2d& J, double det) {
-  // J is (s_0 + s_1) / 2 times a turn plus (s_0 - s_1) / 2 times a mirror image.
+  // J is (s_0 + s_1) / 2 times a rotation plus (s_0 - s_1) / 2 times a reflection.
   const Vector2d turn(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
   const Vector2d mirror(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1));
   const double turn_angle = std::atan2(turn.y(), turn.x());
@@ -105,7 +105,7 @@ SymmetricDirichlet::Part SymmetricDirichlet::part(std::size_t triangle,
   const auto [U, V, s] = signed_svd(jacobian(triangle, points),
                                     doubled_area(triangles_[triangle], points) / areas_[triangle]);
   const double weight = weights_[triangle];
-  // d J / d corner k is (its coordinate direction) times row k of these.
+  // d J / d corner k is the coordinate direction times row k of these.
   Eigen::Matrix<double, 3, 2> slopes;
   slopes.bottomRows<2>() = inverse_edges_[triangle];
   slopes.row(0) = -slopes.row(1) - slopes.row(2);

@@ -31,7 +31,7 @@ class Recut {
   std::vector<Index> own_numbers;
 
  private:
-  // The patch's triangles that lie in a triangle of the mesh. Asked for in ascending order.
+  // Returns the patch's triangles that lie in a triangle of the mesh.
   std::span<const Triangle> parts(std::size_t triangle) const {
     const auto& all = patch_.triangle_sources;
     const auto [first, last] = std::equal_range(all.begin(), all.end(), triangle);
@@ -65,7 +65,7 @@ class Recut {
     }
   }
 
-  // Of a midpoint: one of its ends, whose attributes it takes.
+  // Returns the mesh vertex; for a midpoint one of its ends, whose attributes it takes.
   Index mesh_vertex(Index own) const {
     const std::size_t n = patch_.vertices.size();
     return patch_.vertices[own < n ? own : patch_.midpoint_of[own - n][0]];

@@ -9,10 +9,10 @@
 
 namespace lapwing {
 
-/// `mesh` with `uvs`, one per own vertex of a patch of it, as texture coordinates on the corners of
-/// the polygons that lie whole in the patch; all others have none, whatever they had before.
-/// Polygons that hold a halved edge come out as the patch's triangles, with the midpoints as new
-/// vertices behind the others: nothing but polygons on such an edge changes its shape.
+/// Returns `mesh` with `uvs`, one per own number of a patch of it, as texture coordinates on the
+/// corners of the polygons that lie wholly in the patch. All other corners lose theirs. Polygons
+/// with a halved edge are replaced by the patch's triangles, with the midpoints as new vertices
+/// after the others. No other polygon changes its shape.
 Mesh with_uvs(const Mesh& mesh, const Patch& patch, std::span<const Eigen::Vector2d> uvs);
 
 }  // namespace lapwing

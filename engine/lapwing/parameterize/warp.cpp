@@ -15,25 +15,25 @@ namespace {
 
 using Eigen::Vector2d;
 
-// A pull is met when its vertex is this near its target, in extents of the domain.
+// A pull is met if its vertex is this near its target, in extents of the domain.
 constexpr double kMet = 1e-6;
 
-// Radial-basis steps before the constrained parameterization takes over, and after each of its
-// iterations, where they bring the last part of the way.
+// Limits of radial-basis steps: before the constrained parameterization takes over, and after each
+// of its iterations, to finish the last part of the way.
 constexpr int kMostSteps = 64;
 constexpr int kMostLastSteps = 4;
 
-// Springs of the constrained parameterization, in energy per squared extent: from about as stiff as
-// the domain itself, harder whenever an iteration takes less than that share of the objective away.
+// Springs of the constrained parameterization, in energy per squared extent: first about as stiff
+// as the domain, then stiffer if an iteration lowers the objective by less than kSlowDecrease.
 constexpr double kFirstStiffness = 10.0;
 constexpr double kLastStiffness = 1e9;
 constexpr double kStiffer = 4.0;
 constexpr double kSlowDecrease = 0.05;
 
-// Radial-basis steps are tried again when the largest distance fell to this share of what it was.
+// Retry radial-basis steps once the largest distance is at most this share of that at the last try.
 constexpr double kWorthAnotherTry = 0.8;
 
-// Of one call, over all that it tries.
+// Limit for one call, over all attempts.
 constexpr int kMostConstrainedSteps = 150;
 
 WarpedDomain make_domain(std::span<const Triangle> triangles, std::span<const Index> boundary,
@@ -78,7 +78,7 @@ std::size_t farthest(std::span<const PointPull> pulls, std::span<const Vector2d>
                                   pulls.begin());
 }
 
-// Straight ways first, then arcs; where neither arrives, the ends of those that come nearer.
+// Tries straight paths, then arcs. If neither arrives, returns the result that comes nearer.
 std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const PointPull> pulls,
                                   std::span<const Vector2d> start, WarpReport& report) {
   std::vector<Vector2d> best;
@@ -96,7 +96,7 @@ std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const Po
   return best;
 }
 
-// The pull farthest from its target is given up until the others are met: once for each at most.
+// Gives up the pull farthest from its target until the others are met, each pull once at most.
 std::vector<Vector2d> warp(const WarpedDomain& domain, std::vector<PointPull> pulls,
                            std::span<const Vector2d> start, WarpReport& report) {
   std::unique_ptr<PlanarNewton> newton;

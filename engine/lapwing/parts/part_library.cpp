@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Told from a texture by this.
+// Distinguishes part pictures from textures.
 constexpr std::string_view kMaker = "Lapwing, picture of a part";
 
 fs::path details_path(const fs::path& path) {
@@ -33,7 +33,7 @@ void require_loop(std::size_t loop, const std::vector<BoundaryLoop>& loops,
                    count_loops(loops) + ", counted from 0");
 }
 
-// The number that the details give; none without them.
+// Returns the loop number in the details, or none without them.
 std::optional<std::size_t> loop_in_details(const fs::path& path) {
   std::error_code missing;
   if (!fs::exists(path, missing)) return std::nullopt;
@@ -49,7 +49,7 @@ std::size_t longest(const std::vector<BoundaryLoop>& loops,
   return static_cast<std::size_t>(std::ranges::max_element(loops, {}, length) - loops.begin());
 }
 
-// `path` says where it is, or what it is called.
+// `path` is the mesh file, or only the part's name.
 Part part_of(Mesh mesh, const fs::path& path, std::optional<std::size_t> loop,
              const std::string& loop_where) {
   Part part;
@@ -85,7 +85,7 @@ void require_name(const std::string& name) {
   }
 }
 
-// In the folder, under that name.
+// Writes the part into the folder under that name.
 AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
                      const std::string& extension) {
   AddedPart added{std::move(part), {}};
@@ -93,7 +93,7 @@ AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
   added.part.name = name;
-  // Not replace_extension, which would cut off what follows a dot in the name.
+  // replace_extension would cut off what follows a dot in the name.
   added.part.mesh_path = folder / (name + extension);
   std::vector<fs::path> files = part_files(folder);
   std::erase_if(files, [&](const fs::path& file) { return file.stem() != name; });

@@ -7,12 +7,12 @@
 namespace lapwing {
 namespace {
 
-// Appends the parts of a triangle whose side k has the midpoint `middles[k]`, or kNoIndex.
+// Appends the parts of a triangle. `middles[k]` is the midpoint of its side k, or kNoIndex.
 void split(const Triangle& triangle, const Triangle& middles, std::vector<Triangle>& parts) {
   const auto halved = static_cast<int>(middles[0] != kNoIndex) +
                       static_cast<int>(middles[1] != kNoIndex) +
                       static_cast<int>(middles[2] != kNoIndex);
-  // Turned so that the halved sides come first.
+  // Rotates the corners so that the halved sides come first.
   std::size_t first = 0;
   if (halved == 1) {
     while (middles[first] == kNoIndex) ++first;
@@ -33,7 +33,7 @@ void split(const Triangle& triangle, const Triangle& middles, std::vector<Triang
     parts.push_back({ab, b, c});
   } else if (halved == 2) {
     parts.push_back({ab, b, bc});
-    // The diagonal follows from numbers, which do not change when the mesh is turned.
+    // Vertex numbers choose the diagonal, since they do not change when the mesh is rotated.
     if (a < c) {
       parts.push_back({a, ab, bc});
       parts.push_back({a, bc, c});

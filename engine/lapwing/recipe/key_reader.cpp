@@ -10,8 +10,8 @@
 namespace lapwing {
 namespace {
 
-// Finds out the names of an object's keys, so that one that is unknown is answered before any other
-// is read.
+// Collects the names of an object's keys, so that an unknown key is reported before any value is
+// read.
 class KeyNames final : public KeyVisitor {
  public:
   std::vector<std::string_view> names{};
@@ -27,10 +27,10 @@ class KeyNames final : public KeyVisitor {
   void end_list(const StepKey&) override { --depth_; }
 
  private:
-  int depth_ = 0;  // of lists
+  int depth_ = 0;  // nesting of lists
 };
 
-// Reads what is there and leaves the rest as it is.
+// Reads the keys that are present and leaves the other values unchanged.
 class KeyReader final : public KeyVisitor {
  public:
   explicit KeyReader(JsonNode step) { open_.push_back(std::move(step)); }
@@ -175,7 +175,7 @@ class KeyReader final : public KeyVisitor {
     node.fail_expecting(range.words());
   }
 
-  std::vector<JsonNode> open_;  // objects that are being read
+  std::vector<JsonNode> open_;  // objects that are being read, outermost first
   std::vector<JsonNode> items_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace lapwing {
 
-/// The step that `node` says. Throws InputError with the JSON pointer of what does not fit.
+/// Reads a step. Throws InputError with the JSON pointer of the first mistake.
 Step read_step(const JsonNode& node);
 
 }  // namespace lapwing

@@ -83,7 +83,7 @@ class KeyTable final : public KeyVisitor {
     add(key, "a list");
     open(key);
   }
-  // All items have the same keys.
+  // All items have the same keys, so only the first is listed.
   void begin_item(std::size_t number, const ListWords&) override { told_ = number > 0; }
   void end_item() override { told_ = false; }
   void end_list(const StepKey&) override { close(); }
@@ -104,7 +104,7 @@ class KeyTable final : public KeyVisitor {
     lengths_.pop_back();
   }
 
-  std::string path_;  // of the object that is open, with a dot behind each name
+  std::string path_;  // of the open object, with a dot after each name
   std::vector<std::size_t> lengths_;
   bool told_ = false;
 };

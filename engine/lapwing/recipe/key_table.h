@@ -6,8 +6,8 @@
 
 namespace lapwing {
 
-/// The keys of an operation as a table in Markdown, a line each: name (`settle.tolerance` is a key
-/// of the object `settle`), value, default, and what it is.
+/// Returns the keys of an operation as a Markdown table with name, value, default and help.
+/// `settle.tolerance` names the key `tolerance` of the object `settle`.
 std::string key_table(const Operation& operation);
 
 }  // namespace lapwing

@@ -103,7 +103,7 @@ class KeyWriter final : public KeyVisitor {
   }
 
   std::vector<Json> open_{Json::object()};  // objects and lists that are being written
-  std::vector<std::string> names_;          // the keys of those after the first
+  std::vector<std::string> names_;          // their keys, except for the first
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace lapwing {
 
-/// The step as JSON, as recipes have it.
+/// Returns the step as JSON, in the format of recipes.
 Json json_of(const Step& step);
 
 }  // namespace lapwing

@@ -5,7 +5,7 @@
 namespace lapwing {
 namespace {
 
-// Unions within differences within unions: deeper than this is a mistake of whatever wrote it.
+// A deeper nesting of unions and differences is a bug of the program that wrote the file.
 constexpr int kDeepestNesting = 64;
 
 RegionSpec read_nested(const JsonNode& node, int depth);

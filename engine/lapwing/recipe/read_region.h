@@ -5,7 +5,7 @@
 
 namespace lapwing {
 
-/// The region or belt that `node` describes. Throws InputError with the place.
+/// Reads a region or belt. Throws InputError with the JSON pointer of the first mistake.
 RegionSpec read_region(const JsonNode& node);
 BeltSpec read_belt(const JsonNode& node);
 

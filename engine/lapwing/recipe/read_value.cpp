@@ -41,7 +41,7 @@ DomainRamp read_domain_ramp(const JsonNode& node) {
   return {ends[0], ends[1]};
 }
 
-// Shares from 0 to 1; `what` they are of.
+// Reads numbers from 0 to 1; `what` names them in errors.
 std::vector<double> read_field(const JsonNode& node, const std::string& what) {
   std::vector<double> field;
   for (const JsonNode& element : node.elements()) {

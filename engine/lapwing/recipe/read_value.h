@@ -6,8 +6,7 @@
 
 namespace lapwing {
 
-// What stands behind a key and is more than a number or a name. Each throws InputError with the
-// JSON pointer of what does not fit.
+// Readers of compound values. Each throws InputError with the JSON pointer of the first mistake.
 Move read_move(const JsonNode& node);
 MovedHandle read_handle(const JsonNode& node, HandleForm form);
 TargetSpec read_targets(const JsonNode& node);

@@ -10,17 +10,17 @@
 
 namespace lapwing {
 
-/// The version of the format that this program reads and writes, the file's "lapwing".
+/// The version of the format: the value of "lapwing" in the file.
 inline constexpr int kRecipeVersion = 1;
 
-/// A whole edit: a mesh, what is done to it, and where the result goes.
+/// A whole edit: a mesh, its steps, and the file to save.
 struct Recipe {
   std::filesystem::path mesh;            ///< as written
   std::vector<Step> steps;               ///< in order; may be empty
-  std::filesystem::path save;            ///< as written; empty when the recipe does not say
-  std::filesystem::path base_directory;  ///< what the relative paths above are relative to
-  /// The result is saved as a morph target of this name, beside the mesh as it was: "save_as":
-  /// {"morph_target": NAME}. Empty: as the mesh itself.
+  std::filesystem::path save;            ///< as written; empty if the recipe names none
+  std::filesystem::path base_directory;  ///< of the relative paths above
+  /// Name of the morph target to save, from "save_as": {"morph_target": NAME}. The mesh itself is
+  /// then saved as it was. Empty: save the edited mesh.
   std::string morph_target;
 
   std::filesystem::path mesh_path() const { return base_directory / mesh; }
@@ -29,23 +29,23 @@ struct Recipe {
   bool operator==(const Recipe&) const = default;
 };
 
-/// Reads a recipe from JSON text; `name` is what messages call it. Everything that needs no mesh is
-/// checked. Throws InputError with the JSON pointer of the place, what is expected there and what
-/// was found; line and column when the text is no JSON (see parse_json).
+/// Reads a recipe from JSON text. Messages call it `name`. Checks everything that needs no mesh.
+/// Throws InputError with the JSON pointer, what was expected and what was found, or with line and
+/// column if the text is not JSON (see parse_json).
 Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
                     const std::string& name);
 
-/// The same of a document that is no text (json/parse_json.h).
+/// The same for a document that was not read from text (json/parse_json.h).
 Recipe parse_recipe(JsonNode::Document document, const std::filesystem::path& base_directory,
                     const std::string& name);
 
-/// Reads a recipe file; its folder is the base directory. Throws IoError when it cannot be read,
-/// and what `parse_recipe` throws.
+/// Reads a recipe file; its folder is the base directory. Throws IoError if it cannot be read, and
+/// as `parse_recipe` does.
 Recipe read_recipe(const std::filesystem::path& path);
 
-/// The recipe as JSON that `parse_recipe` reads back to an equal one. Two spaces of indentation;
-/// what fits on a line stays on one. Numbers must be finite. Throws InputError when a path is not
-/// UTF-8.
+/// Returns the recipe as JSON, which `parse_recipe` reads back to an equal recipe. Objects and
+/// lists that fit on a line stay on one; others are indented by two spaces. Numbers must be finite.
+/// Throws InputError if a path is not UTF-8.
 std::string to_json(const Recipe& recipe);
 
 }  // namespace lapwing

@@ -7,17 +7,17 @@
 
 namespace lapwing {
 
-/// The files that a recipe names, as they are from the current folder.
+/// The files that a recipe names, relative to the current folder.
 struct RecipeFiles {
   std::vector<std::filesystem::path> read;     ///< the mesh first
-  std::vector<std::filesystem::path> written;  ///< the result first, if there is one; each once
+  std::vector<std::filesystem::path> written;  ///< the result first, if any; no duplicates
 };
-/// With what is carried beside a result at `result`; empty: where the recipe saves it, if it does.
+/// `result` is the path of the result, by default the recipe's own. Files carried along are
+/// included.
 RecipeFiles files_of(const Recipe& recipe, std::filesystem::path result = {});
 
-/// Throws InputError that names the file unless all that the recipe names, to read or to write, lie
-/// in `folder` or below (is_inside), with what is carried beside its result: for recipes from
-/// people whom one does not know.
+/// Throws InputError, naming the file, unless all files that the recipe reads or writes lie inside
+/// `folder` (is_inside). For untrusted recipes.
 void require_inside(const Recipe& recipe, const std::filesystem::path& folder);
 
 }  // namespace lapwing

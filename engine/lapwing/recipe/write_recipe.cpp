@@ -13,13 +13,14 @@ constexpr std::size_t kLineWidth = 96;
 
 std::string atom(const Json& json) {
   if (!json.is_number_float()) return json.dump();
-  // Shortest digits that read back to the same bits; 10, where the library writes 10.0.
+  // Uses the shortest digits that read back to the same bits, and writes 10 instead of the
+  // library's 10.0.
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), json.get<double>());
   return {digits.data(), end.ptr};
 }
 
-// `json` on one line.
+// Returns `json` on one line.
 std::string flat(const Json& json) {
   if (!json.is_structured()) return atom(json);
   std::string text;
@@ -31,7 +32,7 @@ std::string flat(const Json& json) {
   return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-// Numbers in lines filled up to the width.
+// Fills lines with numbers up to the line width.
 std::string filled(const Json& list, const std::string& indent) {
   std::string text = "[";
   std::size_t column = kLineWidth;
@@ -51,7 +52,7 @@ std::string filled(const Json& list, const std::string& indent) {
   return text + "\n" + indent + "]";
 }
 
-// `json` on one line where it fits behind what already stands there, else one child a line.
+// Returns `json` on one line if it fits after `column`, and otherwise one child per line.
 std::string pretty(const Json& json, const std::string& indent, std::size_t column) {
   const std::string line = flat(json);
   if (column + line.size() < kLineWidth || !json.is_structured()) return line;
@@ -77,7 +78,7 @@ std::string to_json(const Recipe& recipe) {
   if (!recipe.save.empty()) root["save"] = recipe.save.string();
   if (!recipe.morph_target.empty()) root["save_as"] = {{"morph_target", recipe.morph_target}};
   try {
-    // Counted as standing at the line's end, so that the root always opens up.
+    // Starting at the end of a line makes the root always span several lines.
     return pretty(root, "", kLineWidth) + "\n";
   } catch (const Json::type_error&) {
     throw InputError(

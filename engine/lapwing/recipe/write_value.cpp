@@ -92,7 +92,7 @@ Json json_of(const LoopFit& fit) {
   return {{"auto", std::move(keys)}};
 }
 
-// A belt, move, weight or place by the overload for what it holds.
+// Writes the alternative that a belt, move, weight or place holds.
 template <class... Forms>
 Json json_of_any(const std::variant<Forms...>& any) {
   return std::visit([](const auto& form) { return json_of(form); }, any);

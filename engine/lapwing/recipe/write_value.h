@@ -8,7 +8,7 @@ namespace lapwing {
 
 using Json = nlohmann::ordered_json;
 
-// What stands behind a key and is more than a number or a name, as `read_value.h` reads it.
+// Writers of the compound values that `read_value.h` reads.
 Json json_of(const RegionSpec& spec);
 Json json_of(const BeltSpec& belt);
 Json json_of(const Move& move);

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Anchors nearer to one line than this share of their extent do not count as holding a turn about
-// it: the turn's stiffness falls with the square of the share, to 1e-12 of the system here.
+// Anchors that are closer to a line than this fraction of their extent do not hold a rotation about
+// it. Its stiffness falls with the square of the fraction, here to 1e-12 of the system's.
 constexpr double kCollinearity = 1e-6;
 
 VertexSet anchors_of(const VertexSet& component, const std::vector<char>& in_roi,
@@ -47,7 +47,7 @@ std::string describe(const VertexSet& component) {
          std::to_string(component.front()) + " on";
 }
 
-// A component of the ROI, and why it cannot be solved for: empty where it can.
+// A component of the ROI. `fault` says why it cannot be solved for, or is empty.
 struct CheckedComponent {
   VertexSet vertices;
   std::string fault;
@@ -98,7 +98,7 @@ LoosePart loose_part(VertexSet vertices, const EditRegion& region,
     part.anchors.push_back(
         {target.corners[0], stays, target.position - point_of(target, positions)});
   }
-  // A neighbour outside the ROI stays, too.
+  // Neighbours outside the ROI stay too.
   VertexSet outside =
       subtract(make_vertex_set(with_ring_neighbours(part.vertices, topology.rings)), part.vertices);
   for (const Index v : outside) part.anchors.push_back({v, stays, Vector3d::Zero()});

@@ -7,27 +7,27 @@
 
 namespace lapwing {
 
-/// A belt measured in from the ROI's border: each component of the ROI by itself, `fraction` (0 to
-/// 1) of its radius wide.
+/// A belt along the border of the ROI. In each component, its width is `fraction` (0 to 1) of the
+/// component's radius.
 struct BorderBelt {
   double fraction = 0.1;
-  std::string where = "belt";  ///< as in RegionSpec; no part of the value
+  std::string where = "belt";  ///< as in RegionSpec; ignored by ==
 
   bool operator==(const BorderBelt& other) const { return fraction == other.fraction; }
 };
 
 using BeltSpec = std::variant<BorderBelt, RegionSpec>;
 
-/// Whether some edge of `v` has a triangle on one side only.
+/// Returns whether some edge of `v` has only one triangle.
 bool on_mesh_boundary(Index v, const Topology& topology);
 
-/// The border of the ROI's components: the vertices with a ring neighbour outside the ROI; where a
-/// component touches none, its vertices on the mesh's boundary. Empty on a closed component.
+/// Returns the vertices of the ROI that have a ring neighbour outside it. A component without any
+/// contributes its vertices on the mesh boundary, so a closed one contributes none.
 VertexSet roi_border(const VertexSet& roi, const Topology& topology);
 
-/// The vertices of the ROI whose geodesic distance to the border is at most `fraction` of the
-/// largest such distance in their component. Paths stay in the ROI. Throws InputError, naming
-/// `where`, when the fraction lies outside 0 to 1.
+/// Returns the vertices of the ROI whose geodesic distance to the border is at most `fraction` of
+/// the largest such distance in their component. Paths stay in the ROI. Throws InputError, naming
+/// `where`, if the fraction is not from 0 to 1.
 VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, const Mesh& mesh);
 
 }  // namespace lapwing

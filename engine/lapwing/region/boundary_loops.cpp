@@ -9,15 +9,15 @@
 namespace lapwing {
 namespace {
 
-// The boundary as steps from vertex to vertex.
+// The boundary as a successor per vertex.
 struct Boundary {
-  std::vector<Index> next;      // per vertex: where its boundary edge leads, or kNoIndex
-  std::vector<Index> arrivals;  // per vertex: boundary edges that end there
-  std::vector<Index> touched;   // vertices from which two boundary edges lead
-  VertexSet odd_ends;           // ends of edges that are neither inner nor boundary
+  std::vector<Index> next;      // per vertex: next vertex on the boundary, or kNoIndex
+  std::vector<Index> arrivals;  // per vertex: number of boundary edges that end there
+  std::vector<Index> touched;   // vertices from which two boundary edges start
+  VertexSet odd_ends;           // ends of non-manifold or inconsistently oriented edges
 };
 
-// One more than the largest that a triangle names.
+// Returns one more than the largest vertex of the triangles.
 std::size_t vertex_count_of(std::span<const Triangle> triangles) {
   std::size_t count = 0;
   for (const Triangle& triangle : triangles) {

@@ -8,20 +8,22 @@
 
 namespace lapwing {
 
-/// A closed curve of boundary edges: vertices in order, the surface on its left, each named once.
+/// A closed curve of boundary edges: its vertices in order, each once, with the surface on the
+/// left.
 using BoundaryLoop = std::vector<Index>;
 
-/// The boundary loops of a mesh, each from its smallest vertex on, by smallest vertex; none of a
-/// closed one. Throws InputError, naming `where` and the vertices, where the boundary is no set of
-/// loops: it touches itself at a vertex, or ends at an edge with more than two triangles or with
-/// two that face opposite ways. Such edges elsewhere do not matter. Near-linear.
+/// Returns the boundary loops of a mesh, sorted by smallest vertex, each starting at it. A closed
+/// mesh has none. Throws InputError, naming `where` and the vertices, if the boundary touches
+/// itself at a vertex. Also throws it if the boundary ends at an edge with more than two triangles
+/// or with two that face opposite ways; such edges elsewhere do no harm. Near-linear time.
 std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
                                          const std::string& where);
-/// The same where `sides_by_edge` of the triangles is there already.
+/// The same, if the result of `sides_by_edge` is already known.
 std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
                                          const Adjacency& sides, const std::string& where);
 
-/// The sides of one edge each: vertices - edges + triangles, of the vertices in a triangle.
+/// Returns vertices - edges + triangles, counting only vertices in a triangle. `sides` lists the
+/// sides on each edge.
 long euler_characteristic(std::span<const Triangle> triangles, const Adjacency& sides);
 
 }  // namespace lapwing

@@ -12,8 +12,8 @@
 namespace lapwing {
 namespace {
 
-// Which corners of a vertex are joined over edges around it, and which triangles and boundary
-// sides are joined into pieces and loops.
+// Finds the fans of corners around each vertex, the pieces of triangles connected over edges, and
+// the boundary loops.
 class Linker {
  public:
   Linker(const RegionTriangles& part, const Adjacency& sides)
@@ -98,7 +98,7 @@ class Linker {
 
   const RegionTriangles& part_;
   const Adjacency& sides_;
-  UnionFind fans_;  // of corners; the corner that side c starts from is corner c
+  UnionFind fans_;  // sets of corners; side c starts at corner c
   UnionFind pieces_;
 };
 
@@ -112,7 +112,7 @@ std::string name_loop(const DiskReport::Loop& loop) {
 
 constexpr std::size_t kNamed = 4;
 
-// "3 KINDs (TEXT, TEXT, TEXT)", the first few of them.
+// Returns "3 KINDs (TEXT, TEXT, TEXT)" with at most kNamed items.
 template <class Item, class Name>
 std::string list(const std::vector<Item>& items, const std::string& kind, const Name& name) {
   std::string text = count(items.size(), kind) + " (";
@@ -160,8 +160,7 @@ DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides) {
   const auto triangles = static_cast<long>(part.triangles.size());
   report.euler_characteristic = euler_characteristic(part.triangles, sides);
   if (report.crowded_edges.empty() && report.turned_edges.empty()) {
-    // Euler's formula for each piece, its pinched vertices taken apart: V - E + F = 2 - 2 g -
-    // loops.
+    // Euler's formula for each piece with its pinched vertices split: V - E + F = 2 - 2 g - loops.
     const long apart = static_cast<long>(linker.fan_count()) - edges + triangles;
     report.handles = (2 * static_cast<long>(report.pieces.size()) -
                       static_cast<long>(report.loops.size()) - apart) /

@@ -8,37 +8,39 @@
 
 namespace lapwing {
 
-/// What a region's triangles are, as far as it matters for being a disk. Vertices are those of the
-/// mesh.
+/// The topology of a region's triangles, as needed to tell whether they form a disk. Vertices have
+/// the numbers of the mesh.
 struct DiskReport {
   struct Piece {
     std::size_t triangles = 0;
-    Index vertex = 0;  ///< the smallest
+    Index vertex = 0;  ///< smallest vertex
   };
   struct Loop {
     std::size_t vertices = 0;
-    Index vertex = 0;  ///< the smallest
+    Index vertex = 0;  ///< smallest vertex
   };
 
-  std::vector<Piece> pieces;      ///< of triangles joined over edges, by smallest vertex
-  std::vector<Loop> loops;        ///< of the boundary, by smallest vertex
+  std::vector<Piece> pieces;      ///< triangles connected over edges, by smallest vertex
+  std::vector<Loop> loops;        ///< boundary loops, by smallest vertex
   long euler_characteristic = 0;  ///< vertices - edges + triangles
-  long handles = 0;               ///< over all pieces; 0 where an edge is crowded or turned
-  std::vector<std::array<Index, 2>> crowded_edges;  ///< those with more than two triangles
+  long handles = 0;               ///< sum of the genera; 0 if an edge is crowded or turned
+  std::vector<std::array<Index, 2>> crowded_edges;  ///< edges with more than two triangles
   std::vector<std::array<Index, 2>> turned_edges;   ///< their two triangles face opposite ways
   VertexSet
       pinched;      ///< vertices where parts touch without a common edge: several fans around them
   VertexSet loose;  ///< vertices in no triangle; they do not count
 
-  /// One piece with one boundary loop, Euler characteristic 1, manifold and oriented.
+  /// Returns whether the region is manifold, oriented and one piece with one boundary loop and
+  /// Euler characteristic 1.
   bool is_disk() const;
 };
 
 DiskReport report_disk(const RegionTriangles& part);
 DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides);
 
-/// What there is beside or in place of a disk, to stand behind "it": "has 2 boundary loops (63
-/// vertices from vertex 120, 14 vertices from vertex 988) and 1 handle"; for a disk "is a disk".
+/// Describes how the region differs from a disk, as the predicate of a sentence: "has 2 boundary
+/// loops (63 vertices from vertex 120, 14 vertices from vertex 988) and 1 handle". Returns "is a
+/// disk" for a disk.
 std::string describe(const DiskReport& report);
 
 }  // namespace lapwing

@@ -40,7 +40,7 @@ std::vector<Index> shortest_edge_path(const Topology& topology,
 std::vector<Index> shortest_edge_path(const Adjacency& rings,
                                       std::span<const Eigen::Vector3d> positions,
                                       std::span<const Index> starts, const PathSearch& search) {
-  // A map, not an array per vertex: the paths of a loop are short on a large mesh.
+  // A map instead of an array per vertex, because the paths of a loop are short on a large mesh.
   std::unordered_map<Index, Reached> reached;
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

@@ -8,19 +8,21 @@
 
 namespace lapwing {
 
-/// The shortest path from `from` to `to` along edges (Dijkstra), both ends included; only `from`
-/// when they are equal, and empty when no path leads. Of equally short paths always the same one.
-/// Explores no farther than the distance of `to`. Throws InputError when an end is not a vertex.
+/// Returns the shortest path from `from` to `to` along edges (Dijkstra), including both ends. The
+/// path is just `from` if they are equal, and empty if they are not connected. Ties are broken
+/// deterministically. Explores no farther than the distance of `to`. Throws InputError if an end is
+/// not a vertex.
 std::vector<Index> shortest_edge_path(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions, Index from,
                                       Index to);
 
-/// A search for a path over `rings`.
+/// Where a path search may go and where it ends.
 struct PathSearch {
   std::function<bool(Index)> ends_at;
-  std::function<bool(Index)> may_reach;  ///< beside the starts
+  std::function<bool(Index)> may_reach;  ///< not asked for the starts
 };
-/// The shortest path from one of `starts` to the nearest vertex where the search ends.
+/// Returns the shortest path from one of `starts` to the nearest vertex that `search.ends_at`
+/// accepts.
 std::vector<Index> shortest_edge_path(const Adjacency& rings,
                                       std::span<const Eigen::Vector3d> positions,
                                       std::span<const Index> starts, const PathSearch& search);

@@ -75,7 +75,7 @@ void require_field(std::span<const double> field, const Mesh& mesh, const std::s
   }
 }
 
-// The full handles, and in `region.graded` what their fields hold by less.
+// Adds the handles to `region`, and vertices with field weights between 0 and 1 to `region.graded`.
 void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
   for (const auto& [spec, grading] : handles) {
     VertexSet handle = resolve(spec, mesh);
@@ -95,7 +95,7 @@ void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, Edit
   }
 }
 
-// Falloffs around the handles, over what nothing else holds.
+// Grades the falloffs around the handles, over vertices that nothing else holds.
 void grade(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
   std::vector<Index> held = region.belt;
   for (const Target& target : region.targets) {

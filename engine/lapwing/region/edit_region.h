@@ -10,75 +10,73 @@
 
 namespace lapwing {
 
-/// What becomes of a component that nothing holds, or that could turn freely.
+/// How to treat a component that nothing holds, or that could turn freely.
 enum class LoosePolicy {
-  carry,   ///< it rides along with the surface nearest to it
-  leave,   ///< it stays where it is
-  refuse,  ///< an error
+  carry,   ///< move it with the nearest surface
+  leave,   ///< leave it in place
+  refuse,  ///< throw InputError
 };
 
-/// A vertex of a loose part that belt, handle or target hold all the same.
+/// A vertex of a loose part that the belt, a handle or a target still holds, or a neighbour of the
+/// part outside the ROI.
 struct LooseAnchor {
   Index vertex = 0;
   std::size_t handle = 0;                                  ///< EditRegion::handles.size() for none
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< without a handle
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< used without a handle
   bool operator==(const LooseAnchor&) const = default;
 };
 
-/// A component of the ROI that is not solved for, since too little holds it.
+/// A component of the ROI that is not solved for because its anchors do not hold it.
 struct LoosePart {
   VertexSet vertices;
   std::vector<LooseAnchor> anchors;  ///< all on one line
   bool operator==(const LoosePart&) const = default;
 };
 
-/// What one edit concerns. Vertices of the ROI in neither belt nor handle are free, those that a
-/// handle draws by less than its full weight included; vertices outside the ROI do not move, loose
-/// parts excepted.
+/// The vertices of one edit. Those of the ROI in neither belt nor handle are free, including graded
+/// ones. Vertices outside the ROI do not move, except in loose parts.
 struct EditRegion {
   VertexSet roi;
-  VertexSet belt;                  ///< in the ROI; stays where it is
-  std::vector<VertexSet> handles;  ///< in the ROI, disjoint, not empty, none shared with the belt
+  VertexSet belt;                  ///< in the ROI; does not move
+  std::vector<VertexSet> handles;  ///< in the ROI, not empty, disjoint from each other and the belt
   std::vector<double> handle_weights = {};  ///< Grading::weight of each; empty: all 1
   std::vector<GradedVertex> graded = {};    ///< ascending, free; none has a hard target
   std::vector<Target> targets = {};         ///< in the ROI, none at a vertex of belt or handles
-  bool hard_targets = false;                ///< they are reached exactly
-  std::vector<LoosePart> loose = {};        ///< to be carried; in none of the above
-  std::vector<VertexSet> left_out = {};     ///< loose parts that stay; likewise
-  /// Components of the ROI may turn freely about a line of anchors: nothing firmer is there that
-  /// could carry them. They turn as little as they can.
+  bool hard_targets = false;                ///< whether targets are reached exactly
+  std::vector<LoosePart> loose = {};        ///< parts to carry; in none of the above
+  std::vector<VertexSet> left_out = {};     ///< parts that stay; in none of the above
+  /// Components of the ROI may turn freely about a line of anchors, because no firmer component
+  /// could carry them. They turn as little as possible.
   bool turns_freely = false;
   bool operator==(const EditRegion&) const = default;
 
-  /// How many vertices of the ROI are in neither belt nor handle.
+  /// Returns the number of vertices of the ROI in neither belt nor handle.
   std::size_t free_count() const;
 };
 
-/// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a
-/// falloff ends at the belt, at other handles and at hard targets, and where two meet a vertex goes
-/// with the handle that has more weight there (`graded_around`); every other overlap is an error.
-/// Throws InputError, naming place and vertices: whatever `resolve` throws, an empty ROI or handle,
-/// a handle or belt outside the ROI, a handle that overlaps the belt or another handle, a field
-/// that is not one of weights of the mesh, a vertex of the ROI or of its rings that is not finite,
-/// and what `require_grading`, `split_by_field`, `resolve_targets` and `set_loose_parts_aside`
-/// throw.
+/// Resolves a user's choices on a mesh. A belt by fraction leaves out handles and targets. A
+/// falloff ends at the belt, at other handles and at hard targets. If two falloffs overlap, a
+/// vertex belongs to the handle with more weight there (`graded_around`). Every other overlap is an
+/// error. Throws InputError, naming place and vertices, for an empty ROI or handle, and for a
+/// handle or belt that leaves the ROI. Handles must not overlap each other or the belt. A field
+/// needs a weight from 0 to 1 for each vertex, and the ROI and its rings must be finite. Also
+/// throws what `resolve`, `require_extent`, `require_grading`, `split_by_field`, `resolve_targets`
+/// and `set_loose_parts_aside` throw.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                std::span<const HandleSpec> handles, const Mesh& mesh,
                                LoosePolicy policy = LoosePolicy::carry,
                                const TargetSpec& targets = {});
 
-/// Moves the components of the ROI that `check_anchors` would refuse to `loose` or `left_out`;
-/// where no other is there those stay that have an anchor, and the region `turns_freely`. Throws as
-/// that does for LoosePolicy::refuse, and where no component, or no vertex of a handle, would be
-/// left that is held.
+/// Moves the components of the ROI that `check_anchors` would refuse to `loose` or `left_out`. If
+/// it would refuse all of them, those with an anchor stay and the region `turns_freely`. Throws
+/// InputError if the policy is LoosePolicy::refuse, or if a handle would have no vertex left.
 void set_loose_parts_aside(EditRegion& region, std::span<const Eigen::Vector3d> positions,
                            const Topology& topology, LoosePolicy policy, const std::string& where);
 
-/// Throws InputError unless every component of the ROI is held: its anchors are its handle and belt
-/// vertices, the corners of its targets and its neighbours outside the ROI, and three of them must
-/// not lie on one line, or the component could turn freely (which a region may that
-/// `turns_freely`). Names the component by size and smallest vertex, and `where`. Vertices with an
-/// empty ring need no anchor.
+/// Throws InputError unless every component of the ROI has three anchors that are not on one line.
+/// Anchors are its handle and belt vertices, the corners of its targets and its neighbours outside
+/// the ROI. If the region `turns_freely`, one anchor is enough. The message names `where` and the
+/// component by size and smallest vertex. Vertices with an empty ring need no anchor.
 void check_anchors(const EditRegion& region, std::span<const Eigen::Vector3d> positions,
                    const Topology& topology, const std::string& where);
 

@@ -15,18 +15,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A distance counts as better only by more than rounding, or two vertices could lower each other
-// by one bit for ever.
+// Smallest relative gain that counts, above rounding. Otherwise two vertices could lower each other
+// by one bit forever.
 constexpr double kSmallestGain = 1e-12;
 
-// Of ways to each vertex, far more than any surface has that are each shorter than the one before:
-// what is left to gain then is not worth more.
+// Limit on improvements, per vertex on average. It is far more than any surface needs, and later
+// gains are negligible.
 constexpr std::size_t kMostOffers = 100;
 
-// A circular front must advance by this share of a straight one. Less means that the edge is too
-// long for the circle's bulge to be trusted: on a thin band of wide triangles it would outweigh the
-// band's height. Being positive, it also lets no vertex come before both that it depends on, so
-// that values cannot pull each other down in a ring.
+// A circular front must advance by at least this fraction of a straight one. On a thin band of wide
+// triangles, the circle's bulge would outweigh the band's height. As the fraction is positive, no
+// vertex comes before both vertices that it depends on, so values cannot lower each other in a
+// cycle.
 constexpr double kLeastAdvance = 0.25;
 
 // The triangle abw laid flat: a at the origin, b on the x axis at `length`, w above it.
@@ -36,7 +36,7 @@ struct FlatTriangle {
   double w_y;
 };
 
-// What a front gives at w, and whether its ray to w crosses the edge ab.
+// The distance of a front at w, and whether its ray to w crosses the edge ab.
 struct Arrival {
   double distance = kNoLimit;
   bool crosses_edge = false;
@@ -62,8 +62,8 @@ Arrival circle_arrival(const FlatTriangle& flat, double distance_a, double dista
   return {std::hypot(flat.w_x - x, flat.w_y - y), crossing >= 0.0 && crossing <= flat.length};
 }
 
-// Distance at w along a straight line through the triangle abw; infinity when it has no area or no
-// line arrives through ab.
+// Returns the distance at w along a straight line through the triangle abw, or infinity if the
+// triangle has no area or no such line crosses ab.
 double distance_through_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& w,
                                  double distance_a, double distance_b, bool same_source) {
   const Vector3d edge = b - a;
@@ -129,7 +129,7 @@ class Front {
     update_corner(v, w, u);
   }
 
-  // Offers w the ways along the edge vw and through the triangle from the edge vu.
+  // Offers w the paths along the edge vw and through the triangle from the edge vu.
   void update_corner(Index v, Index u, Index w) {
     if (!is_allowed(w)) return;
     double best = distances_[v] + (positions_[w] - positions_[v]).norm();

@@ -12,12 +12,12 @@
 namespace lapwing {
 namespace {
 
-// Two weights that differ by rounding alone.
+// Weights that differ by no more than this differ by rounding alone.
 constexpr double kSameWeight = 1e-9;
 constexpr double kNearlyAll = 1.0 - 0x1p-53;
 
-// The vertices around `handle` by its falloff, which pass no vertex off `allowed` (a mark per
-// vertex) and hold none of the handle's own.
+// Returns the falloff around `handle` without the handle's own vertices. It passes only vertices
+// that `allowed` marks.
 std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& falloff,
                                      std::size_t number, std::span<const char> allowed,
                                      const Mesh& mesh) {
@@ -27,14 +27,14 @@ std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& 
       geodesic_distances(mesh.topology(), mesh.positions, handle, falloff.width, allowed);
   for (std::size_t v = 0; v < distances.size(); ++v) {
     if (!(distances[v] > 0.0)) continue;
-    // Beside a falloff that is very wide the weight would round to 1, which is the handle's own.
+    // In a very wide falloff the weight would round to 1, which is reserved for the handle.
     const double weight = std::min(1.0 - fade(falloff, distances[v]), kNearlyAll);
     if (weight > 0.0) graded.push_back({static_cast<Index>(v), number, weight});
   }
   return graded;
 }
 
-// At most one entry per vertex, ascending.
+// Keeps the entry with the largest weight for each vertex, and none on a tie. Ascending.
 std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded) {
   std::sort(graded.begin(), graded.end(), [](const GradedVertex& a, const GradedVertex& b) {
     return std::tuple(a.vertex, -a.weight, a.handle) < std::tuple(b.vertex, -b.weight, b.handle);

@@ -5,14 +5,14 @@
 namespace lapwing {
 namespace {
 
-// A vertex that is not there is an error, which `resolve` names.
+// A number beyond the mesh stays, so that `resolve` reports it.
 Index led_vertex(Index v, const JoinedSurface& joined) {
   return v < joined.leaders.size() ? joined.leaders[v] : v;
 }
 
 RegionSpec led_spec(const RegionSpec& spec, const JoinedSurface& joined);
 
-// The same form with leaders in the place of the vertices that it names; one overload per form.
+// Returns the form with leaders instead of its vertices; one overload per form.
 struct Leading {
   const JoinedSurface& joined;
 
@@ -53,7 +53,7 @@ RegionSpec led_spec(const RegionSpec& spec, const JoinedSurface& joined) {
 
 VertexSet resolve_leaders(const RegionSpec& spec, const JoinedSurface& joined) {
   VertexSet vertices = resolve(led_spec(spec, joined), joined.surface);
-  // A box or "all" holds followers as well, with their leaders.
+  // A box or "all" contains followers besides their leaders.
   std::erase_if(vertices, [&](Index v) { return joined.is_follower(v); });
   return vertices;
 }
@@ -77,7 +77,7 @@ TargetSpec led(TargetSpec targets, const JoinedSurface& joined) {
 
 Grading led(Grading grading, const JoinedSurface& joined) {
   std::vector<double>& field = grading.field;
-  if (field.size() != joined.leaders.size()) return grading;  // none, or an error elsewhere
+  if (field.size() != joined.leaders.size()) return grading;  // empty, or reported elsewhere
   for (const Index v : joined.followers) {
     double& of_leader = field[joined.leaders[v]];
     of_leader = std::max(of_leader, field[v]);

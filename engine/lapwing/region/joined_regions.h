@@ -5,25 +5,26 @@
 
 namespace lapwing {
 
-// Regions of a mesh with seams, over the surface with its seams joined: a follower that is named
-// means its leader.
+// Regions of a mesh with seams, translated to the joined surface. A follower stands for its leader.
 
-/// The leaders that `spec` chooses. Throws what `resolve` does.
+/// Returns the leaders that `spec` chooses. Throws what `resolve` throws.
 VertexSet resolve_leaders(const RegionSpec& spec, const JoinedSurface& joined);
 
-/// Those as a list.
+/// Returns these leaders as a list.
 RegionSpec led(const RegionSpec& spec, const JoinedSurface& joined);
-/// `belt` over the joined surface: one by fraction as it is, a region as the list of its leaders.
+/// Returns `belt` on the joined surface. A belt by fraction stays; a region becomes a list of
+/// leaders.
 BeltSpec led(const BeltSpec& belt, const JoinedSurface& joined);
-/// The same targets, at leaders.
+/// Returns the same targets at leaders.
 TargetSpec led(TargetSpec targets, const JoinedSurface& joined);
 
-/// The same grading: of a painted field, a leader has the largest weight of those that follow it.
+/// Returns the same grading. In a painted field, a leader gets the largest weight of itself and its
+/// followers.
 Grading led(Grading grading, const JoinedSurface& joined);
 
-/// The set of leaders with the vertices that follow them.
+/// Returns `leaders` and their followers.
 VertexSet with_followers(const VertexSet& leaders, const JoinedSurface& joined);
-/// The same for every set of an edit; targets stay at leaders.
+/// The same for every set of vertices of an edit; targets stay at leaders.
 EditRegion with_followers(EditRegion region, const JoinedSurface& joined);
 
 }  // namespace lapwing

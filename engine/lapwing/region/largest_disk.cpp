@@ -14,7 +14,7 @@
 namespace lapwing {
 namespace {
 
-// A disk that vertices join one by one.
+// A disk that grows vertex by vertex.
 class Disk {
  public:
   Disk(const Topology& topology, const std::vector<char>& region)
@@ -26,8 +26,8 @@ class Disk {
 
   bool may_join(Index v) const { return region_[v] != 0 && joined_[v] == 0; }
 
-  // `v` joins where its triangles with the disk are one fan over an arc of the disk's boundary:
-  // two disks glued along an arc are a disk again.
+  // Adds `v` if its triangles with the disk form one fan over an arc of the disk's boundary, and
+  // returns whether it did. Two disks glued along an arc form a disk.
   bool join(Index v) {
     std::vector<std::array<Index, 2>> arc;
     for (const Index t : topology_.vertex_triangles[v]) {
@@ -56,7 +56,7 @@ class Disk {
     return {t[(at + 1) % 3], t[(at + 2) % 3]};
   }
 
-  // Whether directed edges make up one path that does not close.
+  // Returns whether the directed edges form one open path.
   static bool is_arc(std::vector<std::array<Index, 2>>& edges) {
     if (edges.empty()) return false;
     std::sort(edges.begin(), edges.end());
@@ -83,14 +83,14 @@ class Disk {
     return passed == edges.size();
   }
 
-  // Whether one triangle of the disk has the edge, and passes it from q to p.
+  // Returns whether exactly one triangle of the disk has the edge, and traverses it from q to p.
   bool is_boundary(Index p, Index q) const {
     int backward = 0;
     int other = 0;
     for (const Index t : topology_.vertex_triangles[p]) {
       const auto [from, to] = opposite_side(topology_.triangles[t], p);
       if ((from != q && to != q) || joined_[from] == 0 || joined_[to] == 0) continue;
-      // The triangle is p, from, to: it passes q -> p when q is the last corner.
+      // The triangle p, from, to traverses q -> p if q is its last corner.
       ++(to == q ? backward : other);
     }
     return backward == 1 && other == 0;
@@ -101,7 +101,7 @@ class Disk {
   std::vector<char> joined_;
 };
 
-// Own triangles of the piece with the most of them; the first one where several have.
+// Returns the triangles of the piece with the most triangles, or of the first such piece.
 std::vector<Index> largest_piece(const RegionTriangles& part, const Adjacency& sides) {
   UnionFind pieces(part.triangles.size());
   for (std::size_t e = 0; e < sides.row_count(); ++e) {
@@ -119,7 +119,7 @@ std::vector<Index> largest_piece(const RegionTriangles& part, const Adjacency& s
   return members;
 }
 
-// Vertices of the mesh on edges that are no edge of exactly two triangles.
+// Returns the mesh vertices of edges that do not have exactly two triangles.
 VertexSet rim(const RegionTriangles& part, const Adjacency& sides) {
   std::vector<Index> found;
   for (std::size_t e = 0; e < sides.row_count(); ++e) {
@@ -130,7 +130,7 @@ VertexSet rim(const RegionTriangles& part, const Adjacency& sides) {
   return make_vertex_set(std::move(found));
 }
 
-// Whether no other triangle of the region has the same three corners.
+// Returns whether no other triangle has the same three corners.
 bool is_single(const Triangle& triangle, const Topology& topology) {
   const auto around = topology.vertex_triangles[triangle[0]];
   return std::count_if(around.begin(), around.end(), [&](Index t) {
@@ -139,7 +139,7 @@ bool is_single(const Triangle& triangle, const Topology& topology) {
          }) == 1;
 }
 
-// The triangle, in numbers of the mesh, whose nearest corner is farthest from the rim.
+// Returns the mesh triangle of the candidate whose nearest corner is farthest from the rim.
 const Triangle* innermost(const RegionTriangles& part, const std::vector<Index>& candidates,
                           std::span<const double> rim_distances, const Topology& topology) {
   const Triangle* best = nullptr;
@@ -175,7 +175,7 @@ VertexSet largest_disk(const VertexSet& region, const Topology& topology,
       geodesic_distances(topology, positions, *seed, kNoLimit, allowed);
   Disk disk(topology, allowed);
   disk.start_with(*seed);
-  // A vertex that could not join is asked again when a neighbour has.
+  // A vertex that could not join is tried again after a neighbour has joined.
   using Candidate = std::pair<double, Index>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> front;
   const auto offer_ring = [&](Index v) {

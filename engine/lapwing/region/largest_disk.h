@@ -7,12 +7,12 @@
 
 namespace lapwing {
 
-/// The largest disk inside `region` that growing finds: vertices of it whose triangles (those with
-/// all three corners among them) are a disk, each vertex in one. From the triangle of the largest
-/// piece that lies farthest from the piece's boundary, vertices join in the order of their geodesic
-/// distance, each only where the triangles that come with it keep the whole a disk. A region that
-/// is a disk comes back whole, less its vertices in no triangle; one without triangles gives none.
-/// O(n log n) beside work linear in the mesh.
+/// Returns the largest disk inside `region` that region growing finds: vertices whose triangles
+/// (those with all three corners among them) form a disk and contain them all. Growth starts at the
+/// triangle of the largest piece that is farthest from the piece's boundary. Vertices join in the
+/// order of their geodesic distance if the triangles that they add keep the whole a disk. A region
+/// that is a disk is returned whole, without its vertices in no triangle. A region without
+/// triangles gives an empty set. O(n log n), plus work linear in the mesh.
 VertexSet largest_disk(const VertexSet& region, const Topology& topology,
                        std::span<const Eigen::Vector3d> positions);
 

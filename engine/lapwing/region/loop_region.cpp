@@ -11,7 +11,7 @@
 namespace lapwing {
 namespace {
 
-// Undirected edges as pairs in one number.
+// Undirected edges, each packed into one number.
 class EdgeSet {
  public:
   void toggle(Index a, Index b) {
@@ -69,7 +69,7 @@ class Flood {
     }
   }
 
-  // How many of the triangles on edge ab were reached.
+  // Returns how many of the triangles on edge ab were reached.
   int sides_reached(Index a, Index b) const {
     int sides = 0;
     for (const Index t : topology_.vertex_triangles[a]) {

@@ -6,9 +6,10 @@
 
 namespace lapwing {
 
-/// `resolve` for a loop whose vertices exist. The loop cuts the surface along the edges that it
-/// passes an odd number of times (there and back is no cut); the region is what triangles across
-/// uncut edges reach from `inside`. It separates when no cut edge has that region on two sides.
+/// Resolves a loop whose vertices exist. The loop cuts the surface along the edges that it passes
+/// an odd number of times; passing there and back is no cut. The region consists of the triangles
+/// reachable from `inside` across uncut edges. The loop does not separate the mesh if a cut edge
+/// has the region on both sides. Throws InputError as `resolve` does.
 VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -7,7 +7,7 @@
 namespace lapwing {
 
 std::vector<VertexSet> region_components(const VertexSet& region, const Topology& topology) {
-  // A vertex's mark is taken away when it is put into a component.
+  // A vertex's mark is cleared when it is added to a component.
   std::vector<char> unvisited = vertex_mask(topology.vertex_count(), region);
   std::vector<VertexSet> components;
   CancelCheck cancel_check;

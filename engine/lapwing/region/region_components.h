@@ -7,8 +7,8 @@
 
 namespace lapwing {
 
-/// The pieces of `region` that ring edges between its own vertices connect, ordered by smallest
-/// vertex. Vertices with an empty ring belong to no piece: nothing moves them but their handle.
+/// Returns the connected components of `region` along ring edges, ordered by smallest vertex.
+/// Vertices with an empty ring belong to none, because only their handle moves them.
 std::vector<VertexSet> region_components(const VertexSet& region, const Topology& topology);
 
 }  // namespace lapwing

@@ -11,34 +11,34 @@ namespace lapwing {
 
 struct RegionSpec;
 
-/// Every vertex of the mesh, loose ones too.
+/// All vertices of the mesh, including loose ones.
 struct AllVertices {
   bool operator==(const AllVertices&) const = default;
 };
 
-/// The vertices named. An empty list is the one way to say "none".
+/// The listed vertices. An empty list is the only way to choose none.
 struct ListedVertices {
   std::vector<Index> vertices;
   bool operator==(const ListedVertices&) const = default;
 };
 
-/// Vertices within the geodesic distance `radius` of a vertex, which is given by its number or as
-/// the one nearest to a point (of those that have a ring).
+/// Vertices within the geodesic distance `radius` of a vertex. A point stands for the nearest
+/// vertex that has a ring.
 struct GeodesicDisk {
   std::variant<Index, Eigen::Vector3d> center = Index{0};
   double radius = 0.0;
   bool operator==(const GeodesicDisk&) const = default;
 };
 
-/// Vertices in an axis-aligned box, its faces included.
+/// Vertices in an axis-aligned box, including its faces.
 struct Box {
   Eigen::Vector3d min = Eigen::Vector3d::Zero();
   Eigen::Vector3d max = Eigen::Vector3d::Zero();
   bool operator==(const Box&) const = default;
 };
 
-/// The vertices joined in order by shortest edge paths, the last to the first; and the side of that
-/// closed loop that holds `inside`. The loop itself belongs to the region.
+/// The side of a closed loop that contains `inside`, and the loop itself. Shortest edge paths join
+/// the vertices of `loop` in order, the last to the first.
 struct LoopRegion {
   std::vector<Index> loop;
   Index inside = 0;
@@ -55,30 +55,30 @@ struct DifferenceRegion {
   std::vector<RegionSpec> parts;
 };
 
-/// The largest disk inside a region (see largest_disk.h): what can be laid into the plane.
+/// The largest disk inside a region (see largest_disk.h), which can be flattened.
 struct DiskInRegion {
-  std::vector<RegionSpec> parts;  ///< one
+  std::vector<RegionSpec> parts;  ///< exactly one
 };
 
 bool operator==(const UnionRegion& a, const UnionRegion& b);
 bool operator==(const DifferenceRegion& a, const DifferenceRegion& b);
 bool operator==(const DiskInRegion& a, const DiskInRegion& b);
 
-/// A choice of vertices as a person wrote it, not yet bound to a mesh.
+/// A choice of vertices as the user wrote it, not yet resolved on a mesh.
 struct RegionSpec {
   std::variant<AllVertices, ListedVertices, GeodesicDisk, Box, LoopRegion, UnionRegion,
                DifferenceRegion, DiskInRegion>
       form;
-  /// Where it was written, as messages name it ("bend.json: /steps/0/roi"); no part of the value.
+  /// Its place in the input, for messages ("bend.json: /steps/0/roi"); ignored by ==.
   std::string where = "region";
 
   bool operator==(const RegionSpec& other) const { return form == other.form; }
 };
 
-/// The vertices that `spec` chooses on `mesh`. Throws InputError, naming `where`: a vertex that the
-/// mesh does not have, a box or difference that holds nothing, a disk near a mesh or in a region
-/// without triangles, a loop that cannot be joined, does not separate the mesh or does not hold
-/// `inside` on one side.
+/// Returns the vertices that `spec` chooses on `mesh`. Throws InputError, naming `where`, for a
+/// vertex that the mesh does not have, for a box or difference without vertices, and for a disk in
+/// a mesh or region without triangles. Also throws it if a loop cannot be joined, does not separate
+/// the mesh or does not have `inside` on one side.
 VertexSet resolve(const RegionSpec& spec, const Mesh& mesh);
 
 }  // namespace lapwing

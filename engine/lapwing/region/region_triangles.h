@@ -7,15 +7,15 @@
 
 namespace lapwing {
 
-/// The triangles that a set of vertices holds whole, in numbers of their own.
+/// The triangles with all corners in a set of vertices, with compact vertex numbers ("own").
 struct RegionTriangles {
-  VertexSet vertices;               ///< own number -> vertex of the mesh; those of a triangle only
-  VertexSet loose;                  ///< the others of the set
+  VertexSet vertices;               ///< own number -> mesh vertex; only vertices of triangles
+  VertexSet loose;                  ///< the other vertices of the set
   std::vector<Triangle> triangles;  ///< own numbers, in the mesh's order
   std::vector<Index> sources;       ///< per triangle: its number in the mesh, ascending
 };
 
-/// Linear in the size of the mesh.
+/// Collects the triangles of `region`. Linear in the size of the mesh.
 RegionTriangles region_triangles(const VertexSet& region, const Topology& topology);
 
 }  // namespace lapwing

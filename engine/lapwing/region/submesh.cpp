@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-// The triangles with a corner in the region, ascending.
+// Returns the triangles with a corner in the region, ascending.
 std::vector<Index> triangles_at(const VertexSet& region, const Topology& topology) {
   std::vector<Index> triangles;
   for (const Index v : region) {

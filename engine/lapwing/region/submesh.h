@@ -8,15 +8,16 @@
 
 namespace lapwing {
 
-/// What the vertices of a region see of their mesh, as a small mesh of its own: work on it does not
-/// grow with the mesh around. Numbers keep their order, so vertices of the region have the rings
-/// and triangles of the mesh, in its order; their neighbours outside have only what lies within.
+/// A region and its ring neighbours as a separate small mesh, so that work on it does not grow with
+/// the whole mesh. Numbers keep their order. Vertices of the region have the same rings and
+/// triangles as in the mesh, in the same order. Their neighbours outside have only the triangles at
+/// the region.
 struct Submesh {
-  VertexSet vertices;  ///< own number -> vertex of the mesh: the region and its ring neighbours
+  VertexSet vertices;  ///< own number -> mesh vertex: the region and its ring neighbours
   VertexSet region;    ///< the region in own numbers
   Topology topology;   ///< `triangle_faces` are those of the mesh
 
-  /// `values`, one per vertex of the mesh, per own number.
+  /// Returns `values`, one per mesh vertex, in own numbers.
   template <class Value>
   std::vector<Value> own(std::span<const Value> values) const {
     std::vector<Value> result;
@@ -26,10 +27,10 @@ struct Submesh {
   }
 };
 
-/// Linear in the region, beside clearing one number per vertex of the mesh.
+/// Builds the submesh. Linear in the region, apart from clearing one number per vertex of the mesh.
 Submesh submesh_around(const VertexSet& region, const Topology& topology);
 
-/// The own numbers of `members`, which are among the vertices of `submesh`.
+/// Returns the own numbers of `members`, which must be vertices of `submesh`.
 VertexSet own_numbers(const Submesh& submesh, const VertexSet& members);
 
 }  // namespace lapwing

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A point this near to a corner is that corner.
+// A point whose weight at a corner is this close to 1 is that corner.
 constexpr double kCornerShare = 1e-9;
 
 class Binding {

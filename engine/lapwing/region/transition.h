@@ -2,19 +2,18 @@
 
 namespace lapwing {
 
-/// How something goes from nothing to all of it over a distance.
+/// A ramp from 0 to 1 over a distance.
 struct Transition {
   enum class Profile {
     smooth,  ///< 3 x^2 - 2 x^3: no kink at either end
     linear,
   };
-  double width = 0.0;  ///< geodesic, from where it begins to where it is all there; 0: a step
+  double width = 0.0;  ///< geodesic distance over which it rises; 0: a step
   Profile profile = Profile::smooth;
   bool operator==(const Transition&) const = default;
 };
 
-/// The share that is there at distance `distance` from where it begins, 0 to 1; 1 everywhere
-/// without a width.
+/// Returns the value of the ramp, 0 to 1, at `distance` from its start. It is 1 if the width is 0.
 double fade(const Transition& transition, double distance);
 
 }  // namespace lapwing

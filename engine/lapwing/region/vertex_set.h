@@ -16,13 +16,13 @@ VertexSet unite(const VertexSet& a, const VertexSet& b);
 VertexSet intersect(const VertexSet& a, const VertexSet& b);
 VertexSet subtract(const VertexSet& a, const VertexSet& b);
 
-/// One entry per vertex, 1 on members, 0 elsewhere. Members must be below `vertex_count`.
+/// Returns one entry per vertex: 1 for members, else 0. Members must be below `vertex_count`.
 std::vector<char> vertex_mask(std::size_t vertex_count, std::span<const Index> members);
 
-/// For messages: "vertex 4", "vertices 4, 5, 9", or the first eight "and 12 more".
+/// Names vertices in messages: "vertex 4", "vertices 4, 5, 9", or the first eight "and 12 more".
 std::string name_vertices(std::span<const Index> vertices);
 
-/// Throws InputError, naming `where` and the vertices of the region that have no finite position.
+/// Throws InputError, naming `where` and the vertices, if positions of the region are not finite.
 void require_finite(const VertexSet& region, std::span<const Eigen::Vector3d> positions,
                     const std::string& where);
 

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 256;
 
-// The same point in mesh vertices and, per sector, in mesh corners.
+// Expresses each point in mesh vertices and, per sector, in mesh corners.
 class SourceFinder {
  public:
   explicit SourceFinder(const WorkingPatch& patch)
@@ -72,7 +72,7 @@ class SourceFinder {
     return original_.mesh_vertices[original_.net.origin(original_halfedge)];
   }
 
-  // From `first` counterclockwise to the next line, the border, or all around.
+  // Adds the sector from `first` counterclockwise to the next line or border, or all around.
   void add_sector(Index first, const SurfacePoint& in_corners) {
     Index h = first;
     do {
@@ -107,7 +107,7 @@ class SourceFinder {
     });
   }
 
-  // Fixed vertices are original ones, and every line or border edge there is still that.
+  // Fixed vertices are original ones, and lines and borders at them still have the original sides.
   void add_fixed(Index v) {
     sources_.vertices[v] = SurfacePoint::at_vertex(original_.mesh_vertices[v]);
     bool has_lines = false;

@@ -19,7 +19,7 @@ struct AttributeSources {
 
 AttributeSources find_attribute_sources(const WorkingPatch& patch);
 
-/// Of the three corners the one with the largest weight.
+/// Returns the corner with the largest weight.
 Index nearest_corner(const SurfacePoint& point);
 
 }  // namespace lapwing::remeshing

@@ -31,7 +31,7 @@ class Carrier {
   }
 
  private:
-  // Mesh vertices that stay get numbers first, then those of the patch.
+  // Numbers the mesh vertices that stay first, then those of the patch.
   void number_vertices() {
     std::vector<char> stays(mesh_.vertex_count(), 1);
     for (Index v = 0; v < original_.mesh_vertices.size(); ++v) {
@@ -119,7 +119,7 @@ class Carrier {
     return sum.cast<float>();
   }
 
-  // Of unit length; where the normals cancel out, that of the nearest corner.
+  // Returns the blended unit normal or, if the normals cancel out, that of the nearest corner.
   static Eigen::Vector3d blend_normals(const SurfacePoint& source,
                                        const std::vector<Eigen::Vector3d>& normals) {
     const Eigen::Vector3d sum = source.of<Eigen::Vector3d>(normals);
@@ -127,7 +127,8 @@ class Carrier {
     return length > 1e-6 ? Eigen::Vector3d(sum / length) : normals[nearest_corner(source)];
   }
 
-  // Whole numbers (flags, labels) come from the nearest vertex, which replace_vertices did.
+  // Blends real numbers. Whole numbers (flags, labels) keep the value of the nearest vertex, which
+  // replace_vertices copied.
   static void blend_extra(const SurfacePoint& source, const ExtraAttribute& old, Index n,
                           ExtraAttribute& extra) {
     const bool is_real = extra.type.find("float") != std::string::npos ||
@@ -156,8 +157,8 @@ class Carrier {
     }
   }
 
-  // New corners of a sector share one new value, or that of the corner they lie on. Where one of
-  // the corners around has none, the nearest one's holds, which replace_faces copied.
+  // New corners of a sector share one new value, or that of the corner they lie on. If one of the
+  // original corners has none, the nearest one's value stays, which replace_faces copied.
   template <class Value, class Blend>
   void carry_list(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
                   std::vector<Index>& of_corner, const Blend& blend) {
@@ -179,7 +180,7 @@ class Carrier {
     drop_unused(old_of_corner, values, of_corner);
   }
 
-  // Drops the values that only corners of the old patch had.
+  // Drops the values that only corners of the old patch used.
   template <class Value>
   static void drop_unused(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
                           std::vector<Index>& of_corner) {
@@ -213,7 +214,7 @@ class Carrier {
   std::vector<Index> numbers_;           // per vertex of the patch
   std::vector<Index> vertex_sources_;    // per vertex of the result: the mesh vertex it copies
   std::vector<Index> corner_halfedges_;  // per new corner
-  std::size_t first_corner_ = 0;         // of the patch, in the result
+  std::size_t first_corner_ = 0;         // first corner of the patch in the result
 };
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 namespace lapwing::remeshing {
 
-/// `mesh` with the faces of the patch replaced by its triangles, and its attributes carried over
-/// from where the new vertices, corners and faces lie on the original. Vertices and faces outside
-/// come first, in their order.
+/// Returns `mesh` with the faces of the patch replaced by its triangles. New vertices, corners and
+/// faces get their attributes from their places on the original. Vertices and faces outside come
+/// first, in the old order.
 RemeshResult carry_back(const Mesh& mesh, const WorkingPatch& patch);
 
 }  // namespace lapwing::remeshing

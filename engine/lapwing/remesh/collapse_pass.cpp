@@ -36,7 +36,7 @@ class Collapser {
       const auto [length, h] = waiting_.top();
       waiting_.pop();
       if (!net_.is_alive(h) || net_.twin(h) == kNoIndex) continue;
-      if (length != patch_.edge_length(h)) continue;  // it changed and waits anew
+      if (length != patch_.edge_length(h)) continue;  // it changed and was queued again
       if (!collapse_into_target(h)) collapse_into_target(net_.twin(h));
     }
   }
@@ -50,14 +50,14 @@ class Collapser {
     if (length < kTooShort * wanted) waiting_.push({length, h});
   }
 
-  // Whether the line or sheet that the origin of `h` is on allows it to go into the target.
+  // Returns whether the line or sheet of the origin of `h` lets it move into the target.
   bool kinds_allow(Index h) const {
     const VertexKind from = patch_.kinds[net_.origin(h)];
     if (from == VertexKind::fixed) return false;
     return from == VertexKind::free || net_.on_line(h);
   }
 
-  // The link condition: what the ends are both joined to are the two apexes.
+  // Checks the link condition: the two apexes are the only common neighbours of the ends.
   bool stays_manifold(Index h) const {
     const Index v = net_.origin(h);
     const Index u = net_.target(h);
@@ -107,7 +107,8 @@ class Collapser {
     return true;
   }
 
-  // Of the edges of `v`, which moves to `place`, but the one to `other`.
+  // Returns whether the edges of `v`, except the one to `other`, stay short enough if `v` moves to
+  // `place`.
   bool edges_stay_short(Index v, Index other, const Vector3d& place, double length) const {
     bool fine = true;
     net_.for_neighbours(v, [&](Index w) {

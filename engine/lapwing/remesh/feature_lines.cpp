@@ -15,15 +15,15 @@ using Eigen::Vector3d;
 
 const double kCornerCosine = std::cos(std::numbers::pi / 4);
 
-// Below this share of the square of its longest side, a triangle's area is rounding.
+// Below this fraction of its squared longest side, a triangle's area is rounding.
 constexpr double kNoAreaShare = 1e-12;
 
-// Stored normals that are meant to be equal differ by the digits that files print.
+// Stored normals that are meant to be equal differ by less, because files print few digits.
 constexpr double kSameNormal = 1e-3;
 
 struct Facing {
   Vector3d normal = Vector3d::Zero();  // zero for a triangle without area
-  Index longest = kNoIndex;            // its half-edge
+  Index longest = kNoIndex;            // half-edge of the longest side
 };
 
 class LineFinder {
@@ -55,8 +55,8 @@ class LineFinder {
         facings[t].normal = normal / area;
       }
     }
-    // A triangle without area lies along its longest edge and looks where its neighbour there does;
-    // a few rounds reach through stacks of them.
+    // A triangle without area takes the normal of its neighbour across its longest edge. A few
+    // rounds reach through stacks of them.
     for (int round = 0; round < 4; ++round) {
       for (Facing& facing : facings) {
         const Index across = net_.twin(facing.longest);
@@ -68,7 +68,7 @@ class LineFinder {
     return facings;
   }
 
-  // Whether the corners on the two sides of an edge differ at one of its ends.
+  // Returns whether the corners on the two sides of an edge differ at one of its ends.
   template <class Differs>
   bool differs_across(Index h, Index k, const Differs& differs) const {
     const auto corner = [&](Index x) { return patch_.corners[x / 3][x % 3]; };
@@ -96,7 +96,7 @@ class LineFinder {
     });
   }
 
-  // Lines where stored normals differ, unless they differ at most edges.
+  // Marks edges at which stored normals differ, unless they differ at more than half of all edges.
   void mark_normal_seams() {
     if (mesh_.attributes().corner_normals.empty()) return;
     std::vector<Index> seams;
@@ -147,7 +147,7 @@ class LineFinder {
     }
   }
 
-  // The line's half-edge out of `v` other than `h`, where the line passes through.
+  // Returns a line half-edge out of `v` other than `h`. There is only one if the line passes `v`.
   Index other_way(Index v, Index h) const {
     Index other = kNoIndex;
     net_.for_outgoing(v, [&](Index out) {
@@ -158,11 +158,11 @@ class LineFinder {
 
   bool passes(Index v) const { return degrees_[v] == 2 && patch_.kinds[v] != VertexKind::fixed; }
 
-  // From `v` along the line from `h` on, until `reach` of it is behind or the line ends.
+  // Returns the point `reach` farther along the line from `v` over `h`, or the end of the line.
   Vector3d point_along(Index v, Index h, double reach) const {
     double gone = 0.0;
     Index end = net_.target(h);
-    for (;;) {  // a line that nothing ends comes back to `v`
+    for (;;) {  // a closed line comes back to `v`
       gone += (patch_.positions[end] - patch_.positions[net_.origin(h)]).norm();
       if (gone >= reach || end == v || !passes(end)) return patch_.positions[end];
       h = other_way(end, net_.twin(h));
@@ -211,7 +211,7 @@ class LineFinder {
     patch_.lines.starts.push_back(static_cast<Index>(patch_.lines.values.size()));
   }
 
-  // First those between fixed vertices, then those that close without one.
+  // Numbers lines between fixed vertices first, then closed lines without one.
   void number_lines() {
     for (const bool closed : {false, true}) {
       for (Index h = 0; h < net_.halfedge_count(); ++h) {
@@ -263,7 +263,7 @@ class LineFinder {
   OriginalPatch& patch_;
   Halfedges& net_;
   std::vector<char> is_line_;  // per half-edge
-  std::vector<int> degrees_;   // per vertex: of its edges, how many are on lines
+  std::vector<int> degrees_;   // per vertex: number of its edges on lines
 };
 
 }  // namespace

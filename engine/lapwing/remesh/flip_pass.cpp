@@ -33,7 +33,7 @@ double smallest_corner(const Corners& t) {
       {angle_at(t[0], t[1], t[2]), angle_at(t[1], t[2], t[0]), angle_at(t[2], t[0], t[1])});
 }
 
-// The two triangles on an edge from v to u with the apexes a and b, and those after its flip.
+// The two triangles on an edge from v to u with the apexes a and b, before and after its flip.
 struct Quad {
   Index v, u, a, b;
   Corners above, below, left, right;
@@ -53,7 +53,7 @@ class Flipper {
  public:
   explicit Flipper(WorkingPatch& patch) : patch_(patch), net_(patch.net) {}
 
-  // Until no flip is wanted; but on a curved surface flips might go round in a circle.
+  // Flips until no flip is better, or for kMostRounds, since flips on a curved surface might cycle.
   template <class IsBetter>
   void run(const IsBetter& is_better) {
     for (int round = 0; round < kMostRounds; ++round) {
@@ -82,7 +82,7 @@ class Flipper {
     }
   }
 
-  // How much nearer to the valences wanted all four are after the flip, in squares.
+  // Returns by how much the flip reduces the sum of squared deviations from the wanted valences.
   int valence_gain(const Quad& quad) const {
     const auto square = [](int x) { return x * x; };
     int gain = 0;
@@ -121,8 +121,8 @@ class Flipper {
            !patch_.are_joined(quad.a, quad.b);
   }
 
-  // Whether the new edge or one of the four around it is sharper than allowed and than any of them
-  // before.
+  // Returns whether the new edge or one of the four around it is sharper than allowed, and sharper
+  // than all of them were before.
   bool folds(Index h, const Quad& quad) const {
     const Vector3d above = area(quad.above);
     const Vector3d below = area(quad.below);
@@ -146,7 +146,7 @@ class Flipper {
 
   WorkingPatch& patch_;
   Halfedges& net_;
-  std::vector<int> surplus_;  // per vertex: valence over the one wanted
+  std::vector<int> surplus_;  // per vertex: valence minus the wanted one
 };
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Off lines no edge of the original is sharper than the feature angle, and coarse triangles on a
-// small ball meet at 41 degrees; lines are mostly edges of boxes.
+// Off lines, no original edge is sharper than the feature angle, and coarse triangles on a small
+// ball meet at 41 degrees. Lines are mostly edges of boxes.
 constexpr double kSharpestCosine = 0.3;
 constexpr double kSharpestLineCosine = -0.2;
 
@@ -25,7 +25,7 @@ class Motion {
   }
 
  private:
-  // The smallest margin of the edges of the triangles around what moves.
+  // Returns the smallest margin over the edges of the triangles around the moved vertices.
   template <class Margin>
   double sharpest(const Margin& margin) const {
     double least = 1.0;
@@ -48,7 +48,7 @@ class Motion {
     return fold_margin(area_before(h), area_before(net_.twin(h)), net_.on_line(h));
   }
 
-  // Across a triangle that vanishes its other two edges fall together.
+  // If a triangle vanishes, its other two edges become one.
   double margin_after(Index h) const {
     Index other = net_.twin(h);
     if (vanishes(h) || other == kNoIndex) return 1.0;
@@ -64,7 +64,7 @@ class Motion {
     return fold_margin(area_after(h), area_after(other), on_line);
   }
 
-  // Whether `h` is the edge between the two vertices that become one.
+  // Returns whether `h` is the edge between the two vertices that become one.
   bool moves_along(Index h) const {
     const Index a = net_.origin(h);
     const Index b = net_.target(h);

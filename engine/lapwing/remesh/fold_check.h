@@ -6,16 +6,16 @@
 
 namespace lapwing::remeshing {
 
-/// How sharply two triangles meet, against what is allowed on a line and elsewhere: negative when
-/// sharper. 1 where one has no area. Takes area vectors.
+/// Returns the cosine between two triangles, given by area vectors, minus the least one allowed on
+/// a line or elsewhere. It is negative if they meet too sharply, and 1 if one has no area.
 double fold_margin(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool on_line);
 
-/// Whether a change that takes the smallest margin of its edges from `before` to `after` makes a
-/// fold: an edge sharper than allowed, and sharper than any there before by more than rounding.
+/// Returns whether a change that takes the smallest margin of its edges from `before` to `after`
+/// makes a fold: an edge that is too sharp and, by more than rounding, sharper than all before.
 bool is_new_fold(double before, double after);
 
-/// Whether the surface folds when `v` moves to `place`; with `into`, a ring neighbour, when both do
-/// and become one.
+/// Returns whether the surface folds when `v` moves to `place`. With `into`, a ring neighbour, both
+/// move there and become one vertex.
 bool folds_when_moved(const WorkingPatch& patch, const Eigen::Vector3d& place, Index v,
                       Index into = kNoIndex);
 

@@ -93,9 +93,9 @@ void Halfedges::flip(Index h) {
   origins_[k] = outer[3].origin;  // a
 }
 
-// In a triangle that vanishes, of which one corner moved onto another, the half-edges to and from
-// the third corner (the apex) lie on one line in space, in opposite directions; what was glued to
-// them is glued together.
+// Removes a triangle of which one corner has moved onto another. The half-edges to and from the
+// third corner (the apex) now coincide, with opposite directions, so their twins become each
+// other's twins.
 void Halfedges::fall_together(Index to_apex, Index from_apex) {
   const Index a = twins_[from_apex];  // runs to the apex
   const Index b = twins_[to_apex];    // runs from the apex

@@ -7,15 +7,14 @@
 
 namespace lapwing::remeshing {
 
-/// Triangles that change, as half-edges on index arrays: half-edge 3 t + k runs from corner k of
-/// triangle t to the next corner. Every vertex has one fan of triangles, closed or open. Half-edges
-/// can carry a side: one side of a line that has to stay. The two half-edges of a line's edge carry
-/// the sides s and s ^ 1, those of a border carry one each. Operations keep sides where the lines
-/// are and require what their comments say; they check nothing.
+/// An editable half-edge mesh on index arrays: half-edge 3 t + k runs from corner k of triangle t
+/// to the next corner. Every vertex has one fan of triangles, closed or open. A half-edge on a line
+/// carries a side of the line: the half-edges of a line's edge carry s and s ^ 1, and each border
+/// half-edge its own. Operations keep these sides. They do not check what their comments require.
 class Halfedges {
  public:
   Halfedges() = default;
-  /// `twins`: per half-edge the opposite one, kNoIndex on the border.
+  /// `twins` holds the opposite of each half-edge, kNoIndex on the border.
   Halfedges(std::size_t vertex_count, std::span<const Triangle> triangles,
             std::vector<Index> twins);
 
@@ -36,8 +35,8 @@ class Halfedges {
 
   bool is_alive(Index h) const { return origins_[h] != kNoIndex; }
   bool has_vertex(Index v) const { return outgoing_[v] != kNoIndex; }
-  /// The half-edge from which turning counterclockwise about `v` meets all others: on the border
-  /// the one without a twin.
+  /// Returns the half-edge from which turning counterclockwise about `v` meets all others. On the
+  /// border it is the one without a twin.
   Index outgoing(Index v) const { return outgoing_[v]; }
   bool is_border_vertex(Index v) const { return twins_[outgoing_[v]] == kNoIndex; }
 
@@ -69,13 +68,13 @@ class Halfedges {
   }
   int valence(Index v) const;
 
-  /// Puts a new vertex onto the edge of `h`, which is not on the border, and returns it. `h` then
-  /// runs from its origin to the new vertex. The triangles' new halves are the last two.
+  /// Splits the edge of `h`, which must not be on the border, and returns the new vertex. `h` then
+  /// runs from its origin to the new vertex. The two new triangles are the last ones.
   Index split(Index h);
-  /// Turns the edge of `h`, not on a line or border, to join the two apexes.
+  /// Flips the edge of `h`, which must not be on a line or border, so that it joins the two apexes.
   void flip(Index h);
-  /// Moves the origin of `h`, which has a closed fan, into its target, and removes it with the two
-  /// triangles on the edge. Requires the link condition, and that the two edges that fall together
+  /// Collapses the origin of `h`, which must have a closed fan, into its target, and removes the
+  /// two triangles on the edge. Requires the link condition, and that the two edges that become one
   /// on either side are not both lines.
   void collapse(Index h);
 
@@ -83,10 +82,10 @@ class Halfedges {
   void glue(Index h, Index twin);
   void fall_together(Index to_apex, Index from_apex);
 
-  std::vector<Index> origins_;  ///< kNoIndex: removed
+  std::vector<Index> origins_;  ///< kNoIndex if removed
   std::vector<Index> twins_;
   std::vector<Index> sides_;
-  std::vector<Index> outgoing_;  ///< per vertex; kNoIndex: removed
+  std::vector<Index> outgoing_;  ///< per vertex; kNoIndex if removed
 };
 
 }  // namespace lapwing::remeshing

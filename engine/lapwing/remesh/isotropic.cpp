@@ -21,10 +21,10 @@ namespace {
 
 using namespace remeshing;
 
-// Of the patch while it is remeshed, the tree of the old one and what carries attributes over
-// included; measured at 1.3 million.
+// Memory of the patch during remeshing, including the search tree of the original and the transfer
+// of attributes. Measured at 1.3 million triangles.
 constexpr double kBytesPerTriangle = 400.0;
-// Relaxation steps per iteration: more than one spread the vertices better than more iterations.
+// Relaxation steps per iteration. A second one spreads the vertices better than more iterations.
 constexpr int kRelaxations = 2;
 
 void require_options(const RemeshOptions& options) {
@@ -40,7 +40,7 @@ void require_vertices(const Mesh& mesh, const VertexSet& region) {
                    "; the mesh has " + std::to_string(mesh.vertex_count()));
 }
 
-// Of the whole patch.
+// Estimates the number of triangles of the remeshed patch.
 double expected_faces(const OriginalPatch& patch, const std::vector<double>& lengths) {
   double faces = 0.0;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {

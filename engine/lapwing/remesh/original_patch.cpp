@@ -50,7 +50,7 @@ class PatchCutter {
     }
   }
 
-  // By numbers within the polygon, so that corners are known, not only their vertices.
+  // Triangulates by numbers within the polygon, which tell corners and not only their vertices.
   void cut_face(std::size_t f) {
     const auto face = mesh_.face(f);
     local_numbers_.resize(face.size());
@@ -144,7 +144,7 @@ class PatchCutter {
     }
   }
 
-  // Gives every fan of triangles a vertex of its own.
+  // Gives every fan of triangles its own vertex.
   void number_fans(const std::vector<Index>& twins) {
     std::vector<Index> newest(mesh_.vertex_count(), kNoIndex);
     std::vector<char> closed(mesh_.vertex_count(), 0);
@@ -199,7 +199,7 @@ class PatchCutter {
 
   const Mesh& mesh_;
   OriginalPatch patch_;
-  std::vector<char> used_;  // per mesh vertex: by the patch (1), and by faces outside (2)
+  std::vector<char> used_;  // per mesh vertex: 1 if the patch uses it, 2 if faces outside do too
   std::vector<Index> local_numbers_;
   Positions local_positions_;
   std::vector<Triangle> cut_;

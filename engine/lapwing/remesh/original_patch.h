@@ -15,26 +15,27 @@ enum class VertexKind : unsigned char {
   fixed,  ///< stays: on the border, where lines meet or turn, or used by faces outside
 };
 
-/// The triangles that are remeshed, as they were, in vertex numbers of their own: a mesh vertex
-/// where several fans of them touch is one own vertex per fan. Triangles are glued where exactly
-/// they share an edge that no face outside uses; all other edges are border.
+/// The original triangles of the patch with compact vertex numbers ("own"). A mesh vertex where
+/// several fans touch becomes one own vertex per fan. Two triangles are glued if they alone share
+/// an edge that no face outside uses. All other edges are border.
 struct OriginalPatch {
   KeepMask faces_outside;                     ///< per face of the mesh
   std::vector<Triangle> triangles;            ///< own numbers
   std::vector<std::array<Index, 3>> corners;  ///< per triangle: the mesh's corners
   std::vector<Index> faces;                   ///< per triangle: the mesh's face
   std::vector<Index> mesh_vertices;           ///< per own vertex
-  std::vector<Index> next_copy;  ///< per own vertex: the next of the same mesh vertex, in a circle
+  std::vector<Index> next_copy;  ///< per own vertex: next one of the same mesh vertex, cyclic
   Positions positions;           ///< per own vertex
   std::vector<char> bound;       ///< per own vertex: on the border or used by faces outside
-  std::vector<std::array<Index, 2>> outside_edges;  ///< of faces outside, mesh vertices, sorted
+  std::vector<std::array<Index, 2>> outside_edges;  ///< as mesh vertices, sorted
 
-  // From here on by `find_feature_lines`; until then no sides, and only bound vertices are fixed.
+  // `find_feature_lines` sets the rest. Until then there are no sides, and only bound vertices are
+  // fixed.
   std::vector<VertexKind> kinds;  ///< per own vertex
   /// Sides 2 l and 2 l + 1 belong to line l; higher even numbers to the border's edges.
   Halfedges net;
   Adjacency lines;              ///< per line its half-edges on side 2 l, in order
-  Adjacency sheets;             ///< triangles that are joined without crossing a line
+  Adjacency sheets;             ///< triangles connected without crossing a line
   std::vector<Index> sheet_of;  ///< per triangle
 
   std::array<Eigen::Vector3d, 3> corner_positions(std::size_t t) const {
@@ -43,9 +44,9 @@ struct OriginalPatch {
   }
 };
 
-/// The faces of `mesh` whose corners are all in `region`, cut into triangles. Throws InputError,
-/// naming vertices, when one of them is not finite, when more than two triangles share an edge or
-/// two run along one in the same direction, or when a closed fan touches another one.
+/// Triangulates the faces of `mesh` whose corners are all in `region`. Throws InputError, naming
+/// vertices, if one of them is not finite or a closed fan touches another one. Also throws it if
+/// more than two triangles share an edge, or two traverse one in the same direction.
 OriginalPatch cut_patch(const Mesh& mesh, const VertexSet& region);
 
 }  // namespace lapwing::remeshing

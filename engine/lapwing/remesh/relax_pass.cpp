@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The centroid of the triangles around `v`, each weighted by its area over the fourth power of the
-// target there: how dense a centroidal Voronoi tessellation with such cells is.
+// Returns the centroid of the triangles around `v`, each weighted by its area over the fourth power
+// of its target length. That is the density of a centroidal Voronoi tessellation with such cells.
 Vector3d centroid(const WorkingPatch& patch, Index v) {
   Vector3d sum = Vector3d::Zero();
   double weights = 0.0;
@@ -29,7 +29,8 @@ Vector3d centroid(const WorkingPatch& patch, Index v) {
   return weights > 0.0 ? Vector3d(sum / weights) : patch.at(v);
 }
 
-// The middle of the neighbours on the line, each as near as its target is short.
+// Returns the point between the neighbours on the line that divides their distance in the ratio of
+// the wanted edge lengths.
 Vector3d middle_on_line(const WorkingPatch& patch, Index v) {
   std::array<Index, 2> ends{v, v};
   std::size_t count = 0;

@@ -14,7 +14,7 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
   // Without faces nothing is remeshed, whatever the length.
   if (before.faces == 0) return 1.0;
   if (request.length) return *request.length;
-  // Positions that are not finite: `remesh_isotropic` names the vertices.
+  // If positions are not finite, `remesh_isotropic` names the vertices.
   if (!std::isfinite(before.mean_edge)) return 1.0;
   if (before.mean_edge > 0.0) return request.scale * before.mean_edge;
   throw InputError(request.where +

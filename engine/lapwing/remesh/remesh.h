@@ -11,32 +11,32 @@
 
 namespace lapwing {
 
-/// Give a region triangles of one size: all of it but the mesh.
+/// Input of `remesh` besides the mesh.
 struct RemeshRequest {
   RegionSpec region;
-  std::optional<double> length;  ///< wanted edge length, above 0; none: `scale` says it
+  std::optional<double> length;  ///< wanted edge length, above 0; if empty, `scale` sets it
   double scale = 1.0;            ///< wanted edge length over the region's mean one, above 0
   RemeshOptions options;
-  std::string where = "remesh";  ///< as in RegionSpec; no part of the value
+  std::string where = "remesh";  ///< as in RegionSpec; ignored by ==
   bool operator==(const RemeshRequest& other) const {
     return region == other.region && length == other.length && scale == other.scale &&
            options == other.options;
   }
 };
 
-/// What `remesh` makes of a mesh.
+/// Result of `remesh`.
 struct Remeshed {
   Mesh mesh;
   std::vector<Index> kept;            ///< as in RemeshResult
-  VertexSet region;                   ///< likewise
-  RegionQuality before;               ///< of the request's region
-  RegionQuality after;                ///< of `region`
-  std::vector<std::string> warnings;  ///< for a person
+  VertexSet region;                   ///< as in RemeshResult
+  RegionQuality before;               ///< quality of the request's region
+  RegionQuality after;                ///< quality of `region`
+  std::vector<std::string> warnings;  ///< for the user
 };
 
 /// `remesh_isotropic` with the same length everywhere. Throws InputError, naming the region's
-/// `where`, for a region that does not fit the mesh; naming `where`, for a scale on faces whose
-/// edges have no length; and what `remesh_isotropic` throws.
+/// `where`, if the region does not fit the mesh. Throws InputError, naming `where`, if there is
+/// only a scale and the region's edges have no length. Also throws what `remesh_isotropic` throws.
 Remeshed remesh(const Mesh& mesh, const RemeshRequest& request, const Progress& progress = {});
 
 }  // namespace lapwing

@@ -6,8 +6,8 @@
 
 namespace lapwing::remeshing {
 
-/// The edge length that the caller wants at a point. Throws InputError, naming the point, where it
-/// is not positive or not finite.
+/// The sizing field: the edge length wanted at a point. `at` throws InputError, naming the point,
+/// if the length is not positive or not finite.
 class TargetLength {
  public:
   explicit TargetLength(const std::function<double(const Eigen::Vector3d&)>& length)

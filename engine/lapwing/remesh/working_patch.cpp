@@ -11,11 +11,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Triangles of this quality are good enough not to be compared: angles from about 15 degrees.
+// Triangles of this quality, with angles from about 15 degrees, are good enough.
 constexpr double kGoodEnough = 0.4;
 // Below this quality a triangle's normal is rounding.
 constexpr double kNoQuality = 1e-9;
-// How far a line may leave where it was, in target lengths.
+// Largest distance of a line from its original, in target lengths.
 constexpr double kLineTolerance = 0.1;
 constexpr int kLineSamples = 8;
 constexpr double kLargestTurnCosine = 0.5;
@@ -35,7 +35,7 @@ std::vector<Triangle> segments_of(const OriginalPatch& original) {
   return segments;
 }
 
-// Rows of consecutive numbers, as long as those of `lists`.
+// Returns rows of consecutive numbers with the row lengths of `lists`.
 Adjacency numbered(const Adjacency& lists) {
   Adjacency rows = lists;
   for (Index i = 0; i < rows.values.size(); ++i) rows.values[i] = i;

@@ -9,8 +9,8 @@
 
 namespace lapwing::remeshing {
 
-/// A point on a line of the original patch: `along` of the way from the origin of `halfedge`, one
-/// of the line's, to its target.
+/// A point on a line of the original patch, at the fraction `along` of the way from the origin of
+/// `halfedge` to its target.
 struct LinePoint {
   Index halfedge = kNoIndex;
   double along = 0.0;
@@ -18,7 +18,7 @@ struct LinePoint {
   Index hint = kNoIndex;  ///< for the next search close by on the same line
 };
 
-/// The original patch as what vertices are put back onto.
+/// The original surface and lines, onto which vertices are projected.
 class Reference {
  public:
   explicit Reference(const OriginalPatch& original);
@@ -36,12 +36,12 @@ class Reference {
   ClosestPoint lines_;
 };
 
-/// Cosines, angles and qualities that differ by less are equal but for rounding, for example when a
-/// vertex moves within the plane of its triangles. What is equal is no reason to decide otherwise.
+/// Cosines, angles and qualities that differ by less are equal up to rounding, for example when a
+/// vertex moves within the plane of its triangles. Such a difference must not decide anything.
 inline constexpr double kSameQuality = 1e-9;
 
-/// The patch while it is remeshed. Vertices of the original keep their own numbers as long as they
-/// are there; new ones follow.
+/// The patch during remeshing. Original vertices keep their own numbers until they are removed; new
+/// ones follow.
 struct WorkingPatch {
   WorkingPatch(const OriginalPatch& original_patch, const TargetLength& target,
                std::vector<double> lengths_at_vertices);
@@ -51,14 +51,14 @@ struct WorkingPatch {
   Reference reference;
   Halfedges net;
   Positions positions;
-  std::vector<double> lengths;  ///< per vertex: the target there
+  std::vector<double> lengths;  ///< per vertex: target length
   std::vector<VertexKind> kinds;
   std::vector<Index> hints;     ///< per vertex: for `project`
   std::vector<Index> sheet_of;  ///< per triangle
 
   const Eigen::Vector3d& at(Index v) const { return positions[v]; }
-  /// Rounded to seven digits: edges of equal length then compare equal in spite of rounding, and
-  /// the passes choose among them by number, the same on every processor.
+  /// Returns the length rounded to seven digits. Edges of equal length then compare equal despite
+  /// rounding, and the passes choose among them by number, the same on every processor.
   double edge_length(Index h) const {
     return rounded_to_seven_digits((at(net.origin(h)) - at(net.target(h))).norm());
   }
@@ -67,22 +67,22 @@ struct WorkingPatch {
     return {at(net.origin(h)), at(net.target(h)), at(net.apex(h))};
   }
 
-  /// The line that a vertex of kind `line` is on.
+  /// Returns the line of a vertex of kind `line`.
   Index line_of(Index v) const;
-  /// Area-weighted normal of the triangles around `v`, of unit length or zero.
+  /// Returns the area-weighted normal of the triangles around `v`, of unit length or zero.
   Eigen::Vector3d normal_at(Index v) const;
-  /// The point of the original surface, or of its line, that is closest to `point` for `v`. Writes
-  /// what belongs to `v` alone.
+  /// Returns the point closest to `point` on the original sheet or line of `v`. Writes only the
+  /// hint of `v`.
   Eigen::Vector3d project(Index v, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
-  /// Whether the edges of `line` at `v`, but the one to `except`, run within a tenth of `length` of
-  /// where the line was, when `v` moves to `place`.
+  /// Returns whether the edges of `line` at `v`, except the one to `except`, stay within a tenth of
+  /// `length` of the original line if `v` moves to `place`.
   bool line_stays_near(Index line, Index v, Index except, const Eigen::Vector3d& place,
                        double length) const;
 
-  /// Whether two vertices are the same vertex of the mesh.
+  /// Returns whether two vertices are copies of one mesh vertex.
   bool is_same(Index a, Index b) const;
-  /// Whether the mesh has an edge between the two, in the patch or outside.
+  /// Returns whether the mesh has an edge between the two, in the patch or outside.
   bool are_joined(Index a, Index b) const;
 
  private:
@@ -94,15 +94,16 @@ struct WorkingPatch {
   }
 };
 
-/// 4 sqrt(3) times the area over the sum of the squared sides: 1 for an equilateral triangle, 0
-/// without area.
+/// Returns 4 sqrt(3) times the area over the sum of the squared sides: 1 for an equilateral
+/// triangle, 0 without area.
 double triangle_quality(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// Whether triangles may replace others: none turns by more than 60 degrees, and the worst of them
-/// is good enough or no worse than the worst before. Feed pairs, then ask.
+/// Decides whether triangles may replace others: none may turn by more than 60 degrees, and the
+/// worst must be good enough or no worse than the worst before. Call `add` for each pair, then
+/// `passes`.
 class ReplacementCheck {
  public:
-  /// `fallback`: which way a triangle looks that had no area.
+  /// `fallback` is the normal of triangles that had no area.
   explicit ReplacementCheck(const Eigen::Vector3d& fallback) : fallback_(fallback) {}
   void add(const std::array<Eigen::Vector3d, 3>& before,
            const std::array<Eigen::Vector3d, 3>& after);

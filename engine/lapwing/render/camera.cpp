@@ -54,7 +54,7 @@ double half_tangent(double field_of_view) {
   return std::tan(field_of_view * std::numbers::pi / 360.0);
 }
 
-// Planes just outside the depths, so that rounding cuts nothing off.
+// Sets planes just outside the depths, so that rounding cuts nothing off.
 void set_depth(Camera& camera, const Interval& depth) {
   const double slack = 1e-3 * (std::abs(depth.low) + std::abs(depth.high));
   camera.near_distance = depth.low - slack;
@@ -67,14 +67,15 @@ void set_depth(Camera& camera, const Interval& depth) {
   }
 }
 
-// The points in camera axes around `center`, as far as framing needs them.
+// The points in camera axes relative to `center`, as framing needs them.
 struct Framed {
   std::vector<Vector3d> points;
   Interval x, y;
-  double right_tangent, up_tangent;  // of half the picture less its margin
-  double smallest;                   // what is shown, so that a line seen end-on has a distance
+  double right_tangent, up_tangent;  // tangents of half the picture without its margin
+  double smallest;                   // least size shown, so that a line seen end-on gets a distance
 
-  // Distance from the centre, moved by (dx, dy), at which every point is in the picture.
+  // Returns the distance from the centre, moved by (dx, dy), at which every point is in the
+  // picture.
   double distance(double dx, double dy, bool orthographic) const {
     double least = 0.0;
     for (const Vector3d& p : points) {
@@ -90,8 +91,8 @@ Vector3d target_and_distance(const Framed& framed, bool orthographic) {
   Vector3d result(framed.x.middle(), framed.y.middle(), 0.0);
   result.z() = framed.distance(result.x(), result.y(), orthographic);
   if (orthographic) return result;
-  // What is near looks larger, so the middle of the picture is not the middle of the points; each
-  // round moves towards it and the step shrinks by the depth over the distance.
+  // Near points look larger, so the middle of the picture is not the middle of the points. Each
+  // round moves towards it, and the step shrinks by the ratio of depth to distance.
   for (int round = 0; round < 8; ++round) {
     Interval x;
     Interval y;

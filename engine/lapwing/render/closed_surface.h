@@ -9,9 +9,9 @@
 
 namespace lapwing {
 
-/// Whether triangles show their backs only to an eye inside: every edge joins two of them that run
-/// along it in opposite directions, and every connected piece encloses a positive volume. A piece
-/// that passes through itself may still turn a back outwards. O(n log n).
+/// Returns whether the backs of triangles show only to an eye inside: every edge joins two
+/// triangles that traverse it in opposite directions, and every connected piece encloses a positive
+/// volume. A self-intersecting piece may still show a back. O(n log n).
 bool is_closed_outward(std::span<const Eigen::Vector3d> positions,
                        std::span<const Triangle> triangles);
 

@@ -20,8 +20,8 @@ std::uint32_t word_of(const Eigen::Vector3f& srgb) {
   return static_cast<std::uint32_t>(CornerSource::color) | word;
 }
 
-// The corners of the polygon that the corners of one of its triangles are. Of a polygon that comes
-// to a vertex twice, the first one there.
+// Returns the corners of the polygon at the vertices of one of its triangles. If the polygon visits
+// a vertex twice, takes its first corner there.
 std::array<Index, 3> corners_of(const Mesh& drawn, Index face, const Triangle& triangle) {
   const std::span<const Index> polygon = drawn.face(face);
   std::array<Index, 3> corners{};
@@ -84,7 +84,8 @@ class CornerPainter {
     return static_cast<std::uint32_t>(CornerSource::none);
   }
 
-  // In the image of `material`; nothing where that has none or a corner has no place.
+  // Returns positions in the image of `material`, or nothing if it has no image or a corner no
+  // position.
   std::optional<std::array<Place, 3>> find_places(const FileMaterial* material,
                                                   const std::array<Index, 3>& corners) const {
     if (material == nullptr || material->image == kNoIndex || attributes_.corner_uvs.empty()) {

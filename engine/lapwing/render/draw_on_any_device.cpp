@@ -15,7 +15,7 @@ std::shared_ptr<gpu::Context> open(const std::string& device) {
   return std::make_shared<gpu::Context>(gpu::ContextOptions{.device = device});
 }
 
-// Names of those that are usable, the one that failed first.
+// Returns the names of usable devices, the failed one first.
 std::vector<std::string> devices_from(std::size_t failed) {
   std::vector<gpu::DeviceDescription> all = gpu::list_devices();
   std::erase_if(all, [](const gpu::DeviceDescription& device) { return !device.rejected.empty(); });
@@ -44,7 +44,7 @@ std::string draw_on_any_device(
     failure = std::current_exception();
     why = error.what();
   }
-  first.reset();  // the memory that it took may be what is missing
+  first.reset();  // frees its memory, which may be what is missing
   try {
     for (const std::string& name : devices_from(failed)) {
       try {
@@ -53,11 +53,11 @@ std::string draw_on_any_device(
         return "the device failed, and " + context->description().name +
                " drew the picture: " + why;
       } catch (const GpuError&) {
-        continue;  // the first failure is the one that is told
+        continue;  // the first failure is reported
       }
     }
   } catch (const GpuError&) {
-    // Where no devices can be listed the first failure says why.
+    // If devices cannot be listed, the first failure says why.
   }
   std::rethrow_exception(failure);
 }

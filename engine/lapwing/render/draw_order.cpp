@@ -13,18 +13,18 @@ namespace {
 
 using Eigen::Vector4f;
 
-// Triangles that one thread looks at in one go.
+// Triangles per parallel task.
 constexpr std::size_t kRun = 4096;
 
-// cos_smooth of shaders/surface.vert: where the face's normal is as close to a vertex's as this,
-// the vertex's is the corner's.
+// cos_smooth of shaders/surface.vert. If the cosine between the normals of the face and a vertex is
+// at least this, the corner has the vertex's normal.
 constexpr float kCosSmooth = 0.87F;
 
 Eigen::Map<const Vector4f, Eigen::Aligned16> lanes(const Vec4& v) {
   return Eigen::Map<const Vector4f, Eigen::Aligned16>(v.data());
 }
 
-// Not so where a normal or a position is not a number.
+// Returns false if a normal or a position is NaN.
 bool is_smooth(const Triangle& triangle, std::span<const Vec4> positions,
                std::span<const Vec4> normals) {
   const Vector4f a = lanes(positions[triangle[0]]);
@@ -80,7 +80,7 @@ void DrawOrder::split(std::span<const Vec4> positions, std::span<const Vec4> nor
     }
     smooth_in_[run] = smooth;
   });
-  // From here on: how many smooth ones come before each run.
+  // Turn counts into the number of smooth triangles before each run.
   smooth_count_ = 0;
   for (std::size_t& smooth : smooth_in_) {
     smooth_count_ += std::exchange(smooth, smooth_count_);
@@ -90,7 +90,7 @@ void DrawOrder::split(std::span<const Vec4> positions, std::span<const Vec4> nor
   });
 }
 
-// The triangles [begin, end), before which there are so many smooth ones.
+// Writes the triangles [begin, end), which `smooth_before` smooth ones precede.
 void DrawOrder::write(std::size_t begin, std::size_t end, std::size_t smooth_before) {
   const std::span<Triangle> drawn = indices_.mapped_as<Triangle>();
   std::size_t smooth = smooth_before;

@@ -72,7 +72,7 @@ void DrawScope::begin(VkCommandBuffer commands, VkImageView picture) const {
     if (!shaders_encode_) resolve(color, picture);
   }
   if (!multisampled_ || shaders_encode_) color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  // Depth is reversed: the farthest is 0, which is what a zeroed clear value says.
+  // Depth is reversed: the farthest is 0, as in a zeroed clear value.
   const VkRenderingAttachmentInfo depth = attachment(depth_.view(), kDepthTarget);
   begin(commands, color, &depth);
 }
@@ -91,7 +91,7 @@ void DrawScope::begin(VkCommandBuffer commands, const VkRenderingAttachmentInfo&
 void DrawScope::end(VkCommandBuffer commands, VkImageView picture) const {
   context_.vk().vkCmdEndRendering(commands);
   if (!shaders_encode_) return;
-  // Samples are averaged in linear light, so by the format that decodes what shaders encoded.
+  // Average the samples in linear light, through the format that decodes what the shaders encoded.
   multisampled_->transition(commands, kColorTarget, kColorTarget);
   VkRenderingAttachmentInfo color = attachment(multisampled_->view(), kColorTarget);
   color.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;

@@ -8,14 +8,14 @@
 
 namespace lapwing {
 
-/// The colours of a file, ready to be put on surfaces: for every mesh with attributes from there.
+/// The colours of a file, ready for surfaces of every mesh with attributes from that file.
 struct FilePaint {
   explicit FilePaint(FileColors read) : colors(std::move(read)), images(mip_levels(colors.images)) {
     colors.images = {};
   }
 
-  FileColors colors;                  ///< without the images, which are in
-  std::vector<std::uint32_t> images;  ///< mip_levels
+  FileColors colors;                  ///< without the images
+  std::vector<std::uint32_t> images;  ///< result of mip_levels
 };
 
 }  // namespace lapwing

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As a file browser sorts them, however many there are.
+// With leading zeros, file browsers sort the pictures correctly.
 constexpr std::size_t kFewestDigits = 4;
 
 std::string ending_of(const fs::path& output) {

@@ -9,43 +9,43 @@
 
 namespace lapwing {
 
-/// A sequence of pictures that is to be written.
+/// A sequence of pictures to write.
 struct FrameSequence {
   int count = 1;
   std::uint32_t width = 1;   ///< in pixels, of each
-  std::uint32_t height = 1;  ///< likewise
-  double per_second = 30.0;  ///< of a video
-  bool transparent = false;  ///< whether some pixels may be
+  std::uint32_t height = 1;  ///< in pixels, of each
+  double per_second = 30.0;  ///< frame rate of a video
+  bool transparent = false;  ///< whether pixels may be transparent
 };
 
-/// Where the pictures of a sequence go, one after the other. No file is ever there by half.
+/// Writes the pictures of a sequence, one after the other. Never leaves an incomplete file.
 class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
 
-  /// The next one. May wait for what reads it. Throws IoError.
+  /// Writes the next picture. May wait for its reader. Throws IoError.
   virtual void write(const Image& frame) = 0;
-  /// After the last one: without this a video is given up, and what was there before stays.
+  /// Call this after the last picture. Otherwise a video is discarded and any earlier file stays.
   virtual void finish() = 0;
 };
 
-/// Whether a sequence called so is a video: .mp4, .webm or .gif, in either case of letters.
+/// Returns whether the name is that of a video: .mp4, .webm or .gif, in any letter case.
 bool is_video(const std::filesystem::path& output);
 
-/// Whether the program that writes videos, ffmpeg, is on $PATH.
+/// Returns whether ffmpeg, the program that writes videos, is on $PATH.
 bool can_write_videos();
 
-/// The file of picture `number`, from 1, of a sequence of `count` called NAME.png: NAME-0001.png.
+/// Returns the file of picture `number`, from 1, of `count`: NAME-0001.png for `output` NAME.png.
 std::filesystem::path frame_file(const std::filesystem::path& output, int number, int count);
 
-/// Writes numbered PNG files where `output` ends in .png, and a video by the program ffmpeg where
-/// it ends in .mp4, .webm or .gif. Of these .mp4 knows no transparency: it is black there; for a
-/// .gif all pictures are in memory at once. Throws InputError for another ending, and IoError where
-/// ffmpeg is not on $PATH or the file cannot be made.
+/// Returns a writer of numbered PNG files if `output` ends in .png, or of a video by the program
+/// ffmpeg if it ends in .mp4, .webm or .gif. Transparent pixels become black in .mp4. A .gif needs
+/// all pictures in memory at once. Throws InputError for another ending, and IoError if ffmpeg is
+/// not on $PATH or the file cannot be created.
 std::unique_ptr<FrameWriter> open_frames(const std::filesystem::path& output,
                                          const FrameSequence& sequence);
 
-/// Throws what open_frames throws for the name alone, before there is a picture.
+/// Throws what open_frames throws for the name alone, so that it can be checked early.
 void check_frames_name(const std::filesystem::path& output);
 
 }  // namespace lapwing

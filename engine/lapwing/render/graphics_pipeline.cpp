@@ -43,7 +43,7 @@ class ShaderModule {
   VkShaderModule handle_ = VK_NULL_HANDLE;
 };
 
-// The states that do not depend on the pipeline.
+// The states that do not depend on the pipeline, except blending.
 struct FixedState {
   VkPipelineVertexInputStateCreateInfo vertex_input{
       VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};

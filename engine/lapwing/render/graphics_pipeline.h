@@ -16,21 +16,22 @@ class Buffer;
 class Context;
 }  // namespace gpu
 
-/// What pipelines draw into: a window's images or an offscreen target.
+/// Format of the images that pipelines draw into: a window's or an offscreen target's.
 struct TargetFormat {
-  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< of the picture; encodes linear light
+  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< format of the picture; encodes linear light
   VkFormat depth = VK_FORMAT_D32_SFLOAT;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  /// Shaders encode colours themselves (shaders/target.glsl), once per pixel, and draw into the
-  /// same bits without an encoding. For software devices, which otherwise encode every sample.
+  /// If true, shaders encode colours themselves (shaders/target.glsl), once per pixel, and draw
+  /// into the same bits without an encoding. For software devices, which otherwise encode every
+  /// sample.
   bool shaders_encode = false;
 
-  /// What pipelines draw into.
+  /// Returns the colour format that pipelines draw into.
   VkFormat drawn_color() const;
 };
 
-/// The format of the same bits without an encoding; VK_FORMAT_UNDEFINED for formats that no window
-/// of the viewer has.
+/// Returns the format of the same bits without an encoding, or VK_FORMAT_UNDEFINED for formats that
+/// no window of the viewer has.
 VkFormat without_encoding(VkFormat srgb);
 
 struct GraphicsPipelineInfo {
@@ -41,13 +42,13 @@ struct GraphicsPipelineInfo {
   std::uint32_t push_constant_bytes = 0;
   std::span<const std::uint32_t> constants;  ///< specialization constants 0, 1, ... of both stages
   bool depth = false;  ///< test and write depth: nearer, that is greater, wins
-  bool blend = false;  ///< by opacity over what is there; the picture's own opacity grows
+  bool blend = false;  ///< by opacity over the picture, whose own opacity grows
 };
 
 /// Which sides of triangles are drawn; the front is the one seen counter-clockwise.
 enum class Sides { both, front, back };
 
-/// Numbers of vertices in a buffer of uint.
+/// A range of vertex numbers in a buffer of uint.
 struct IndexRange {
   const gpu::Buffer* buffer;
   std::uint32_t first;
@@ -58,15 +59,15 @@ struct IndexRange {
 /// buffers. Viewport and scissor are dynamic. The context must outlive it.
 class GraphicsPipeline {
  public:
-  /// Throws GpuError, naming the pipeline, when the device cannot draw or refuses it.
+  /// Throws GpuError, naming the pipeline, if the device cannot draw or rejects the pipeline.
   GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,
                    const GraphicsPipelineInfo& info);
   ~GraphicsPipeline();
   GraphicsPipeline(const GraphicsPipeline&) = delete;
   GraphicsPipeline& operator=(const GraphicsPipeline&) = delete;
 
-  /// Records a draw of `vertices` vertices, from number `first` on, in a rendering scope. `buffers`
-  /// by binding.
+  /// Records a draw of `vertices` vertices, starting with number `first`, in a rendering scope.
+  /// `buffers` are in the order of their bindings.
   template <typename Push>
   void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
             const Push& push, std::uint32_t vertices, std::uint32_t first = 0,
@@ -74,7 +75,7 @@ class GraphicsPipeline {
     bind(commands, buffers, push, sides);
     draw_vertices(commands, vertices, first);
   }
-  /// The same of the vertices that `indices` numbers.
+  /// The same for the vertices that `indices` lists.
   template <typename Push>
   void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
             const Push& push, const IndexRange& indices, Sides sides = Sides::both) const {
@@ -105,7 +106,7 @@ class GraphicsPipeline {
   VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-/// Throws GpuError, saying what to do, when the context's queue has no graphics.
+/// Throws GpuError with the next step if the context's queue has no graphics.
 void require_graphics(const gpu::Context& context);
 
 }  // namespace lapwing

@@ -19,13 +19,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr TargetFormat kFormat{.color = VK_FORMAT_R32_UINT};
-// What shaders/triangle_id.vert takes.
+// Push constants of shaders/triangle_id.vert.
 struct IdPush {
   std::array<float, 16> clip_from_surface;  // columns
 };
 
-// Where `ray` meets the triangle's plane, moved into the triangle: the pixel's centre lies in it up
-// to rounding, which is large only where it is seen from its edge.
+// Returns where `ray` meets the triangle's plane, clamped to the triangle. The pixel's centre is in
+// the triangle up to rounding, which is large only if the triangle is seen edge-on.
 Vector3d point_on_triangle(const Ray& ray, const std::array<Vector3d, 3>& corners) {
   const Vector3d ab = corners[1] - corners[0];
   const Vector3d ac = corners[2] - corners[0];

@@ -19,7 +19,7 @@ namespace lapwing {
 
 class Surface;
 
-/// A place on a surface.
+/// A point picked on a surface.
 struct Pick {
   Index triangle = kNoIndex;
   Index vertex = kNoIndex;  ///< the triangle's corner that is nearest to `position`
@@ -27,28 +27,27 @@ struct Pick {
   double depth = 0.0;  ///< distance from the eye's plane along the viewing direction
 };
 
-/// Which triangle shows at each pixel of a picture, both faces of the surface counting. For picking
-/// and for selecting what is visible. Not for use from several threads at once. The context must
-/// outlive it.
+/// A picture of triangle numbers: which triangle is visible at each pixel, from either side. For
+/// picking and for selecting what is visible. Not thread-safe. The context must outlive it.
 class IdPicture {
  public:
-  /// Throws GpuError when the context's queue has no graphics.
+  /// Throws GpuError if the context's queue has no graphics.
   explicit IdPicture(gpu::Context& context);
 
-  /// Draws `surface`, from its buffers as they are now, as a picture of `width` x `height` pixels,
-  /// and reads the numbers back. Throws GpuError for a size that the device cannot draw.
+  /// Draws the current buffers of `surface` as a picture of `width` x `height` pixels and reads the
+  /// numbers back. Throws GpuError if the device cannot draw this size.
   void draw(Surface& surface, const Camera& camera, std::uint32_t width, std::uint32_t height);
 
-  /// Rows from the top: 1 + the number of the triangle that shows at the pixel's centre, or 0.
+  /// Returns 1 + the number of the triangle at each pixel's centre, or 0, in rows from the top.
   /// Empty before the first `draw`.
   std::span<const std::uint32_t> ids() const;
 
-  /// What shows at column `x` and row `y` of the picture last drawn of `surface`, which must not
-  /// have moved since. Nothing where the background does, and outside the picture.
+  /// Returns the point at column `x` and row `y` of the last picture of `surface`, which must not
+  /// have moved since. Returns nothing on the background and outside the picture.
   std::optional<Pick> pick(const Surface& surface, std::uint32_t x, std::uint32_t y);
 
  private:
-  /// What depends on the picture's size.
+  /// Resources that depend on the picture's size.
   struct Target {
     Target(gpu::Context& context, VkExtent2D extent, const TargetFormat& format);
 

@@ -11,14 +11,14 @@ namespace {
 // Dark grey, legible on every background.
 const Eigen::Vector3f kInk = Eigen::Vector3f::Constant(0.015F);
 
-// The picture's height at which a letter's dot is one pixel; all sizes below are in such dots.
+// Picture height at which a letter's dot is one pixel. All sizes below are in such dots.
 constexpr float kHeightPerDot = 360.0F;
 constexpr float kMargin = 12.0F;
 constexpr float kBarWidth = 10.0F;
 constexpr float kGap = 4.0F;
 constexpr float kFrame = 1.0F;
 constexpr float kCapitalHeight = 7.0F;
-constexpr float kBarPart = 0.42F;  // of the picture's height
+constexpr float kBarPart = 0.42F;  // fraction of the picture's height
 
 float dot_size(std::uint32_t picture_height) {
   return std::max(1.0F, std::round(static_cast<float>(picture_height) / kHeightPerDot));
@@ -58,7 +58,7 @@ Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t 
   write_left_of_bar(top, range.high, legend.more_above ? ">= " : "");
   write_left_of_bar(0.5F * (top + bottom), 0.5F * (range.low + range.high));
   write_left_of_bar(bottom, range.low, legend.less_below ? "<= " : "");
-  // Lines of the title from the last one, which stands above the bar, upwards.
+  // Write the title's lines upwards, from the last one just above the bar.
   float y = top - (2.0F * kCapitalHeight + kGap) * dot;
   std::string_view title = legend.title;
   while (!title.empty()) {

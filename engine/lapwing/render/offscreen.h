@@ -12,32 +12,31 @@
 
 namespace lapwing {
 
-/// A picture's size. Throws GpuError, naming the limit, for one that is empty or larger than the
-/// device's largest, and when the context's queue has no graphics.
+/// Returns the size of a picture. Throws GpuError, naming the limit, if it is empty or too large
+/// for the device, or if the context's queue has no graphics.
 VkExtent2D checked_extent(const gpu::Context& context, std::uint32_t width, std::uint32_t height);
 
-/// A picture to draw into that is not on a screen, with antialiasing. The context must outlive it.
+/// An offscreen picture to draw into, with antialiasing. The context must outlive it.
 class OffscreenTarget {
  public:
-  /// `samples` per pixel are wanted; as many as the device has are taken, up to that. Throws
-  /// GpuError, naming the limit, for a picture that is empty or larger than the device's largest,
-  /// and when the context's queue has no graphics.
+  /// Uses as many samples per pixel as the device has, up to `samples`. Throws GpuError as
+  /// checked_extent does.
   OffscreenTarget(gpu::Context& context, std::uint32_t width, std::uint32_t height,
                   std::uint32_t samples = 4);
 
   const TargetFormat& format() const { return format_; }
   VkExtent2D extent() const { return extent_; }
 
-  /// Runs what `draw` records into a rendering scope and returns the pixels. At edges what was
-  /// drawn is averaged with what lies behind; where that is transparent, colours come out
-  /// multiplied by their opacity (see divide_by_opacity).
+  /// Runs the commands that `draw` records into a rendering scope and returns the pixels. Edges are
+  /// averaged with what lies behind. Over a transparent background, their colours are multiplied by
+  /// their opacity (see divide_by_opacity).
   Image render(const std::function<void(VkCommandBuffer commands)>& draw);
 
  private:
   gpu::Context& context_;
   VkExtent2D extent_;
   TargetFormat format_;
-  DeviceImage color_;  ///< what is read back
+  DeviceImage color_;  ///< the picture to read back
   DrawScope scope_;
   gpu::Buffer pixels_;
   gpu::CommandList commands_;

@@ -10,7 +10,7 @@
 namespace lapwing {
 namespace {
 
-// What the font's table covers, as the mutable string that it takes. Its barred 0 reads as an 8.
+// Returns the mutable ASCII string that the font needs. The font's barred 0 looks like an 8.
 std::string as_ascii(std::string_view text) {
   std::string line(text);
   for (char& c : line) {
@@ -26,7 +26,7 @@ struct FontCorner {
   std::uint32_t color;
 };
 
-// The font draws a letter with at most so many rectangles.
+// Limit on the rectangles that the font draws for a letter.
 constexpr std::size_t kRectanglesPerLetter = 24;
 
 }  // namespace

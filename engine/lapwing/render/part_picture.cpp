@@ -12,21 +12,22 @@
 namespace lapwing {
 namespace {
 
-// How far above the loop's plane the eye is, and how far round from the front, in radians.
+// How far the eye is above the loop's plane and aside from the front, in radians.
 constexpr double kAbove = 20.0 * std::numbers::pi / 180.0;
 constexpr double kAside = 25.0 * std::numbers::pi / 180.0;
 
-// Narrower across than this share of its breadth, a part is looked at across: a wing, a profile.
+// A part narrower than this fraction of its breadth, such as a wing, is seen broadside.
 constexpr double kFlatSpread = 0.7;
 
-// Meshes face +z; one that stands along z is seen from where its top was.
+// Meshes face +z. A part that stands along z is seen from +y, where its top was.
 Eigen::Vector3d front_of(const Eigen::Vector3d& up) {
   const Eigen::Vector3d axis =
       std::abs(up.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
   return (axis - axis.dot(up) * up).normalized();
 }
 
-// The horizontal direction along which `positions` spread least, toward the front.
+// Returns the horizontal direction of least spread, towards the front, or the front if none stands
+// out.
 Eigen::Vector3d broadside_of(const Positions& positions, const Eigen::Vector3d& up) {
   const Eigen::Vector3d front = front_of(up);
   const Eigen::Vector3d side = up.cross(front);

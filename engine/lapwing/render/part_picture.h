@@ -13,15 +13,14 @@ namespace gpu {
 class Context;
 }
 
-/// A picture of a part for transplanting, `side` pixels wide and high, on nothing: it stands on its
-/// boundary loop, which is marked, and is seen a little from above, from the front (+z; where the
-/// loop faces there, +y), or across where it is flat. `loop` as
-/// boundary_loops has it. Throws InputError for a loop as in LoopCurve, and GpuError for a device
-/// that cannot draw.
+/// Draws a part for transplanting on a transparent background, `side` pixels wide and high. The
+/// part stands on its boundary loop, which is marked. The view is a little from above and from the
+/// front: +z, or +y if the loop faces along z. A flat part is seen broadside. `loop` is one of
+/// `boundary_loops`. Throws InputError as LoopCurve does, and GpuError if the device cannot draw.
 Image part_picture(const std::shared_ptr<gpu::Context>& context, const Mesh& mesh,
                    std::span<const Index> loop, std::uint32_t side);
 
-/// The side of the pictures beside parts.
+/// Side of thumbnails of parts, in pixels.
 inline constexpr std::uint32_t kThumbnailSide = 192;
 
 }  // namespace lapwing

@@ -8,24 +8,24 @@
 
 namespace lapwing {
 
-/// A picture of a mesh as a person asks for it: its size, from where, and how it is drawn.
+/// A user's request for a picture of a mesh: its size, viewpoint and style.
 struct PictureRequest {
   std::uint32_t width = 1280;  ///< in pixels
   std::uint32_t height = 960;  ///< in pixels
   View view = View::three_quarter;
-  std::optional<Eigen::Vector3d> from;  ///< direction to the eye, in place of the view
+  std::optional<Eigen::Vector3d> from;  ///< direction to the eye, instead of the view
   UpAxis up = UpAxis::y;
   Background background = Background::gradient;
   bool orthographic = false;
   bool wireframe = false;
   bool flat = false;  ///< one normal per triangle
 
-  /// Whether `from` has a direction that is not along the upward axis.
+  /// Returns whether `from` is unset or a direction not along the upward axis.
   bool can_look() const;
   RenderOptions options() const;
-  /// Frames all of `points`, beside a legend where there is one.
+  /// Returns a camera that frames all of `points`, beside a legend if there is one.
   Camera camera(std::span<const Eigen::Vector3d> points, bool with_legend) const;
-  /// The same from all around, beginning there.
+  /// Returns a turntable that begins at the same view.
   Turntable turntable(std::span<const Eigen::Vector3d> points, bool with_legend) const;
 
  private:

@@ -26,7 +26,7 @@ const Words& words_of(PoseMeasure measure) {
   return kWords[static_cast<std::size_t>(measure)];
 }
 
-// Vertices that moved, and those with one in their ring.
+// Returns the vertices that moved and their ring neighbours.
 std::vector<Index> touched_vertices(const Topology& topology, std::span<const Vector3d> rest,
                                     std::span<const Vector3d> current) {
   std::vector<Index> moved;
@@ -36,7 +36,7 @@ std::vector<Index> touched_vertices(const Topology& topology, std::span<const Ve
   return with_ring_neighbours(moved, topology.rings);
 }
 
-// Of each touched vertex.
+// Returns the measure of each touched vertex.
 std::vector<double> measured(PoseMeasure measure, std::span<const Index> touched,
                              const Topology& topology, std::span<const Vector3d> rest,
                              std::span<const Vector3d> current) {

@@ -21,14 +21,14 @@ enum class PoseMeasure {
 /// Every measure, in the order of the enumeration.
 std::span<const PoseMeasure> all_pose_measures();
 
-/// "displacement", "rotation", "detail", "stretch".
+/// Returns "displacement", "rotation", "detail" or "stretch".
 std::string_view name_of(PoseMeasure measure);
 
-/// What a legend says of it, with the unit: one or two lines.
+/// Returns the legend's title with the unit, in one or two lines.
 std::string_view legend_title(PoseMeasure measure);
 
-/// One number per vertex of the mesh, never negative; NaN, for no colour, where a vertex and its
-/// whole ring are where they were. `rest` and `current` have one position per vertex. Linear time.
+/// Returns one nonnegative number per vertex of the mesh, or NaN (no colour) if the vertex and its
+/// whole ring have not moved. `rest` and `current` have one position per vertex. Linear time.
 std::vector<float> measure_pose(PoseMeasure measure, const Topology& topology,
                                 std::span<const Eigen::Vector3d> rest,
                                 std::span<const Eigen::Vector3d> current);

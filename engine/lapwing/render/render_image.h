@@ -14,23 +14,24 @@ namespace lapwing {
 struct RenderOptions {
   std::uint32_t width = 1280;  ///< in pixels
   std::uint32_t height = 960;  ///< in pixels
-  std::uint32_t samples = 4;   ///< per pixel, where the device has them
+  std::uint32_t samples = 4;   ///< per pixel, as far as the device has them
   Background background = Background::gradient;
   SurfaceStyle style;
   bool legend = true;        ///< beside a surface coloured by numbers
-  std::string legend_title;  ///< above the legend, in lines; may be empty
+  std::string legend_title;  ///< one or more lines above the legend, or empty
 
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }
 };
 
-/// Pictures without a display, one after the other: keeps the pipelines and images that one takes.
-/// Same input, same bits on one device. The context must outlive it.
+/// Draws pictures without a display, one after the other, and keeps the pipelines and images for
+/// them. The same input gives the same bits on one device. The context must outlive it.
 class ImageRenderer {
  public:
-  /// Throws GpuError for a device that cannot draw and for sizes beyond its limits.
+  /// Throws GpuError if the device cannot draw or a size exceeds its limits.
   ImageRenderer(gpu::Context& context, const RenderOptions& options);
 
-  /// `surface` as its buffers are now, and what is carried along with it; all on the context.
+  /// Draws the current buffers of `surface` and the drawings carried along with it, all on the
+  /// context.
   Image render(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                std::span<const CarriedDrawing> carried = {});
 
@@ -41,7 +42,7 @@ class ImageRenderer {
   Renderer renderer_;
 };
 
-/// One such picture, on the context of `surface`.
+/// Draws one such picture, on the context of `surface`.
 Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                    const RenderOptions& options = {}, std::span<const CarriedDrawing> carried = {});
 

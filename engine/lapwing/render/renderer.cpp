@@ -22,7 +22,7 @@
 namespace lapwing {
 namespace {
 
-// What the shaders of the same names take; std430.
+// Push constants of the shaders of the same names; std430.
 struct BackgroundPush {
   std::array<float, 4> top;  // sRGB and opacity
   std::array<float, 4> bottom;
@@ -188,7 +188,7 @@ void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background bac
 }
 
 void Renderer::begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const {
-  // Depth is reversed: the farthest is 0, which is what a zeroed clear value says.
+  // Depth is reversed: the farthest is 0, as in a zeroed clear value.
   VkClearAttachment depth{};
   depth.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
   const VkClearRect cleared{area, 0, 1};
@@ -230,8 +230,9 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   }
   const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
   const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
-  // A kind that there is none of draws a triangle of no area: the driver compiles shaders when they
-  // first draw, which would hold up the frame of a drag in which the first such triangle appears.
+  // If there are no triangles of a kind, draw one without area. The driver compiles shaders at
+  // their first draw, which would otherwise delay the drag frame in which the first such triangle
+  // appears.
   const auto some = [&](std::uint32_t first, std::uint32_t count) {
     const gpu::Buffer* indices = &order->index_buffer();
     return count > 0 ? IndexRange{indices, first, count} : IndexRange{indices, smooth + sharp, 3};
@@ -241,7 +242,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
     draw(sides, Numbers::corners, some(smooth, sharp));
   };
   if (style.sides != Sides::both) return draw_sides(style.sides);
-  // Most backs lie behind a front: what is there already needs no shading there.
+  // Most backs lie behind fronts. Draw the fronts first, so that these backs need no shading.
   draw_sides(Sides::front);
   draw_sides(Sides::back);
 }

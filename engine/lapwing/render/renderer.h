@@ -23,85 +23,83 @@ class Surface;
 enum class Background { gradient, white, transparent };
 
 enum class SurfaceColor {
-  plain,    ///< one light clay
+  plain,    ///< a light clay
   regions,  ///< by class: outside grey, ROI bluish, belt red, handle yellow
   scalar,   ///< by number, through the colour map
-  carried,  ///< one of its own, apart from all of these
+  carried,  ///< the colour of carried drawings
 };
 
 /// How a surface looks.
 struct SurfaceStyle {
   SurfaceColor color = SurfaceColor::plain;
   ColorMap color_map = ColorMap::sequential;
-  std::optional<ScalarRange> range;  ///< of the colour map; of the numbers themselves by default
-  /// In place of the clay, and under regions in place of the grey outside: what the mesh's file
-  /// says, where the paint has that.
+  std::optional<ScalarRange> range;  ///< range of the colour map; by default that of the numbers
+  /// Shows the colours of the mesh's file, if the paint has them, instead of the clay and, with
+  /// regions, instead of the grey outside.
   bool file_colors = false;
   bool wireframe = false;  ///< polygon edges over the surface
   bool flat = false;       ///< one normal per triangle
-  /// Of a picture for a dense display: what is to be seen whatever the density (edges of the
-  /// wireframe, carried points, how far relief is darkened) is as many times as large in pixels.
+  /// Pixel density of the display. Wireframe edges, carried points and the reach of relief
+  /// darkening grow with it in pixels, so that they look the same at any density.
   float pixels_per_point = 1.0F;
-  /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
+  /// `front` is faster and gives the same picture if no back is visible (see is_closed_outward).
   Sides sides = Sides::both;
 
   bool operator==(const SurfaceStyle&) const = default;
 };
 
-/// What stands with a surface in the same picture: a mesh or points that are carried along with it.
+/// A mesh or points that are carried along with a surface and drawn in the same picture.
 struct CarriedDrawing {
   Surface* surface = nullptr;           ///< null for points
-  const SurfacePaint* paint = nullptr;  ///< of the surface
+  const SurfacePaint* paint = nullptr;  ///< paint of the surface
   const PointCloud* points = nullptr;   ///< null for a mesh
 };
 
-/// The range that `style` gives the colour map. By default that of the paint's numbers, made
-/// symmetric around 0 for a diverging map.
+/// Returns the range of the colour map of `style`. By default it is that of the paint's numbers,
+/// made symmetric around 0 for a diverging map.
 ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint);
 
-/// From places relative to `origin` to Vulkan's clip space in a picture of `extent` pixels. In
-/// float64, so that a mesh far from the world's origin keeps its digits.
+/// Returns the matrix from positions relative to `origin` to Vulkan's clip space in a picture of
+/// `extent` pixels. In float64, so that a mesh far from the world's origin keeps its digits.
 Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
                                   const Eigen::Vector3d& origin);
 
-/// Records draws into a rendering scope (vkCmdBeginRendering) that someone else began, on images
-/// that someone else owns: a window's or an OffscreenTarget's. Draws from the buffers of the
-/// surface, which on a software device has to be where it is until the commands have run; nothing
-/// is copied or uploaded. The context must outlive the renderer, and what is drawn must live until
-/// the commands are done.
+/// Records draws into a rendering scope (vkCmdBeginRendering) that the caller began, on images of a
+/// window or an OffscreenTarget. Draws from the buffers of the surface, without copies or uploads.
+/// What is drawn must live until the commands have run; on a software device the surface must not
+/// move until then. The context must outlive the renderer.
 class Renderer {
  public:
-  /// How the pipelines of surfaces are made: one for each way of looking, when it is first drawn,
-  /// without what that way leaves out; or one for all of them, as a measure for the others.
+  /// How the pipelines of surfaces are created: a specialized one for each style when it is first
+  /// drawn, or one for all styles, for comparison.
   enum class Pipelines { by_style, one };
 
-  /// Throws GpuError when the context's queue has no graphics.
+  /// Throws GpuError if the context's queue has no graphics.
   Renderer(gpu::Context& context, const TargetFormat& target,
            Pipelines pipelines = Pipelines::by_style);
 
-  /// Sets viewport and scissor and fills the picture. First in every scope.
+  /// Sets viewport and scissor and fills the picture. Must come first in every scope.
   void begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const;
-  /// Begins anew in a part of the picture, whatever was drawn there: what follows is drawn as into
-  /// a picture of that extent.
+  /// Clears a part of the picture. What follows is drawn there, as into a picture of that extent.
   void begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
-  /// The surface; its back, where it is drawn, is darker. Commands recorded before must have made
-  /// its buffers visible to the vertex stage (a gpu::Recorder begins with that).
+  /// Draws the surface, its backs darker. Commands recorded before must have made its buffers
+  /// visible to the vertex stage, as the start of a gpu::Recorder does.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& surface,
             const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
-  /// A mesh in the style but for its colour, which is SurfaceColor::carried; points as disks of
-  /// that colour, a few points wide.
+  /// Draws a mesh in the style, but with SurfaceColor::carried, or points as disks of that colour,
+  /// a few points wide.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
             const Camera& camera, const SurfaceStyle& style) const;
 
  private:
-  /// What the vertex stage is told of what it draws.
+  /// What the vertex index counts in the vertex stage.
   enum class Numbers : std::uint32_t { corners, vertices };
 
   void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
   const GraphicsPipeline& surface_pipeline(std::uint32_t flags, Numbers numbers) const;
 
-  /// Of surfaces that are looked at in one way.
+  /// The pipeline of surfaces in one style.
   struct StylePipeline {
     StylePipeline(const gpu::Context& context, const TargetFormat& target, std::uint32_t its_flags,
                   bool is_fixed, Numbers its_numbers);

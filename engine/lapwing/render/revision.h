@@ -5,13 +5,13 @@
 
 namespace lapwing {
 
-/// A number that says which contents a thing on the device has: no two things, and no two contents
-/// of one, ever share a number. What was drawn from equal numbers is drawn already.
+/// Identifies the contents of an object on the device. No two objects, and no two contents of one
+/// object, share a number, so a picture drawn from the same numbers is up to date.
 class Revision {
  public:
   Revision() : number_(next()) {}
 
-  /// The contents have changed, or are about to.
+  /// Call this when the contents change.
   void renew() { number_ = next(); }
   std::uint64_t number() const { return number_; }
 

@@ -86,7 +86,7 @@ void Surface::move_to(std::span<const Vector3d> positions, const Wanted& wanted)
     if (wanted(v) && known_[v] != place_of(positions[v], origin_)) elsewhere.push_back(v);
   }
   if (elsewhere.empty()) return;
-  // What carries them there is a response that begins from where they go.
+  // A response without columns moves them. It starts from their new positions.
   const auto moved = std::make_shared<BlendResponse>(
       context_, transfer_, ResponseColumns{.moving = elsewhere, .numbers = {}}, topology_);
   moved->set_rest(transfer_, positions, {}, origin_);
@@ -96,7 +96,7 @@ void Surface::move_to(std::span<const Vector3d> positions, const Wanted& wanted)
 
 void Surface::begin(BlendResponse& response, std::span<const Vector3d> rest,
                     std::span<const Vector3d> displacement) {
-  // Since a blend of this response nothing else has moved.
+  // If this response moved the surface last, no other vertex has moved since.
   if (moved_by_.get() != &response) {
     const std::span<const Index> moving = response.moving();
     auto next = moving.begin();
@@ -122,7 +122,7 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
   response->set_parameters(parameters);
   is_pending_ = !on_host_;
   if (!on_host_) return;
-  // What was drawn last may still be read.
+  // The last draw may still read the buffers.
   context_->wait_for_submitted();
   Stopwatch watch;
   response->run_on_host(positions_.mapped_as<Vec4>());

@@ -25,53 +25,52 @@ struct SurfaceTimes {
 };
 
 /// A mesh in device memory, in float32, from which it is drawn without a copy. Construction uploads
-/// it once; after that only what moves is. The kernels that move it are recorded into the commands
-/// that draw it (`record`). On a software device the processor does at once, in the same memory,
-/// what they would (vulkan/host_frame.h), unless that memory is not mapped.
+/// all of it, later calls only what moves. The kernels that move it are recorded into the commands
+/// that draw it (`record_blend`, `record_normals`). On a software device with mapped memory, the
+/// CPU does their work at once (vulkan/host_frame.h).
 ///
-/// The device must be done with what was drawn last whenever the surface is moved. Not for use from
-/// several threads at once.
+/// The device must have finished the last draw before the surface is moved. Not thread-safe.
 class Surface {
  public:
   /// `topology` must outlive it.
   Surface(std::shared_ptr<gpu::Context> context, std::span<const Eigen::Vector3d> positions,
           const Topology& topology);
 
-  /// Puts the vertices where `positions`, of the whole mesh, says. Uploads those that are not
-  /// there.
+  /// Moves the vertices to `positions`, one for each vertex of the mesh. Uploads those that differ.
   void place(std::span<const Eigen::Vector3d> positions);
 
-  /// Lets blends of `response` begin from `rest` + `displacement`, both of the whole mesh; no
-  /// displacement is none. Uploads the vertices that it moves, and of the others those that are not
-  /// at rest.
+  /// Makes blends of `response` start from `rest` + `displacement`, both of the whole mesh; an
+  /// empty displacement is zero. Uploads the vertices that the response moves, and others that are
+  /// not at rest.
   void begin(BlendResponse& response, std::span<const Eigen::Vector3d> rest,
              std::span<const Eigen::Vector3d> displacement = {});
-  /// One drag frame: the vertices that `response` moves, then the normals of those and of their
-  /// neighbours. One number per column. Allocates nothing. After `begin`.
+  /// Computes one drag frame: the vertices that `response` moves, then the normals of these and
+  /// their neighbours. `parameters` has one number per column. Allocates nothing. Call `begin`
+  /// first.
   void blend(const std::shared_ptr<BlendResponse>& response, std::span<const double> parameters);
 
-  /// Records what is left to do of the last `place` or `blend`: first the one, then the other,
-  /// which says whether there was something. Before a rendering scope.
+  /// Record the pending work of the last `place` or `blend`, before a rendering scope. Call
+  /// `record_blend` first. `record_normals` returns whether there was any work.
   void record_blend(gpu::Recorder& recorder) const;
   bool record_normals(gpu::Recorder& recorder);
-  /// Does it now and waits, for whoever reads or draws the surface on commands of its own.
+  /// Runs the pending work now and waits, for callers that use the surface in separate commands.
   void finish();
-  /// Of what the processor did since this was last called.
+  /// Returns the times of the work on the CPU since the last call.
   SurfaceTimes take_times();
 
-  /// What the device holds, in mesh coordinates, and its unit normals, zero where a vertex has no
-  /// triangle with area. For tests.
+  /// Returns the positions on the device, in mesh coordinates, and the unit normals, which are zero
+  /// at a vertex without a triangle with area. For tests.
   Positions positions();
   std::vector<Eigen::Vector3d> normals();
 
-  /// Another number whenever something moved.
+  /// Returns a number that changes whenever something moves.
   std::uint64_t revision() const { return revision_.number(); }
 
   gpu::Context& context() const { return *context_; }
   std::size_t vertex_count() const { return known_.size(); }
   std::size_t triangle_count() const { return triangles_.bytes() / sizeof(Triangle); }
-  /// What was subtracted from the positions: the centre of the bounding box at construction.
-  /// Float32 positions then keep their digits wherever the mesh lies.
+  /// Returns the offset subtracted from the positions: the centre of the bounding box at
+  /// construction. Float32 positions then keep their digits wherever the mesh lies.
   const Eigen::Vector3d& origin() const { return origin_; }
   /// One vec4 per vertex: the position relative to `origin()`, and 1.
   const gpu::Buffer& position_buffer() const { return positions_; }
@@ -79,8 +78,9 @@ class Surface {
   const gpu::Buffer& normal_buffer() const { return normals_; }
   /// Three uint per triangle.
   const gpu::Buffer& triangle_buffer() const { return triangles_; }
-  /// How a software device draws it soonest where it is now; null where the device moves it itself.
-  /// Takes O(n log n) at the first call, linear time at the first after it moved.
+  /// Returns the fastest order to draw the surface on a software device, or null if the device
+  /// moves it itself or cannot index so many corners. The first call takes O(n log n), the first
+  /// after a move linear time.
   const DrawOrder* draw_order() const;
 
  private:
@@ -99,12 +99,12 @@ class Surface {
   gpu::Buffer triangles_;
   VertexNormals vertex_normals_;
   bool on_host_;
-  mutable std::optional<DrawOrder> order_;  ///< once it was asked for
-  mutable bool is_order_old_ = true;        ///< whether the surface has moved since
-  /// Where the device has each vertex; not a number where it alone knows.
+  mutable std::optional<DrawOrder> order_;  ///< set by the first draw_order()
+  mutable bool is_order_old_ = true;        ///< whether the surface has moved since then
+  /// Positions of the vertices on the device; NaN if only the device knows them.
   std::vector<Vec4> known_;
-  std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run
-  bool is_pending_ = false;                  ///< whether it is still to be recorded
+  std::shared_ptr<BlendResponse> moved_by_;  ///< last response; its recorded work may still run
+  bool is_pending_ = false;                  ///< whether its work must still be recorded
   SurfaceTimes times_;
   Revision revision_;
 };

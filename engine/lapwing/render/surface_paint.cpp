@@ -43,7 +43,7 @@ ScalarRange range_of(std::span<const float> scalars) {
 
 }  // namespace
 
-// The weight in 255ths stands above the class, as the shader reads it.
+// The weight in 255ths is stored above the class, as the shader reads it.
 VertexClass drawn_by_handle(VertexClass vertex, double weight) {
   const auto share = static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(weight, 0.0, 1.0)));
   return static_cast<VertexClass>(static_cast<std::uint32_t>(vertex) | share << 8U);
@@ -56,7 +56,7 @@ void draw_graded(std::span<const GradedVertex> graded, std::span<const VertexSet
     classes[g.vertex] = drawn_by_handle(classes[g.vertex], g.weight);
     fades[g.handle] = 1;
   }
-  // Else the colour would begin with nothing at the handle's border.
+  // Otherwise the colour would start from nothing at the handle's border.
   for (std::size_t h = 0; h < handles.size(); ++h) {
     if (fades[h] == 0) continue;
     for (const Index v : handles[h]) classes[v] = drawn_by_handle(VertexClass::handle, 1.0);

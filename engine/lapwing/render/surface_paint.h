@@ -15,18 +15,18 @@ namespace lapwing {
 
 class Surface;
 
-/// What a vertex is in an edit.
+/// Role of a vertex in an edit.
 enum class VertexClass : std::uint32_t { outside, roi, belt, handle };
 
-/// The same for a vertex that a handle draws by `weight`, from 0 to 1, besides.
+/// Returns `vertex` with the weight, from 0 to 1, by which a handle draws it.
 VertexClass drawn_by_handle(VertexClass vertex, double weight);
 
-/// Shows in `classes`, one per vertex, how far each of `graded` goes with its handle, one of
-/// `handles`, whose vertices are classed already.
+/// Adds to `classes`, one per vertex, the weights by which `graded` vertices follow their handles.
+/// The vertices of `handles` must already have their class.
 void draw_graded(std::span<const GradedVertex> graded, std::span<const VertexSet> handles,
                  std::span<VertexClass> classes);
 
-/// What each of `vertex_count` vertices is in the edit of `region`.
+/// Returns the class of each of `vertex_count` vertices in the edit of `region`.
 std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count);
 
 /// Smallest and largest of some numbers.
@@ -37,44 +37,43 @@ struct ScalarRange {
   bool operator==(const ScalarRange&) const = default;
 };
 
-/// What one needs besides positions and normals to colour a surface: classes and numbers per
-/// vertex, which triangle edges the wireframe shows, and what the mesh's file says. In device
-/// memory, 4 bytes each; apart from the surface, so that it is uploaded when it changes and not
-/// when the surface moves. The device must be done with it when it is changed. The surface's
-/// context must outlive it.
+/// Data that colours a surface, besides positions and normals: classes and numbers per vertex, the
+/// triangle edges that the wireframe shows, and the colours of the mesh's file. It is in device
+/// memory, 4 bytes each, apart from the surface, so that it is uploaded only when it changes. The
+/// device must have finished with it before it changes. The surface's context must outlive it.
 class SurfacePaint {
  public:
-  /// All vertices outside, all numbers 0, all triangle edges shown.
+  /// Starts with all vertices outside, all numbers 0 and all triangle edges shown.
   explicit SurfacePaint(const Surface& surface);
 
-  /// One per vertex of the surface; InputError otherwise.
+  /// Sets one class per vertex of the surface. Throws InputError for any other number of them.
   void set_classes(std::span<const VertexClass> classes);
-  /// One per vertex of the surface; InputError otherwise. Vertices whose number is not finite are
-  /// drawn without a colour.
+  /// Sets one number per vertex of the surface. Throws InputError for any other count. Vertices
+  /// whose number is not finite are drawn without a colour.
   void set_scalars(std::span<const float> scalars);
-  /// Hides the edges by which `topology` cut polygons of `mesh` into triangles. Both those of the
-  /// surface; InputError otherwise.
+  /// Hides the edges that cut polygons of `mesh` into triangles. Throws InputError unless it has as
+  /// many triangles as the surface.
   void set_polygons(const Mesh& mesh);
 
-  /// What the attributes of `mesh` and its file say of the colours of `drawn`, which has the
-  /// triangles of the surface, InputError otherwise; as in corner_colors. Nothing where they give
-  /// no corner a colour, or where the places in images, 24 bytes a triangle, exceed a storage
-  /// buffer of the device: 5.6 million triangles at 128 MiB.
+  /// Sets the colours that `mesh` and its file give `drawn`, as in corner_colors. Throws InputError
+  /// unless `drawn` has as many triangles as the surface. Sets none if no corner has a colour, or
+  /// if the positions in images, 24 bytes per triangle, exceed a storage buffer of the device: 5.6
+  /// million triangles at 128 MiB.
   void set_file_colors(const Mesh& drawn, const Mesh& mesh, const FilePaint& file);
   bool has_file_colors() const { return corner_sources_.bytes() > 0; }
 
-  /// Of the finite numbers; 0 and 0 if there are none.
+  /// Returns the range of the finite numbers; 0 and 0 if there are none.
   const ScalarRange& scalar_range() const { return scalar_range_; }
 
-  /// Another number whenever something was set.
+  /// Returns a number that changes whenever something is set.
   std::uint64_t revision() const { return revision_.number(); }
 
-  /// uint per vertex: the class, and above its 8 bits 255ths of the handle's weight
+  /// uint per vertex: the class in the low 8 bits, the handle's weight in 255ths above.
   const gpu::Buffer& class_buffer() const { return classes_; }
   const gpu::Buffer& scalar_buffer() const { return scalars_; }  ///< float per vertex
   /// uint per triangle: bit e is set if the edge from corner e to corner e + 1 (mod 3) is shown.
   const gpu::Buffer& edge_buffer() const { return edges_; }
-  // What CornerColors and mip_levels hold; empty without colours of a file.
+  // Contents of CornerColors and mip_levels; empty without colours of a file.
   const gpu::Buffer& corner_source_buffer() const { return corner_sources_; }
   const gpu::Buffer& corner_place_buffer() const { return corner_places_; }
   const gpu::Buffer& image_buffer() const { return images_; }
@@ -94,15 +93,16 @@ class SurfacePaint {
   Revision revision_;
 };
 
-/// For each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its polygon.
+/// Returns, for each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its
+/// polygon.
 std::vector<std::uint32_t> polygon_edges(const Mesh& mesh);
 
-/// From 0 to the number that 99 in 100 of the finite ones do not exceed: for numbers that are not
-/// negative, a few of which may be so large that the others would all look alike. To the largest
-/// where it is at most kOutlierFactor times as large, or where all others are 0.
+/// Returns the range from 0 to the 99th percentile of the finite numbers, which must not be
+/// negative. A few large numbers then do not make all others look alike. The range ends at the
+/// largest if that is at most kOutlierFactor times the percentile, or if the percentile is 0.
 ScalarRange range_without_outliers(std::span<const float> numbers);
 
-/// Less than this makes no visible difference to the others' colours.
+/// Smaller outliers make no visible difference to the others' colours.
 inline constexpr float kOutlierFactor = 1.5F;
 
 }  // namespace lapwing

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Corners of the polygon that stands for the circle that a point goes around.
+// Corners of the polygon that encloses the circle of a point.
 constexpr int kCircleCorners = 128;
 constexpr double kCornerAngle = 2.0 * std::numbers::pi / kCircleCorners;
 
@@ -21,7 +21,7 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// The corners of the convex hull (Andrew 1979).
+// Returns the corners of the convex hull (Andrew 1979).
 std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
   std::ranges::sort(points, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
   const auto half = [](const auto& sorted) {
@@ -42,9 +42,10 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
   return hull;
 }
 
-// What the points sweep over as they turn about the axis: corners whose hull holds all of it. How
-// far a camera must stand off is a convex function of a point, so that these say it for the rest.
-// Symmetric in the plane of the axis and `front`, a direction across it of length 1.
+// Returns points whose convex hull contains all that `points` sweep over as they turn about the
+// axis. The distance that a camera needs is a convex function of the point, so the corners suffice.
+// They are symmetric about the plane of the axis and `front`, a unit vector perpendicular to the
+// axis.
 std::vector<Vector3d> swept_corners(std::span<const Vector3d> points, const Vector3d& middle,
                                     const Vector3d& upward, const Vector3d& front) {
   std::vector<Vector2d> profile;  // distance from the axis, and height
@@ -75,7 +76,7 @@ Turntable::Turntable(std::span<const Vector3d> points, const ViewAxes& first, Up
     : middle_(bounds_of(points).center()),
       upward_(up_axis == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ()) {
   Vector3d front = first.toward_eye - first.toward_eye.dot(upward_) * upward_;
-  // Seen along the axis, what is up in the picture keeps to the plane of symmetry.
+  // Seen along the axis, the up direction of the picture stays in the plane of symmetry.
   if (front.norm() <= 1e-6 * first.toward_eye.norm()) front = first.up;
   first_ = fit(swept_corners(points, middle_, upward_, front.normalized()), first, aspect, framing);
 }

@@ -6,18 +6,17 @@
 
 namespace lapwing {
 
-/// A camera that goes once around the upward axis through the middle of what it shows, at one
-/// height and distance, so that nothing grows or shrinks on the way.
+/// A camera that orbits once around the upward axis through the middle of the points, at constant
+/// height and distance, so that nothing grows or shrinks.
 class Turntable {
  public:
-  /// All finite `points` are in the picture from everywhere on the way, as large as the margin
-  /// allows. `first.toward_eye` says where the way begins; `first.up` what is up in the picture
-  /// there. Linear in the points.
+  /// Keeps all finite `points` in the picture on the whole orbit, as large as the margin allows.
+  /// The orbit starts at `first.toward_eye`, with `first.up` upwards in the picture. O(n log n).
   Turntable(std::span<const Eigen::Vector3d> points, const ViewAxes& first, UpAxis up_axis,
             double aspect, const Framing& framing = {});
 
-  /// Of step `step` of `steps`, above 0: from 0, where it begins, to the right. Step `steps` is
-  /// step 0 again, so that the pictures before it go on without a jump.
+  /// Returns the camera of step `step` of `steps`, above 0. Step 0 is the start; steps go to the
+  /// right. Step `steps` is step 0 again, so that the pictures loop without a jump.
   Camera camera(int step, int steps) const;
 
  private:

@@ -27,18 +27,18 @@ struct FormatWords {
 constexpr std::array<FormatWords, 3> kFormats{
     {{".mp4", "mp4"}, {".webm", "webm"}, {".gif", "gif"}}};
 
-// Where the eye sees no loss: of H.264 and of VP9, each on its own scale.
+// Visually lossless, on the scales of H.264 and of VP9.
 constexpr const char* kQualityOfMp4 = "18";
 constexpr const char* kQualityOfWebm = "24";
-// Of 0 to 5: half the time of the default, for a file a tenth larger.
+// From 0 to 5. Takes half the time of the default, for a file a tenth larger.
 constexpr const char* kHasteOfWebm = "4";
 
-// One palette for the whole sequence, for which ffmpeg keeps all of it in memory: one for each
-// frame would flicker, and make a file more than half as large again.
+// One palette for the whole sequence, which ffmpeg therefore keeps in memory. One per frame would
+// flicker, and make the file more than half as large again.
 constexpr const char* kPalette = "split[a][b];[a]palettegen[p];[b][p]paletteuse";
-// Rec. 709 is what players take a video of today's sizes for.
+// Players assume Rec. 709 for a video of today's sizes.
 constexpr const char* kRec709 = "scale=out_color_matrix=bt709:out_range=tv";
-// Colours have half the resolution, so that sizes are even; up to a row and a column is left out.
+// Colours have half the resolution, which needs even sizes. At most a row and a column are cropped.
 constexpr const char* kEven = "crop=trunc(iw/2)*2:trunc(ih/2)*2,";
 
 void append(std::vector<std::string>& to, std::initializer_list<std::string> more) {
@@ -103,7 +103,7 @@ VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const Frame
       replacement_(output),
       errors_(std::tmpfile(), &std::fclose) {
   const fs::path program = require_ffmpeg(output);
-  // A socket, because writing to one that nobody reads any more is an error and no signal.
+  // A socket, because writing to one without a reader is an error instead of a signal.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw IoError("no socket can be opened: " + std::generic_category().message(errno) +
@@ -155,7 +155,7 @@ int VideoWriter::wait_for_end() {
   return status;
 }
 
-// The last line of what ffmpeg said is why.
+// Throws IoError with the last line of ffmpeg's error output as the reason.
 void VideoWriter::fail() {
   frames_.close();
   if (process_ > 0) wait_for_end();

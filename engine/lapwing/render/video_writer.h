@@ -13,19 +13,19 @@ namespace lapwing {
 
 enum class VideoFormat { mp4, webm, gif };
 
-/// By the ending of a name: ".mp4".
+/// Returns the format of a name's ending, such as ".mp4".
 std::optional<VideoFormat> video_format_of(std::string_view ending);
 
-/// The program of that name on $PATH, if there is one.
+/// Returns the program ffmpeg on $PATH, if there is one.
 std::optional<std::filesystem::path> find_ffmpeg();
-/// Likewise for the video `output`. Throws IoError where there is none, which says what to do.
+/// The same for writing the video `output`. Throws IoError with the next step if there is none.
 std::filesystem::path require_ffmpeg(const std::filesystem::path& output);
 
-/// Hands frames to ffmpeg, a process of its own that reads them as they come, and writes into a
-/// temporary beside the video until that is whole.
+/// Sends frames to an ffmpeg process, which reads them as they come. It writes a temporary file
+/// beside the video until the video is complete.
 class VideoWriter final : public FrameWriter {
  public:
-  /// Throws IoError where ffmpeg cannot be started or the file not be made.
+  /// Throws IoError if ffmpeg cannot be started or the file cannot be created.
   VideoWriter(const std::filesystem::path& output, VideoFormat format,
               const FrameSequence& sequence);
   ~VideoWriter() override;
@@ -42,9 +42,9 @@ class VideoWriter final : public FrameWriter {
   std::filesystem::path output_;
   bool puts_on_black_;
   FileReplacement replacement_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> errors_;  // what ffmpeg says
-  FileDescriptor frames_{-1};                               // what ffmpeg reads
-  pid_t process_ = -1;                                      // none any more once it has ended
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> errors_;  // error output of ffmpeg
+  FileDescriptor frames_{-1};                               // input of ffmpeg
+  pid_t process_ = -1;                                      // -1 after it has ended
 };
 
 }  // namespace lapwing

@@ -6,7 +6,7 @@
 
 namespace lapwing {
 
-/// As reports have it. Numbers that are not finite become null.
+/// Returns the certificate in the format of reports. Numbers that are not finite become null.
 nlohmann::ordered_json json_of(const Certificate& certificate);
 
 }  // namespace lapwing

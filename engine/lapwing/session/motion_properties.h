@@ -9,10 +9,10 @@
 
 namespace lapwing {
 
-/// `mesh` with how its vertices moved from `rest` as vertex properties of doubles: dx, dy, dz the
-/// displacement, qw, qx, qy, qz the rotation, stretch (VertexMotion). Properties of these names are
-/// replaced, all others stay. `path` is the file that it is for; throws InputError, naming it,
-/// unless it is a PLY.
+/// Returns `mesh` with the motion of its vertices from `rest` as vertex properties of doubles:
+/// displacement dx, dy, dz, rotation qw, qx, qy, qz, and stretch (VertexMotion). Replaces existing
+/// properties of these names and keeps all others. Throws InputError, naming `path`, the output
+/// file, unless it is a PLY.
 Mesh with_vertex_motion(Mesh mesh, std::span<const Eigen::Vector3d> rest,
                         const std::filesystem::path& path);
 

@@ -4,13 +4,14 @@
 
 namespace lapwing {
 
-// A recipe on its way, for those that need not go all of it. Both throw what `run_recipe` does.
+// The parts of `run_recipe`, for callers that stop after some of the steps. Both throw as
+// `run_recipe` does.
 
-/// Takes the recipe's mesh from `meshes` and examines it.
+/// Takes the recipe's mesh from `meshes` and checks it.
 void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
                const Progress& progress, RunResult& result);
 
-/// Carries out the step of `recipe` that comes after those that `result` reports.
+/// Runs the step of `recipe` that follows those in the report of `result`.
 void run_next_step(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
                    const Progress& progress, RunResult& result);
 

@@ -39,7 +39,7 @@ VertexMeasures measure_vertices(const VertexSet& vertices, const Topology& topol
   return measure_vertices(vertices, topology, weights, before, after);
 }
 
-// Over the surface without its seams; a follower has what its leader has.
+// Measures the surface with its seams joined. A follower has the values of its leader.
 VertexMeasures measure_joined(const VertexSet& vertices, const JoinedSurface& joined,
                               LaplacianWeights chosen, const Positions& before,
                               const Positions& after) {
@@ -59,7 +59,7 @@ VertexMeasures measure_joined(const VertexSet& vertices, const JoinedSurface& jo
   return all;
 }
 
-// What became of each vertex in the step that ran last.
+// Measures each vertex of the last step's region.
 template <class SomeStep>
 VertexMeasures measure_step(const SomeStep& step, const Positions& before,
                             const RunResult& result) {
@@ -138,7 +138,8 @@ void save_result(RunResult& result, const std::filesystem::path& path, const Sav
 
 namespace {
 
-// In a glTF file a morph target; with other formats a table of displacements, one row per vertex.
+// Writes a morph target into a glTF file. Other formats get a table of displacements, one row per
+// vertex.
 WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
                                const std::filesystem::path& path, FileReplacements& files) {
   if (is_gltf(format_of(path))) {
@@ -167,7 +168,7 @@ void save_result(RunResult& result, const std::filesystem::path& path, FileRepla
                  const SaveOptions& options) {
   const Uncancelled whole;  // all of the files, or none
   const Stopwatch watch;
-  // What cannot be written is known before anything is.
+  // Reject what cannot be written before anything is written.
   static_cast<void>(format_of(path));
   require_targets(result.carried, path, result.inputs);
   const bool marked = options.vertex_motion;

@@ -7,34 +7,33 @@
 namespace lapwing {
 
 struct RunOptions {
-  /// Fills in StepReport::vertices, but for steps that changed the triangles.
+  /// Fills StepReport::vertices, except for steps that change the triangles.
   bool measure_vertices = false;
-  /// Where the recipe's meshes come from; null: from files alone.
+  /// Source of the recipe's meshes; null: files only.
   const MeshShelf* meshes = nullptr;
 };
 
-/// Takes the recipe's mesh, examines it, and carries the steps out one after the other on
-/// `kernels`, which must outlive the result. A step with "commit_every", or whose handles turn by
-/// more than 180 degrees without a path, is carried out in parts, all handles together. Writes
-/// nothing. Each step ends certified; a step that fails throws what `DeformSolver`,
-/// `resolve_edit_region` or `read_mesh` throw, and no result is left. `progress` hears the stages
-/// of reading and of every step.
+/// Reads the recipe's mesh, checks it, and runs the steps in order on `kernels`, which must outlive
+/// the result. A step with "commit_every", or whose handles rotate by more than 180 degrees without
+/// a path, is made in substeps, with all handles together. Writes nothing. Each step ends with a
+/// certificate. Throws as `DeformSolver`, `resolve_edit_region` and `read_mesh` do. `progress`
+/// receives the stages of reading and of every step.
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress = {},
                                       const RunOptions& options = {});
 
 struct SaveOptions {
-  /// Writes how each vertex moved in all of the run, as vertex properties of a PLY file.
+  /// Adds the motion of each vertex over the whole run, as vertex properties of a PLY file.
   bool vertex_motion = false;
 };
 
-/// Writes what was carried along (CarriedFile), then the result's mesh, and adds to its report what
-/// the formats could not hold, and the time. Nothing is written where a carried file would go over
-/// the result, an input or another one, or where a format is unknown: InputError. Throws what
-/// `write_mesh` does, and InputError for a vertex motion in another format than PLY.
+/// Writes the carried files (CarriedFile), then the mesh. Adds to the report what the formats could
+/// not hold, and the time. Throws InputError, and writes nothing, if a format is unknown or if a
+/// carried file would replace the result, an input or another carried file. Throws as `write_mesh`
+/// does, and InputError for a vertex motion in a format other than PLY.
 void save_result(RunResult& result, const std::filesystem::path& path,
                  const SaveOptions& options = {});
-/// The same for some of several files: they are in their places once `files` are committed.
+/// The same for some of several files, which appear when `files` are committed.
 void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
                  const SaveOptions& options = {});
 

@@ -25,7 +25,7 @@ DeformWorkspace workspace_with(const std::optional<JoinedSurface>& joined) {
 
 }  // namespace
 
-// Leaves the forks that `recipe` passes, and at least the one before the first step.
+// Keeps the forks that `recipe` passes, at least the one before the first step.
 void Session::find_forks(const Recipe& recipe, const Progress& progress) {
   const std::shared_ptr<const Mesh> mesh = meshes_.mesh(recipe.base_directory, recipe.mesh);
   const bool begins_alike = !forks_.empty() && forks_.front().read == mesh &&
@@ -44,7 +44,7 @@ void Session::find_forks(const Recipe& recipe, const Progress& progress) {
   forks_.push_back({mesh, std::move(begun), {}, {}});
 }
 
-// The workspace goes with the result while the step runs, and is lost where that fails.
+// The workspace moves to the result while the step runs. It is lost if the step fails.
 void Session::run_step_at(Fork& fork, const Recipe& recipe, const Progress& progress,
                           RunResult& result) {
   const bool deforms =

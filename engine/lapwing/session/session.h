@@ -8,34 +8,34 @@
 
 namespace lapwing {
 
-/// Carries out recipes one after the other, sooner than `run_recipe` where they are alike:
+/// Runs recipes one after another, faster than `run_recipe` if they are similar:
 ///
 ///     Session session(kernels, meshes);
 ///     for (const Recipe& variant : variants) save_result(*session.run(variant), ...);
 ///
-/// The mesh is read, and examined, once for all recipes that follow each other with the same one.
-/// The steps with which two recipes begin alike are carried out once, from the second recipe on.
-/// The step after those keeps its preparation: where two deforms differ in the motions of their
-/// handles alone, the second is one solve. Results are those of `run_recipe` to the bit, whatever
-/// was run before; files are taken not to change meanwhile.
+/// Consecutive recipes with the same mesh read and check it once. From the second recipe on, the
+/// first steps that two recipes share run only once. The step after those keeps its preparation: if
+/// two deforms differ only in the motions of their handles, the second is one solve. Results have
+/// the bits of `run_recipe`, whatever ran before. Files must not change meanwhile.
 ///
-/// Memory: that of the mesh and of one preparation for each place where recipes parted so far.
-/// One thread at a time.
+/// Memory: the mesh, and one preparation for each place where recipes diverged so far. Not
+/// thread-safe.
 class Session {
  public:
   /// Both must outlive the session.
   Session(Kernels& kernels, const MeshShelf& meshes) : kernels_(kernels), meshes_(meshes) {}
 
-  /// As `run_recipe`; the report's timings are of what was to be done.
+  /// Runs `recipe` as `run_recipe` does. The report keeps the timings of reused steps and omits the
+  /// stages that a kept preparation saved.
   std::unique_ptr<RunResult> run(const Recipe& recipe, const Progress& progress = {});
 
  private:
-  // Where recipes parted.
+  // A place where recipes diverged.
   struct Fork {
-    std::shared_ptr<const Mesh> read;  ///< what the recipes begin with
-    RunState after;                    ///< the steps that they have in common
+    std::shared_ptr<const Mesh> read;  ///< the mesh of the recipes
+    RunState after;                    ///< the state after their common steps
     std::optional<JoinedSurface> joined;
-    DeformWorkspace workspace;  ///< of the step that came next
+    DeformWorkspace workspace;  ///< of the next step
   };
 
   void find_forks(const Recipe& recipe, const Progress& progress);
@@ -44,8 +44,8 @@ class Session {
   Kernels& kernels_;
   const MeshShelf& meshes_;
   Recipe last_;
-  std::size_t common_ = 0;   ///< steps with which the last two recipes begin alike
-  std::vector<Fork> forks_;  ///< on the way of the last recipe, in order
+  std::size_t common_ = 0;   ///< number of common first steps of the last two recipes
+  std::vector<Fork> forks_;  ///< of the last recipe, in order
 };
 
 }  // namespace lapwing

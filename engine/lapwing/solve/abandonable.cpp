@@ -14,7 +14,7 @@
 namespace lapwing {
 namespace {
 
-// Each holds a graph and a processor until it ends.
+// An abandoned thread occupies a graph and a processor until it ends.
 constexpr int kMostAbandoned = 2;
 std::atomic<int> abandoned = 0;
 

@@ -5,11 +5,11 @@
 
 namespace lapwing {
 
-/// What `work` returns or throws, for work of a library that cannot be interrupted. It runs on a
-/// thread of its own while this one asks whether to go on; once that is answered with no, throws
-/// what `check_cancelled` does and leaves the thread to itself, which ends when the work is done.
-/// So `work` must own all that it uses. Two threads may be left so; whoever comes then waits until
-/// one of them has ended, or is cancelled. Without a ProgressScope it runs here.
+/// Returns or throws what `work` does. `work` is a library call that cannot be interrupted. It runs
+/// on another thread while this one polls `check_cancelled`. If that throws, so does this call, and
+/// the thread is abandoned: it ends when `work` is done. So `work` must own everything it uses. At
+/// most two threads are abandoned at a time; further calls wait until one of them ends. Without a
+/// ProgressScope, `work` runs on the calling thread.
 std::vector<int> run_abandonable(std::function<std::vector<int>()> work);
 
 }  // namespace lapwing

@@ -70,7 +70,7 @@ BlockGraph block_graph(const BlockPattern& pattern) {
   for (std::size_t i = 0; i < n; ++i) graph.starts[i + 1] += graph.starts[i];
   graph.neighbours.resize(static_cast<std::size_t>(graph.starts[n]));
   std::vector<int> next(graph.starts.begin(), graph.starts.end() - 1);
-  // Columns in order: each vertex first receives its smaller neighbours, then its larger ones.
+  // In this order, each vertex first receives its smaller neighbours, then its larger ones.
   for (std::size_t c = 0; c < n; ++c) {
     check();
     for (const Index r : pattern.column(c)) {

@@ -9,9 +9,9 @@
 
 namespace lapwing {
 
-/// Pattern of a symmetric matrix of square blocks: the lower triangle, block column after block
-/// column. Column c holds the block rows `rows[starts[c], starts[c+1])`, ascending, the diagonal
-/// first and always present.
+/// Pattern of a symmetric matrix of square blocks: the lower triangle in compressed columns. Column
+/// c holds the block rows `rows[starts[c], starts[c+1])` in ascending order. The first is the
+/// diagonal block, which is always present.
 struct BlockPattern {
   std::vector<std::size_t> starts{0};
   std::vector<Index> rows;
@@ -22,9 +22,9 @@ struct BlockPattern {
   }
 };
 
-/// A symmetric matrix in blocks of `block_size` x `block_size` (1 or 3) over a pattern that
-/// outlives it. `values` holds the blocks in the pattern's order, each column after column. The
-/// diagonal blocks are stored whole.
+/// A symmetric matrix in blocks of `block_size` x `block_size` (1 or 3). The pattern must outlive
+/// it. `values` holds the blocks in the pattern's order, each in column-major order. Diagonal
+/// blocks are stored in full.
 struct BlockMatrix {
   const BlockPattern* pattern = nullptr;
   int block_size = 3;
@@ -37,16 +37,17 @@ struct BlockMatrix {
   }
 };
 
-/// y = A x for `columns` vectors, stored one after the other. Sums in a fixed order.
+/// Computes y = A x for `columns` vectors, stored one after the other. Sums in a fixed order.
 void multiply(const BlockMatrix& A, std::span<const double> x, std::span<double> y,
               std::size_t columns);
 
-/// The graph of the pattern: both triangles, without the diagonal, ascending.
+/// The adjacency graph of a pattern: both triangles in compressed rows, without the diagonal,
+/// ascending.
 struct BlockGraph {
   std::vector<int> starts;
   std::vector<int> neighbours;
 };
-/// Throws SolverError when the graph has 2^31 edges or more, the limit of the ordering libraries.
+/// Throws SolverError if the graph has 2^31 edges or more, the limit of the ordering libraries.
 BlockGraph block_graph(const BlockPattern& pattern);
 
 }  // namespace lapwing

@@ -10,8 +10,8 @@
 
 namespace lapwing {
 
-// By AMD's inner routine, since the graph is symmetric and without a diagonal: to check that and to
-// make it so takes amd_order a sixth of its time.
+// Calls AMD's inner routine, because the graph is symmetric and has no diagonal. amd_order spends a
+// sixth of its time to ensure that.
 std::vector<int> minimum_degree(const BlockGraph& graph, double* operations) {
   const std::size_t n = graph.starts.size() - 1;
   const std::size_t edges = graph.neighbours.size();
@@ -35,7 +35,7 @@ std::vector<int> minimum_degree(const BlockGraph& graph, double* operations) {
         static_cast<int>(edges), work[0].data(), work[1].data(), order.data(), work[2].data(),
         work[3].data(), work[4].data(), work[5].data(), nullptr, info.data());
   // A column of c entries below the diagonal takes c divisions and c (c + 1) / 2 multiplications
-  // with subtractions.
+  // with subtractions. Its term of the sum below is (c + 1)^2.
   if (operations != nullptr) {
     *operations = static_cast<double>(n) + info[AMD_NDIV] + 2 * info[AMD_NMULTSUBS_LDL];
   }

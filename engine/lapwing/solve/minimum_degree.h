@@ -6,9 +6,9 @@
 
 namespace lapwing {
 
-/// An order of a graph by approximate minimum degree (AMD), new to old. `operations`, where asked
-/// for, becomes what MinimumDegreeOrder says. Cannot be interrupted. Throws SolverError where
-/// its couplings are too many to be numbered by 31 bits.
+/// Returns an approximate minimum degree (AMD) order of a graph, new to old. Sets `operations`, if
+/// not null, to MinimumDegreeOrder::operations. Cannot be interrupted. Throws SolverError if the
+/// graph has too many edges for 31-bit indices.
 std::vector<int> minimum_degree(const BlockGraph& graph, double* operations = nullptr);
 
 }  // namespace lapwing

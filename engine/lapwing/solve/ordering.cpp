@@ -14,7 +14,7 @@
 namespace lapwing {
 namespace {
 
-// Fewer blocks are ordered within 0.1 s, and a thread would be a waste.
+// Fewer blocks are ordered within 0.1 s, which is not worth a thread.
 constexpr std::size_t kQuickToOrder = 30'000;
 
 static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
@@ -50,7 +50,7 @@ MinimumDegreeOrder minimum_degree_order(const BlockPattern& pattern) {
   const std::size_t n = pattern.size();
   BlockGraph graph = block_graph(pattern);
   if (graph.neighbours.empty()) return {as_they_stand(n), static_cast<double>(n)};
-  // Counted on whichever thread orders, which outlives this call when it is abandoned.
+  // Shared, because an abandoned thread outlives this call and still writes the number.
   const auto operations = std::make_shared<double>(0.0);
   std::vector<int> order = cancellable(n, [operations, graph = std::move(graph)] {
     return minimum_degree(graph, operations.get());

@@ -7,8 +7,8 @@
 namespace lapwing {
 namespace {
 
-// Calls visit(column entry of `lower`, entry of the block matrix's values) for every scalar of the
-// lower triangle, column after column.
+// Calls visit(column, row, entry of the block matrix's values) for every scalar of the lower
+// triangle, column after column.
 template <typename Visit>
 void for_each_scalar(const BlockPattern& pattern, std::size_t b, Visit visit) {
   for (std::size_t c = 0; c < pattern.size(); ++c) {

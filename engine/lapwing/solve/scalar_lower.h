@@ -8,17 +8,16 @@
 
 namespace lapwing {
 
-/// The scalar lower triangle of a block matrix in compressed columns, for libraries that know no
-/// blocks. Throws SolverError when it has 2^31 entries or more.
+/// The scalar lower triangle of a block matrix in compressed columns, for libraries without blocks.
 using ScalarLower = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// The pattern alone, with values 0.
+/// Returns the pattern alone, with values 0. Throws SolverError if it has 2^31 entries or more.
 ScalarLower scalar_lower_pattern(const BlockPattern& pattern, int block_size);
 
-/// Writes the values of `matrix` into `lower`, made from its pattern.
+/// Writes the values of `matrix` into `lower`, which must come from `scalar_lower_pattern`.
 void fill_scalar_lower(const BlockMatrix& matrix, ScalarLower& lower);
 
-/// The scalar permutation that keeps the rows of a block together.
+/// Returns the scalar permutation that keeps the rows of a block together.
 std::vector<int> scalar_order(std::span<const int> order, int block_size);
 
 }  // namespace lapwing

@@ -41,7 +41,7 @@ std::variant<Mesh, PointTable> read_content(const fs::path& file) {
   return read_carried_mesh(file);
 }
 
-// The four properties, in the order of kQuaternion; none unless all are there.
+// Returns the four properties in the order of kQuaternion, or nothing unless all exist.
 std::vector<double*> quaternion_properties(std::vector<ExtraAttribute>& extras) {
   std::vector<double*> found;
   for (const std::string_view name : kQuaternion) {
@@ -54,7 +54,7 @@ std::vector<double*> quaternion_properties(std::vector<ExtraAttribute>& extras) 
   return found;
 }
 
-// A rotation that is none keeps the bits.
+// The identity is skipped, so that points that did not rotate keep their bits.
 bool turns(const Quaterniond& rotation) {
   return !rotation.vec().isZero(0.0);
 }
@@ -65,7 +65,7 @@ void turn_normals(std::span<const Quaterniond> rotations, std::vector<Vector3d>&
   }
 }
 
-// Whether some quaternion turned.
+// Returns whether a quaternion changed.
 bool turn_attributes(std::span<const Quaterniond> rotations, Mesh& mesh) {
   const bool is_cloud = mesh.face_count() == 0;
   if (is_cloud && mesh.attributes().normals.size() == rotations.size()) {

@@ -92,8 +92,8 @@ std::vector<SharedSource> read_sources(std::span<const FileSource> sources, cons
   return meshes;
 }
 
-// Leaves what `coat` came to at `positions` in `result`: mesh, region and warnings. `timings` are
-// those of what went before.
+// Stores the result of `coat` at `positions` in `result`: mesh, region and warnings. `timings` are
+// those of the stages before.
 StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions positions,
                      RunResult& result) {
   StepReport report;
@@ -111,7 +111,7 @@ StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions po
   }
   result.warn(coat.warnings());
   if (const RemeshResult* remeshed = coat.remeshed()) {
-    // What was read of vertices that are new is where they are.
+    // The original position of a new vertex is its position in the remeshed patch.
     Positions original = remeshed->mesh.positions;
     for (std::size_t v = 0; v < original.size(); ++v) {
       if (remeshed->kept[v] != kNoIndex) original[v] = result.original[remeshed->kept[v]];

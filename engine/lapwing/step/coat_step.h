@@ -12,17 +12,17 @@
 
 namespace lapwing {
 
-/// A source with its file.
+/// A coat source with the file of its mesh.
 struct FileSource : CoatSource {
-  /// As written; empty: the mesh that the step is carried out on, as it is before the step.
+  /// As written in the recipe. Empty for the edited mesh itself, as it is before the step.
   std::filesystem::path mesh;
   bool operator==(const FileSource&) const = default;
 };
 
-/// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
+/// {"op": "coat"}: puts the fine detail of a patch of one mesh on a patch of the edited mesh.
 using CoatStep = CoatOf<FileSource>;
 
-/// {"op": "mix"}: mix two surfaces on a patch of the mesh.
+/// {"op": "mix"}: mixes two surfaces on a patch of the edited mesh.
 using MixStep = MixOf<FileSource>;
 
 constexpr OperationWords words_of(const CoatStep*) {
@@ -34,19 +34,19 @@ constexpr OperationWords words_of(const MixStep*) {
 void describe(CoatStep& step, KeyVisitor& visitor);
 void describe(MixStep& step, KeyVisitor& visitor);
 
-/// Carries it out. Where the patch has to be remeshed, mesh and `original` of the result are those
-/// of the finer mesh afterwards.
+/// Runs the step. If the patch has to be remeshed, `mesh` and `original` of the result are
+/// afterwards those of the finer mesh.
 StepReport run_step(const CoatStep& step, const StepRun& on);
 StepReport run_step(const MixStep& step, const StepRun& on);
 
-/// The keys of parts of it, which panels show.
+/// Groups of keys that the panels show.
 void describe(CoatParameters& parameters, KeyVisitor& visitor);
 void describe(CoatOptions& options, KeyVisitor& visitor);
 void describe(Transition& transition, KeyVisitor& visitor);
 void describe(FileSource& source, KeyVisitor& visitor);
 
-/// The meshes of `sources`, as `meshes` has them for a recipe in `base_directory`; null for one
-/// without a file. Throws what `read_mesh` does.
+/// Returns the mesh of each source, from `meshes` and relative to `base_directory`. It is null for
+/// a source without a file. Throws as `read_mesh` does.
 std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
                                              const std::filesystem::path& base_directory,
                                              const MeshShelf& meshes);

@@ -47,7 +47,7 @@ void require_orientations(const DeformRequest& step, KeyVisitor& visitor) {
   }
 }
 
-// Waypoints of all handles belong together.
+// All paths must have the same length, since their k-th moves are made together.
 void require_paths(const DeformRequest& step, KeyVisitor& visitor) {
   const std::vector<Move>* first = nullptr;
   for (std::size_t k = 0; k < step.handles.size(); ++k) {
@@ -63,7 +63,8 @@ void require_paths(const DeformRequest& step, KeyVisitor& visitor) {
   }
 }
 
-// Opens the files that no step before has opened; which of `on.result.carried` they are.
+// Opens the files that no earlier step opened. Returns the indices of `files` in
+// `on.result.carried`.
 std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const StepRun& on) {
   std::vector<CarriedFile>& open = on.result.carried;
   std::vector<std::size_t> chosen;
@@ -187,7 +188,7 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
   describe(step.parameters, visitor);
   require_orientations(step, visitor);
   require_paths(step, visitor);
-  // Between a handle and its mirror image there is no motion that a part could be.
+  // A reflection cannot be split into substeps.
   for (std::size_t k = 0; k < step.handles.size() && step.parameters.commit_every; ++k) {
     visitor.require(!mirrors(step.handles[k].move), "handles/" + std::to_string(k) + "/move/matrix",
                     kMirrorsInParts);

@@ -5,7 +5,7 @@
 namespace lapwing {
 
 std::string digits(double number) {
-  // As many as the smallest number takes.
+  // Long enough for the smallest double.
   std::array<char, 512> text{};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);

@@ -19,45 +19,46 @@
 
 namespace lapwing {
 
-/// One key of a step: what recipes, flags and the reference have in common.
+/// One key of a step, as recipes, flags and the reference share it.
 struct StepKey {
-  std::string_view name;  ///< in recipes: "detail_length"
-  std::string_view help;  ///< a sentence without capital and full stop
+  std::string_view name;  ///< in recipes, such as "detail_length"
+  std::string_view help;  ///< a sentence without initial capital or full stop
   bool required = false;
-  std::string_view absent = "";  ///< what holds when an optional value is not given, in words
-  bool automatic = false;        ///< "auto" stands for not given
-  std::string_view flag = "";    ///< without dashes; the name with dashes if empty
-  /// A flag without a value, in place of `flag`: it takes the last choice, or switches off.
+  std::string_view absent = "";  ///< the default of an optional value, in words
+  bool automatic = false;        ///< "auto" means that the value is not given
+  std::string_view flag = "";    ///< without leading dashes; empty: `name` with dashes
+  /// A flag without a value that replaces `flag`. It selects the last choice, or switches off.
   std::string_view off_flag = "";
   std::string_view off_help = "";
-  std::string_view flag_default = "";  ///< makes a required key optional as a flag: "all"
+  std::string_view flag_default = "";  ///< makes the flag of a required key optional, such as "all"
 };
 
-/// The fewest digits that say `number`, without an exponent.
+/// Returns the shortest decimal text that reads back as `number`, without an exponent.
 std::string digits(double number);
 
-/// The numbers that a key takes.
+/// The valid numbers of a key.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool takes_least = true;
-  std::string_view reason = "";  ///< why not more, in words
-  /// What a slider goes through, with `of_size` as shares of the mesh's; 0 to 0: it is typed in.
-  double slider_from = 0.0;  ///< above 0: by its logarithm
+  std::string_view reason = "";  ///< of the upper bound, in words
+  /// Ends of a slider, multiplied by the size of the mesh if `of_size`. If `slider_to` is 0, the
+  /// number is typed in.
+  double slider_from = 0.0;  ///< above 0: the slider is logarithmic
   double slider_to = 0.0;
   bool of_size = false;
-  double first = 1.0;  ///< of an optional number that a person switches on
+  double first = 1.0;  ///< of an optional number when the user switches it on
 
   bool contains(double number) const;
-  /// "a number above 0", "0 or more"; with `whole` "a whole number from 1 to 1000".
+  /// Returns "a number above 0" or "0 or more", or with `whole` "a whole number from 1 to 1000".
   std::string words(bool whole = false) const;
 };
 inline constexpr Range kAnyNumber{};
 inline constexpr Range kAboveZero{.least = 0.0, .takes_least = false};
 inline constexpr Range kFromZero{.least = 0.0};
-/// How strongly something is held.
+/// Weight of a constraint.
 inline constexpr Range kWeight{.least = kLeastWeight, .most = kMostWeight};
-/// A length on a mesh, which a slider takes to a quarter of its size.
+/// A length on a mesh. Its slider ends at a quarter of the mesh's size.
 inline constexpr Range kLength{.least = 0.0, .slider_to = 0.25, .of_size = true};
 
 template <class Enum>
@@ -66,24 +67,24 @@ struct Choice {
   std::string_view name;
 };
 
-/// Whether handles may hold some vertices less than others (Grading).
+/// Whether the weights of a handle may vary over its vertices (Grading).
 enum class HandleForm { firm, graded };
 
-/// How an object that may be missing is written.
+/// How an optional object is written.
 enum class ObjectForm {
-  optional,  ///< left out where there is none
-  boolean,   ///< true: as the defaults are; false: there is none
+  optional,  ///< left out if it is not set
+  boolean,   ///< true for the defaults, false if it is not set
 };
 
-/// The sources of a mix: how many, and what they are called.
+/// Names of the sources of a mix.
 struct ListWords {
   std::string_view items;                    ///< "two sources"
-  std::string_view fewer;                    ///< what to do with fewer
-  std::span<const std::string_view> prefix;  ///< one per item: what their flags begin with
+  std::string_view fewer;                    ///< what to do instead if there are fewer
+  std::span<const std::string_view> prefix;  ///< of the flags of each item
 };
 
-/// Goes through the keys of a step, in the order of the reference: reads them, writes them, makes
-/// flags of them. What a key is, is said once, by the `describe` of its step (step.h).
+/// Visits the keys of a step, in the order of the reference. Visitors read recipes, write them and
+/// add flags. `describe` of a step (step.h) is the only description of its keys.
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
@@ -115,13 +116,13 @@ class KeyVisitor {
   virtual void pairs(const StepKey& key, std::vector<VertexPair>& value);
   virtual void weight(const StepKey& key, MixWeight& value);
   virtual void file(const StepKey& key, std::filesystem::path& value);
-  /// A mesh file, or what is cut of one.
+  /// A mesh file, or a region to cut out of one.
   virtual void part(const StepKey& key, std::filesystem::path& mesh,
                     std::optional<RegionSpec>& region);
-  /// Where a part comes to; with a move, whether it is brought onto the surface (`snap`).
+  /// Placement of a part; `snap` moves it onto the surface after a move.
   virtual void place(const StepKey& key, PartPlace& value, const StepKey& snap_key, bool& snap);
 
-  /// An object with keys of its own, by `describe(value, visitor)`.
+  /// An object whose keys `describe(value, visitor)` visits.
   template <class Value>
   void object(const StepKey& key, std::optional<Value>& value, ObjectForm form) {
     Value inside = value.value_or(Value{});
@@ -133,7 +134,7 @@ class KeyVisitor {
     }
     value = given ? std::optional(inside) : std::nullopt;
   }
-  /// An object that groups the keys that `members(visitor)` visits; left out where none is `given`.
+  /// An object that groups the keys that `members(visitor)` visits. It is left out unless `given`.
   template <class Members>
   void group(const StepKey& key, bool given, const Members& members) {
     if (!enter(key, given, ObjectForm::optional, false)) return;
@@ -153,24 +154,24 @@ class KeyVisitor {
     end_list(key);
   }
 
-  /// What errors name the step or source by.
+  /// The name of the step or source in errors.
   virtual void where(std::string&) {}
-  /// The key, visited before, has a meaning only where `holds`.
+  /// `key`, visited before, is only valid if `holds`.
   virtual void only_when(bool /*holds*/, std::string_view /*key*/, std::string_view /*otherwise*/) {
   }
-  /// What must hold between keys; `pointer` is the one at fault, from the step.
+  /// A condition on several keys; `pointer` leads from the step to the key at fault.
   virtual void require(bool /*holds*/, const std::string& /*pointer*/,
                        std::string_view /*otherwise*/) {}
 
  protected:
-  /// Any key whose own function is not overridden.
+  /// Called for every key whose function is not overridden.
   virtual void other(const StepKey&) {}
   virtual void choose(const StepKey& key, std::size_t& chosen,
                       const std::vector<std::string_view>& names);
-  /// Whether the keys inside are to be visited; `given`: whether there is one.
+  /// Returns whether to visit the keys inside. `given` is whether the object is set.
   virtual bool enter(const StepKey& key, bool& given, ObjectForm form, bool is_default);
   virtual void leave() {}
-  /// An object that was entered has the keys that `keys` visits.
+  /// Called for an object that was entered: `keys` visits its keys.
   virtual void begin_keys(const std::function<void(KeyVisitor&)>&) {}
   virtual void begin_list(const StepKey& key, std::size_t count, const ListWords& words);
   virtual void begin_item(std::size_t /*number*/, const ListWords&) {}

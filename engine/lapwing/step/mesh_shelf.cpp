@@ -7,8 +7,7 @@
 namespace lapwing {
 namespace {
 
-// A recipe names two or three; a run of many recipes may name thousands, which must not fill the
-// memory.
+// A recipe names two or three files. A batch may name thousands, which must not fill the memory.
 constexpr std::size_t kKeptFiles = 8;
 
 }  // namespace
@@ -18,7 +17,7 @@ void MeshShelf::put(const std::filesystem::path& name, Mesh mesh) {
   put_[name] = std::make_shared<const Mesh>(std::move(mesh));
 }
 
-// Null where it is to be read.
+// Returns null if the file has to be read.
 std::shared_ptr<const Mesh> MeshShelf::kept(const std::filesystem::path& file) const {
   const auto at = read_.find(file);
   std::shared_ptr<const Mesh> mesh = at != read_.end() ? at->second.lock() : nullptr;
@@ -37,7 +36,7 @@ std::shared_ptr<const Mesh> MeshShelf::mesh(const std::filesystem::path& base_di
     if (const auto at = put_.find(name); at != put_.end()) return at->second;
     if (auto mesh = kept(file)) return mesh;
   }
-  // Threads that want other files do not wait for this one.
+  // Read without the lock, so that threads that need other files do not wait.
   auto mesh = std::make_shared<const Mesh>(read_mesh(file));
   const std::lock_guard lock(mutex_);
   if (auto others = kept(file)) return others;

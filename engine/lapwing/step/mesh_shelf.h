@@ -10,16 +10,16 @@
 
 namespace lapwing {
 
-/// Where the meshes that recipes name come from: from memory if one was put there under its name,
-/// else from a file, which is read once and kept while someone has it or it is among the last few
-/// asked for. A file that changes meanwhile may come as it was. Threads may ask at once.
+/// The meshes that recipes name. A mesh comes from memory if it was put there under its name, and
+/// otherwise from a file. The shelf keeps a file's mesh while it is in use or among the last few
+/// requested. It may not notice that a file has changed. Thread-safe.
 class MeshShelf {
  public:
-  /// From now on `mesh` stands for the file that recipes call `name`, as they write it.
+  /// Makes `mesh` stand for the file that recipes call `name`.
   void put(const std::filesystem::path& name, Mesh mesh);
 
-  /// The mesh that a recipe in `base_directory` calls `name`. Copies of it share its topology.
-  /// Throws what `read_mesh` does.
+  /// Returns the mesh that a recipe in `base_directory` calls `name`. Copies of it share its
+  /// topology. Throws as `read_mesh` does.
   std::shared_ptr<const Mesh> mesh(const std::filesystem::path& base_directory,
                                    const std::filesystem::path& name) const;
 
@@ -29,7 +29,7 @@ class MeshShelf {
   mutable std::mutex mutex_;
   std::map<std::filesystem::path, std::shared_ptr<const Mesh>> put_;
   mutable std::map<std::filesystem::path, std::weak_ptr<const Mesh>> read_;
-  mutable std::vector<std::shared_ptr<const Mesh>> recent_;  ///< the last one asked for comes last
+  mutable std::vector<std::shared_ptr<const Mesh>> recent_;  ///< the last one requested comes last
 };
 
 }  // namespace lapwing

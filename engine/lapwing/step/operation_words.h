@@ -8,11 +8,11 @@ class KeyVisitor;
 struct StepReport;
 struct StepRun;
 
-/// How an operation is called.
+/// The name of an operation, and its description.
 struct OperationWords {
-  std::string_view name;  ///< {"op": NAME}; the command of that name
+  std::string_view name;  ///< in {"op": NAME}, and of the command
   std::string_view help;  ///< what it does, in a few words
-  /// Between the name and the files of a step: "coat from gargoyle.off".
+  /// Text between the name and the files of a step, as in "coat from gargoyle.off".
   std::string_view before_files = " ";
 };
 

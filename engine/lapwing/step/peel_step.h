@@ -5,18 +5,18 @@
 
 namespace lapwing {
 
-/// What a peel did.
+/// Report of a peel step.
 struct PeelReport {
-  double mean_coating = 0.0;  ///< of what came off: as in Peeled
+  double mean_coating = 0.0;  ///< as in Peeled
   double largest_coating = 0.0;
 };
 
-/// {"op": "peel"}: take the fine detail off a region of the mesh.
+/// {"op": "peel"}: takes the fine detail off a region of the mesh.
 constexpr OperationWords words_of(const PeelRequest*) {
   return {"peel", "take the fine detail off a surface"};
 }
 void describe(PeelRequest& step, KeyVisitor& visitor);
-/// Carries it out: `peel`, with nothing of what came off kept.
+/// Runs `peel` and discards the coating.
 StepReport run_step(const PeelRequest& step, const StepRun& on);
 
 }  // namespace lapwing

@@ -15,22 +15,22 @@
 
 namespace lapwing {
 
-/// What one step of a recipe did.
+/// Report of one step of a recipe.
 struct StepReport {
   std::string op;
-  std::size_t roi = 0;  ///< vertices
+  std::size_t roi = 0;  ///< number of vertices
   std::size_t free = 0;
   std::size_t belt = 0;
-  std::vector<std::size_t> handles;  ///< vertices of each
-  StageTimings timings;              ///< of all parts together
+  std::vector<std::size_t> handles;  ///< number of vertices of each
+  StageTimings timings;              ///< summed over substeps
   std::optional<DeformReport> deform = {};
   std::optional<CoatReport> coat = {};  ///< of a coat or mix step
   std::optional<TransplantReport> transplant = {};
   std::optional<PeelReport> peel = {};
-  VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
+  VertexMeasures vertices;  ///< of the ROI; empty unless requested
 };
 
-/// What running a recipe did, on what, and how long each stage took.
+/// Report of a run: its device and mesh, its steps, and the time of each stage.
 struct RunReport {
   DeviceInfo device;
   std::string mesh;
@@ -39,9 +39,9 @@ struct RunReport {
   std::size_t triangles = 0;
   std::size_t components = 0;
   Bounds bounds;
-  std::vector<std::string> warnings;  ///< the mesh doctor's, the steps', and those of writing
-  std::vector<std::string> notes;     ///< the steps': what they did that no key says
-  StageTimings timings;               ///< of the run as a whole: read, check, write
+  std::vector<std::string> warnings;  ///< of the mesh doctor, the steps and writing
+  std::vector<std::string> notes;     ///< of the steps: what they did beyond their keys
+  StageTimings timings;               ///< of the whole run: read, check, write
   std::vector<StepReport> steps;
   std::size_t peak_memory_bytes = 0;
 };

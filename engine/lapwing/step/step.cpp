@@ -12,7 +12,7 @@ std::array<Operation, sizeof...(K)> each_operation(std::index_sequence<K...>) {
                     std::variant_alternative_t<K, Step>{}}...};
 }
 
-// Which device it was from here on. That it is another one than before is said once.
+// Records the device, and notes once that it took over from another.
 void tell_device(const DeviceInfo& device, RunResult& result) {
   if (!device.took_over.empty() && device.took_over != result.report.device.took_over) {
     result.note(std::array{device.took_over});
@@ -37,7 +37,7 @@ void describe(Step& step, KeyVisitor& visitor) {
 }
 
 StepReport run_step(const Step& step, const StepRun& on) {
-  // What a deform left is for another deform on the same triangles.
+  // Only another deform on the same triangles can reuse the workspace.
   if (!std::holds_alternative<DeformRequest>(step)) on.result.deformed = {};
   StepReport report = std::visit([&](const auto& each) { return run_step(each, on); }, step);
   report.op = operation_of(step).name;

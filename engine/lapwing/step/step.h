@@ -12,24 +12,24 @@
 
 namespace lapwing {
 
-/// One operation of a recipe. A new one is a type here with its `words_of`, `describe` and
-/// `run_step`: recipes, commands, reference and window take it from there.
+/// One operation of a recipe. A new operation is a type here with its `words_of`, `describe` and
+/// `run_step`. Recipes, commands, reference and window derive everything from these.
 using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest>;
 
-/// One kind of step.
+/// A kind of step.
 struct Operation : OperationWords {
-  Step step;  ///< with every default
+  Step step;  ///< with default values
 };
-/// All of them, in the order of Step.
+/// All operations, in the order of Step.
 std::span<const Operation> operations();
 const Operation& operation_of(const Step& step);
 
-/// The keys of whichever step it is, in the order in which recipes are written.
+/// Visits the keys of the step, in the order in which recipes are written.
 void describe(Step& step, KeyVisitor& visitor);
 
-/// Carries `step` out on the mesh of `on.result`, as `run_recipe` does: the same bits from the same
-/// mesh. Adds to the report's warnings. Throws what `run_recipe` does, and then the result must not
-/// be used any more.
+/// Runs `step` on the mesh of `on.result`. The same mesh gives the same bits as in `run_recipe`.
+/// Adds to the report's warnings. Throws as `run_recipe` does; the result must not be used after
+/// that.
 StepReport run_step(const Step& step, const StepRun& on);
 
 }  // namespace lapwing

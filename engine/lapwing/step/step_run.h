@@ -15,20 +15,20 @@
 
 namespace lapwing {
 
-/// What the steps that ran so far come to.
+/// State of a run after some of its steps.
 struct RunState {
   Mesh mesh;  ///< with the edited positions
-  /// The positions that were read, per vertex of `mesh`; a vertex that a step made is where it was
-  /// made.
+  /// Positions as read, one for each vertex of `mesh`. A vertex that a step created has its first
+  /// position.
   Positions original;
-  /// What the last step concerned; nothing without steps.
+  /// Region of the last step; empty before the first.
   EditRegion region;
-  /// The files that deform steps carried along, as those steps left them.
+  /// Files that deform steps carried along, at their current positions.
   std::vector<CarriedFile> carried;
-  std::shared_ptr<const SourceFile> read_from;  ///< what the mesh was before any step
-  std::vector<std::filesystem::path> inputs;  ///< the files that were read, but for the recipe
+  std::shared_ptr<const SourceFile> read_from;  ///< source of the mesh before any step
+  std::vector<std::filesystem::path> inputs;    ///< all files read, except the recipe
   RunReport report;
-  std::string morph_target;  ///< as which the result is saved; empty: as the mesh itself
+  std::string morph_target;  ///< name to save under; empty: save the mesh
 
   void warn(std::span<const std::string> texts) {
     report.warnings.insert(report.warnings.end(), texts.begin(), texts.end());
@@ -38,21 +38,21 @@ struct RunState {
   }
 };
 
-/// That, and what the next step may use.
+/// The state, with data that the next step may reuse.
 struct RunResult : RunState {
-  /// What the last step leaves if that is a deform; empty after any other.
+  /// Workspace of the last step if that was a deform; otherwise empty.
   DeformWorkspace deformed;
 };
 
-/// One step on its way: what it is carried out with and on. Each step changes the mesh, the
-/// original, the region, what is carried, the warnings and the notes of `result`.
+/// Input and output of a step. A step changes the mesh, the original positions, the region, the
+/// carried files, the warnings and the notes of `result`.
 struct StepRun {
-  std::size_t number;  ///< of the step in its recipe, from 1; 0 without one
-  const std::filesystem::path& base_directory;  ///< where the files that it names are looked for
+  std::size_t number;  ///< of the step in its recipe, from 1; 0 without a recipe
+  const std::filesystem::path& base_directory;  ///< of the files that the step names
   Kernels& kernels;
   const Progress& progress;
   RunResult& result;
-  const MeshShelf& meshes;  ///< where those that it names come from
+  const MeshShelf& meshes;  ///< the meshes that the step names
 };
 
 }  // namespace lapwing

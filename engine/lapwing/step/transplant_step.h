@@ -10,9 +10,9 @@
 
 namespace lapwing {
 
-/// {"op": "transplant"}: put a part of another mesh in the place of a region of the mesh.
+/// {"op": "transplant"}: replaces a region of the mesh by a part of another mesh.
 struct TransplantStep : TransplantRequest {
-  std::filesystem::path part;  ///< as written; empty: the mesh itself, before the step
+  std::filesystem::path part;  ///< as written; empty: the mesh before the step
   bool operator==(const TransplantStep&) const = default;
 };
 
@@ -20,15 +20,15 @@ constexpr OperationWords words_of(const TransplantStep*) {
   return {"transplant", "put a part of one mesh on another"};
 }
 void describe(TransplantStep& step, KeyVisitor& visitor);
-/// Mesh and `original` of the result are those of the joined one afterwards: the host's vertices
-/// first, in their order.
+/// Runs the step. `mesh` and `original` of the result are afterwards those of the joined mesh, with
+/// the host's vertices first, in their order.
 StepReport run_step(const TransplantStep& step, const StepRun& on);
 
-/// The keys that panels show.
+/// Groups of keys that the panels show.
 void describe(TransplantParameters& parameters, KeyVisitor& visitor);
 
-/// The mesh that the part of `step` is or is cut from, as `meshes` has it for a recipe in
-/// `base_directory`; null where that is the mesh itself. Throws what `read_mesh` does.
+/// Returns the mesh that holds the part of `step`, from `meshes` and relative to `base_directory`.
+/// It is null if that is the edited mesh. Throws as `read_mesh` does.
 std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
                                            const std::filesystem::path& base_directory,
                                            const MeshShelf& meshes);

@@ -11,7 +11,7 @@
 namespace lapwing {
 namespace {
 
-// A piece that is being parted into the collar and what lies beyond, its core.
+// Splits a piece into the collar and the core beyond it.
 class Parting {
  public:
   Parting(std::span<const Triangle> piece, std::span<const double> distances, double width)
@@ -23,8 +23,8 @@ class Parting {
     around_ = triangles_around_vertices(distances.size(), piece);
   }
 
-  // Until the core is one piece, and no vertex touches it twice. Every round but the last takes
-  // triangles from it.
+  // Repeats until the core is one piece that no vertex touches twice. Every round but the last
+  // removes triangles from it.
   void clean() {
     do {
       check_cancelled();
@@ -63,7 +63,8 @@ class Parting {
     }
   }
 
-  // Around one vertex, the core's triangles must hang together over edges.
+  // Releases the core's triangles around each vertex at which they are not connected over edges.
+  // Returns whether there were any.
   bool release_pinched() {
     bool any = false;
     for (Index v = 0; v < around_.row_count(); ++v) {
@@ -75,7 +76,7 @@ class Parting {
   }
 
   std::size_t fans_at(Index v) const {
-    std::vector<std::array<Index, 2>> ends;  // of each core triangle: the corners beside v
+    std::vector<std::array<Index, 2>> ends;  // per core triangle: the corners beside v
     for (const Index t : around_[v]) {
       if (is_core_[t] == 0) continue;
       const Triangle& corners = piece_[t];
@@ -89,7 +90,7 @@ class Parting {
           std::any_of(ends.begin(), ends.end(),
                       [&, end = second](const auto& other) { return other[0] == end; }));
     }
-    // A closed fan has as many joints as triangles.
+    // A closed fan has as many shared edges as triangles, and counts as one.
     return ends.empty() ? 0 : std::max<std::size_t>(fans, 1);
   }
 

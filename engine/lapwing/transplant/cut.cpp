@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-// Per polygon of `mesh`: 1 where the region has all of its corners.
+// Returns one entry per polygon of `mesh`: 1 if all its corners are in the region.
 KeepMask polygons_inside(const Mesh& mesh, const VertexSet& region, const std::string& where) {
   const std::vector<char> inside = vertex_mask(mesh.vertex_count(), region);
   KeepMask mask(mesh.face_count());
@@ -24,7 +24,7 @@ KeepMask polygons_inside(const Mesh& mesh, const VertexSet& region, const std::s
   return mask;
 }
 
-// Marks the vertices of the marked polygons.
+// Returns a mask of the vertices of the marked polygons.
 KeepMask vertices_of(const Mesh& mesh, const KeepMask& polygons) {
   KeepMask mask(mesh.vertex_count(), 0);
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -58,7 +58,7 @@ CutPiece cut_away(const Mesh& mesh, const VertexSet& region, const std::string& 
   }
   KeepMask outside(inside.size());
   for (std::size_t f = 0; f < inside.size(); ++f) outside[f] = inside[f] == 0;
-  // Those of a cut polygon are in the region.
+  // A vertex outside the region is in no cut polygon, and stays even if no polygon uses it.
   KeepMask vertices = vertices_of(mesh, outside);
   const std::vector<char> in_region = vertex_mask(mesh.vertex_count(), region);
   for (std::size_t v = 0; v < vertices.size(); ++v) {

@@ -8,20 +8,20 @@
 
 namespace lapwing {
 
-/// A piece of a mesh, with what MeshAttributes has of it: no texture coordinate, normal, material
-/// or group that only the rest of the mesh uses. Knows no source file.
+/// A piece of a mesh with its attributes, except texture coordinates, normals, materials and groups
+/// that only the rest of the mesh uses. It has no source file.
 struct CutPiece {
   Mesh mesh;
   std::vector<Index> vertices;  ///< number in `mesh` -> number in the mesh it was cut from
 };
 
-/// The polygons all of whose corners are in `region`, with their vertices: a part. Linear time.
-/// Throws InputError, naming `where`, when there is none.
+/// Cuts out a part: the polygons whose corners are all in `region`, with their vertices. Linear
+/// time. Throws InputError, naming `where`, if there are none.
 CutPiece cut_out(const Mesh& mesh, const VertexSet& region, const std::string& where);
 
-/// All other polygons: what is left of the mesh around the hole. With every vertex that they have,
-/// and every other that is not in the region. Linear time. Throws InputError, naming `where`, when
-/// nothing is cut or nothing is left.
+/// Cuts the same polygons away and returns the rest of the mesh, around the hole. It keeps the
+/// vertices of the remaining polygons and all vertices outside the region. Linear time. Throws
+/// InputError, naming `where`, if nothing is cut or nothing is left.
 CutPiece cut_away(const Mesh& mesh, const VertexSet& region, const std::string& where);
 
 }  // namespace lapwing

@@ -1,5 +1,5 @@
-// Rotation of least squares between point sets: Umeyama, "Least-squares estimation of
-// transformation parameters between two point patterns", IEEE PAMI 13, 1991.
+// Least-squares rotation between point sets: Umeyama, "Least-squares estimation of transformation
+// parameters between two point patterns", IEEE PAMI 13, 1991.
 #include "lapwing/transplant/fit_loop.h"
 
 #include <algorithm>
@@ -20,17 +20,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Points spread over each loop. Starts are tried at their distance and refined from there.
+// Points spread over each loop. Starts are tried at this spacing and then refined.
 constexpr std::size_t kCurvePoints = 256;
-// So many of the best starts, and of those nearest to the least rotation, are refined.
+// How many of the best starts, and of those nearest to the least rotation, are refined.
 constexpr std::size_t kRefined = 8;
-// Steps of a golden section: 0.618^46 of two points' distance is 1e-12 of the loop's length.
+// Golden-section steps: 0.618^46 times two points' distance is 1e-12 of the loop's length.
 constexpr int kSections = 46;
-// Starts that differ by less than this share of the radius are alike, unless the best one leaves
-// less than kSharp of what the worst one does: then the loops are copies of one another.
+// If all starts differ by less than this share of the radius, none is better, unless the best one
+// leaves less than kSharp of the worst one's distance: the loops are then copies of each other.
 constexpr double kAlike = 0.01;
 constexpr double kSharp = 0.1;
-// Starts within this share of the range of all are as good as the best one.
+// Starts within this share of the range of distances are as good as the best one.
 constexpr double kAsGood = 0.01;
 
 // The rotation R with the largest trace of R' M, and that trace.
@@ -48,14 +48,14 @@ Rotation best_rotation(const Matrix3d& moments) {
 
 // One way of laying the part's loop along the host's.
 struct Start {
-  double at = 0.0;        ///< of the host's loop; the part's starts at 0
+  double at = 0.0;        ///< share of the way around the host's loop; the part's start is 0
   double distance = 0.0;  ///< root mean square between the loops, in radii
   Matrix3d rotation = Matrix3d::Identity();
 };
 
 class StartSearch {
  public:
-  // `host` runs as the part does.
+  // `host` must run the same way as `part`.
   StartSearch(const LoopCurve& part, const LoopCurve& host)
       : host_(host),
         host_frame_(loop_frame(host)),
@@ -80,7 +80,7 @@ class StartSearch {
     return {at, std::sqrt(left / static_cast<double>(kCurvePoints)), best.matrix};
   }
 
-  // The best start between `from` and `to`, where there is one valley between them.
+  // Returns the best start between `from` and `to`, which must enclose a single minimum.
   Start refine(double from, double to) {
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     Start low = try_at(to - golden * (to - from));
@@ -106,7 +106,7 @@ class StartSearch {
   std::vector<Vector3d> part_points_;
 };
 
-// The starts that are no worse than those next to them; `tried` goes once around the loop.
+// Returns the local minima of `tried`, which goes once around the loop.
 std::vector<Start> valleys_of(const std::vector<Start>& tried) {
   std::vector<Start> valleys;
   for (std::size_t k = 0; k < tried.size(); ++k) {

@@ -8,22 +8,22 @@
 
 namespace lapwing::zipping {
 
-/// A loop with the normals behind its edges and its vertices' edges among each other, forwards or
-/// taken backwards; numbers are places in the direction taken.
+/// A loop, taken forwards or backwards, with the normals of the surface behind its edges and all
+/// edges between its vertices. Numbers are places in the direction taken.
 class RimLoop {
  public:
   RimLoop(const ZipLoop& loop, bool backwards);
 
   std::size_t size() const { return points_.size(); }
   const Positions& points() const { return points_; }
-  /// The edges along the loop and the chords; lower number first, ascending.
+  /// The loop's edges and chords, sorted, each with the lower number first.
   const std::vector<std::array<Index, 2>>& edges() const { return edges_; }
   bool has_edge(std::size_t a, std::size_t b) const;
-  /// Whether the edge of the loop that starts at `a` ends at `b`.
+  /// Returns whether the edge of the loop that starts at `a` ends at `b`.
   bool leads(std::size_t a, std::size_t b) const { return (a + 1) % size() == b; }
-  /// The place in the loop as it was given.
+  /// Returns the place in the loop as it was given.
   Index original(std::size_t place) const;
-  /// `count` edges from `first` on, over the loop's end.
+  /// Returns `count` edges from `first` on, wrapping around at the loop's end.
   Chain chain(std::size_t first, std::size_t count) const;
 
  private:
@@ -33,7 +33,7 @@ class RimLoop {
   std::vector<std::array<Index, 2>> edges_;
 };
 
-/// A rung that the strip has to pass.
+/// A rung that the strip must contain.
 struct Node {
   Index host = 0, part = 0;
   bool welded = false;  ///< its ends are one vertex
@@ -45,25 +45,25 @@ struct Strip {
   std::vector<Step> steps;
   double cost = 0.0;
   std::vector<std::size_t>
-      blocked;  ///< nodes at gaps that cannot be closed; then there is no strip
+      blocked;  ///< nodes whose gap to the next one cannot be closed; if any, there is no strip
 };
 
 /// The gaps between nodes on two loops that run the same way.
 class Gaps {
  public:
-  /// Keeps references.
+  /// Keeps references to both loops.
   Gaps(const RimLoop& host, const RimLoop& part) : host_(host), part_(part) {}
   const RimLoop& host() const { return host_; }
   const RimLoop& part() const { return part_; }
 
-  /// The cheapest strip through `nodes`, which follow each other around both loops; one at least.
+  /// Returns the cheapest strip through `nodes`, one or more in order around both loops.
   Strip solve(std::vector<Node> nodes) const;
 
-  /// The cheapest strip through `node` and the rung half way around both loops from there, in which
-  /// no vertex holds a whole loop.
+  /// Returns the cheapest strip through `node` and the rung half way around both loops from it. In
+  /// this strip no vertex is the apex of all triangles on the other loop.
   Strip solve_with_second_rung(const Node& node) const;
 
-  /// As in Zip. `strip` has nothing blocked.
+  /// Returns the triangles as in Zip. `strip` must not be blocked.
   std::vector<Triangle> triangles(const Strip& strip) const;
 
  private:

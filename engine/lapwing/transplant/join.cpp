@@ -10,7 +10,7 @@
 namespace lapwing {
 namespace {
 
-// One side's loop and the corners at its edges.
+// The loop of one mesh, with the faces and corners at its edges.
 struct Rim {
   const Mesh& mesh;
   const BoundaryLoop& loop;
@@ -86,7 +86,7 @@ class Joiner {
     }
   }
 
-  // The place of a corner of the strip in either loop, kNoIndex where it is in the other one only.
+  // Returns the place of a strip corner in one loop, or kNoIndex if it is only in the other one.
   Index host_place(Index corner) const { return corner < host_.loop.size() ? corner : kNoIndex; }
   Index part_place(Index corner) const {
     return corner < host_.loop.size() ? part_of_host_[corner]
@@ -101,7 +101,7 @@ class Joiner {
       vertices[k] = place != kNoIndex ? host_.loop[place]
                                       : joined_.part_vertices[part_.loop[part_place(triangle[k])]];
     }
-    // The first two corners are a loop's edge, run backwards.
+    // The first two corners are the ends of a loop edge, reversed.
     const auto count = static_cast<Index>(host_.loop.size());
     const Index first = host_place(triangle[0]);
     const Index second = host_place(triangle[1]);
@@ -128,7 +128,7 @@ class Joiner {
   const Rim& host_;
   const Rim& part_;
   const Zip& zip_;
-  std::vector<Index> part_of_host_;  // per place of the host's loop: the part's welded there
+  std::vector<Index> part_of_host_;  // per place of the host's loop: the part's place welded to it
   JoinPlan plan_;
   Joined joined_;
 };

@@ -9,30 +9,30 @@
 
 namespace lapwing {
 
-/// Two meshes that have become one.
+/// Two meshes joined into one.
 struct Joined {
   Mesh mesh;  ///< the host's vertices first, then those of the part that were not welded
   std::vector<Index> part_vertices;  ///< number in the part -> number in `mesh`
   std::vector<Index> strip_faces;    ///< the zip's triangles
-  std::vector<std::string> notes;    ///< what had to be left or made up, for a person
+  std::vector<std::string> notes;    ///< messages about attributes that were dropped or filled in
 };
 
-/// Host, part and the strip between them as one mesh: the faces of the host, of the part, of the
-/// strip, in this order. Polygons stay polygons. Attributes of both are kept: texture coordinates,
-/// normals, colours, materials (libraries and names merged), groups, extras. What only one has gets
-/// a neutral value on the other (no texture coordinates, white, no material, no group, 0; the mean
-/// of the faces' for normals stored per vertex) and a note.
+/// Joins host, part and strip into one mesh, with their faces in this order. Polygons stay
+/// polygons. The attributes of both are kept: texture coordinates, normals, colours, materials
+/// (libraries and names merged), groups, extras. An attribute that only one mesh has gets a neutral
+/// value on the other, and a note. Neutral values are no texture coordinates, white, no material,
+/// no group and 0; normals stored per vertex become the mean of the face normals.
 ///
-/// The part's faces are in the group `group` (with groups of its own in "group/own"), the strip's
-/// in `group`; an empty `group` leaves the part's groups as they are, and the strip's faces where
-/// the face behind is. Strip faces take the other face attributes of the face behind the loop edge
-/// they stand on, and there its corners' texture coordinates; the apex repeats those of the nearer
-/// end, so that the texture is drawn out over the strip. Normals per corner come from both sides.
-/// Welded vertices keep the host's position and vertex attributes. Comments of both; `uneditable`
-/// is dropped and noted.
+/// The part's faces join the group `group` ("group/own" if they had a group), the strip's faces
+/// `group`. If `group` is empty, the part's groups stay as they are, and strip faces join the group
+/// of the face behind. Strip faces copy their other attributes from the face behind their loop
+/// edge, with the texture coordinates of its corners. The apex repeats the coordinates of the
+/// nearer corner, which stretches the texture over the strip. Normals per corner come from both
+/// sides. Welded vertices keep the host's position and vertex attributes. The comments of both are
+/// kept; `uneditable` is dropped with a note.
 ///
-/// `zip` is that of the two loops. Throws InputError where a loop edge is not the side of one face
-/// of its mesh, and what `validate_attributes` throws.
+/// `zip` must be that of the two loops. Throws InputError if no face of its mesh has a loop edge as
+/// a side, and what `validate_attributes` throws.
 Joined join(const Mesh& host, const BoundaryLoop& host_loop, const Mesh& part,
             const BoundaryLoop& part_loop, const Zip& zip, const std::string& group);
 

@@ -14,7 +14,7 @@ using Eigen::Vector4f;
 
 const Vector4f kWhite = Vector4f::Ones();
 
-// The position of `name` in `names`, behind them if it was not there.
+// Returns the position of `name` in `names`, and appends it if it is missing.
 Index number_of(const std::string& name, std::vector<std::string>& names) {
   const auto at = std::ranges::find(names, name);
   const auto number = static_cast<Index>(at - names.begin());
@@ -46,7 +46,7 @@ class Merger {
   }
 
  private:
-  // Notes that one of both has nothing of what the other has. Returns whether any has.
+  // Adds a note if only one mesh has the attribute. Returns whether either has it.
   bool note_one_sided(bool on_host, bool on_part, const std::string& what,
                       const std::string& instead) {
     if (on_host != on_part) {
@@ -56,7 +56,7 @@ class Merger {
     return on_host || on_part;
   }
 
-  // `components` values per vertex: those of the host, then those of the part's vertices kept.
+  // Returns `components` values per vertex: those of the host, then of the part's kept vertices.
   template <class Value>
   std::vector<Value> per_vertex(const std::vector<Value>& of_host,
                                 const std::vector<Value>& of_part, const Value& neutral,
@@ -71,8 +71,8 @@ class Merger {
     return merged;
   }
 
-  // `components` values per face: those of the host, of the part, and of the face behind each of
-  // the strip's.
+  // Returns `components` values per face: those of the host, of the part, then of the face behind
+  // each strip face.
   template <class Value>
   std::vector<Value> per_face(const std::vector<Value>& of_host, const std::vector<Value>& of_part,
                               const Value& neutral, std::size_t components = 1) const {
@@ -152,7 +152,7 @@ class Merger {
               result_.face_groups.end(), whole);
   }
 
-  // Both meshes' numbers per corner, the part's behind `offset` of the host's.
+  // Returns the numbers per corner of both meshes, with `offset` added to the part's.
   std::vector<Index> per_corner(std::vector<Index> of_host, std::span<const Index> of_part,
                                 std::size_t offset) const {
     std::vector<Index> merged = std::move(of_host);
@@ -164,7 +164,7 @@ class Merger {
     return merged;
   }
 
-  // Of what is per corner already, the entry of a corner of one of the meshes.
+  // Returns the merged entry of a corner of one of the meshes.
   Index at(const std::vector<Index>& merged, bool on_part, Index corner) const {
     return merged[(on_part ? host_.face_vertices().size() : 0) + corner];
   }
@@ -194,7 +194,7 @@ class Merger {
     return a.has_vertex_normals || !a.corner_normals.empty();
   }
 
-  // Area-weighted.
+  // Returns the area-weighted mean normals of the faces around each vertex.
   static std::vector<Vector3d> face_means(const Mesh& mesh) {
     std::vector<Vector3d> sums(mesh.vertex_count(), Vector3d::Zero());
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A collar in numbers of its own.
+// A collar with its vertices renumbered.
 struct OwnCollar : NumberedTriangles {
   BoundaryLoop seam;
   BoundaryLoop inner;
@@ -30,8 +30,8 @@ OwnCollar own_collar(const Collar& collar, std::span<const Vector3d> positions) 
   return own;
 }
 
-// The shortest path along edges from one of `starts` to the inner loop, which meets seam and inner
-// loop with its ends only; empty when there is none.
+// Returns the shortest path along edges from one of `starts` to the inner loop, or nothing if there
+// is none. Only its ends lie on the seam and on the inner loop.
 std::vector<Index> path_across(const OwnCollar& collar, std::span<const Index> starts) {
   enum Place : char { between, on_seam, on_inner };
   const std::size_t n = collar.vertices.size();
@@ -45,7 +45,7 @@ std::vector<Index> path_across(const OwnCollar& collar, std::span<const Index> s
                              [&](Index v) { return place[v] != on_seam; }});
 }
 
-// The triangles around `v` that can be reached from triangle `first` without crossing the path.
+// Returns the triangles around `v` reachable from triangle `first` without crossing the path.
 std::vector<Index> star_from(Index v, Index first, const OwnCollar& collar, const Adjacency& around,
                              std::span<const Index> path_neighbours) {
   const auto shared_edge_is_open = [&](Index a, Index b) {
@@ -69,7 +69,7 @@ std::vector<Index> star_from(Index v, Index first, const OwnCollar& collar, cons
   return star;
 }
 
-// The triangle with the side from `a` to `b`.
+// Returns the triangle with the side from `a` to `b`, or kNoIndex.
 Index triangle_on(Index a, Index b, const OwnCollar& collar, const Adjacency& around) {
   for (const Index t : around[a]) {
     const Triangle& corners = collar.triangles[t];
@@ -80,7 +80,7 @@ Index triangle_on(Index a, Index b, const OwnCollar& collar, const Adjacency& ar
   return kNoIndex;
 }
 
-// Gives the triangles on the left of the path vertices of their own, path[i] becoming first + i.
+// Cuts the triangles open: those on the left of the path get new vertices, first + i for path[i].
 std::vector<Triangle> cut_open(const OwnCollar& collar, std::span<const Index> path, Index first) {
   const Adjacency around = triangles_around_vertices(collar.vertices.size(), collar.triangles);
   std::vector<Triangle> triangles = collar.triangles;
@@ -158,7 +158,7 @@ LaidCollar lay_collar(const Collar& collar, std::span<const Vector3d> positions,
 
 namespace {
 
-// A point on the patch as one on the mesh; midpoints are halves of two vertices of one triangle.
+// Converts a point of the patch to one of the mesh. A midpoint is half of each end of its edge.
 SurfacePoint on_mesh(const SurfacePoint& point, const LaidCollar& laid) {
   SurfacePoint result;
   std::size_t count = 0;
@@ -191,7 +191,7 @@ std::vector<SurfacePoint> lay_on(const LaidCollar& upper, const LaidCollar& lowe
   const DomainLocator locator(lower.patch.triangles, lower.map.points);
   const std::vector<SurfacePoint> found = locator.locate(upper.map.points);
   std::vector<SurfacePoint> points(vertex_count, SurfacePoint::nowhere());
-  // Of the two copies of a vertex on the cut either will do.
+  // A vertex on the cut has two copies, and either will do.
   for (std::size_t own = 0; own < upper.vertices.size(); ++own) {
     points[upper.vertices[own]] = on_mesh(found[own], lower);
   }

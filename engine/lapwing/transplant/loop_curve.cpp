@@ -13,12 +13,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Narrower than this share of its length is on a line.
+// Points are on a line if they are narrower than this share of the loop's length.
 constexpr double kThinnest = 1e-6;
-// A loop around less than this share of the disk of its radius has no area vector to go by.
+// A loop that encloses less than this share of the disk of its radius has no useful area vector.
 constexpr double kLeastArea = 1e-3;
 
-// Exact, whatever the lengths of the edges.
+// Mean and covariance over the length of a polyline. Exact for any edge lengths.
 struct Moments {
   Vector3d mean = Vector3d::Zero();
   Matrix3d covariance = Matrix3d::Zero();

@@ -40,7 +40,7 @@ std::string loops_in_words(const std::vector<BoundaryLoop>& loops) {
   return text;
 }
 
-// Which loop of the part is sewn on.
+// Returns the requested boundary loop, or the longest one.
 BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
                          const std::string& name) {
   const Topology& topology = part.topology();
@@ -62,7 +62,7 @@ BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
 }
 
-// The volume behind the surface, its loop closed by a fan: below 0 for one that is inside out.
+// Returns the volume enclosed by the surface and a fan over its loop: below 0 if it is inside out.
 double volume(const Mesh& part, const Vector3d& center) {
   double sum = 0.0;
   for (const Triangle& t : part.topology().triangles) {
@@ -72,14 +72,15 @@ double volume(const Mesh& part, const Vector3d& center) {
   return sum / 6.0;
 }
 
-// The same loop of the surface turned inside out.
+// Reverses the faces and the loop.
 void turn(PlacedPart& part) {
   turn_inside_out(part.mesh);
   std::reverse(part.loop.begin() + 1, part.loop.end());
   part.turned = true;
 }
 
-// A part that rises from its loop encloses something with it; a sheet does not, and says nothing.
+// A part that rises from its loop encloses a volume with a sign. A sheet does not, and counts as
+// right side out.
 bool is_inside_out(const PlacedPart& part, const std::string& where) {
   constexpr double kLeastRise = 0.1;
   const LoopFrame loop = loop_frame(LoopCurve(points_of(part.loop, part.mesh.positions), where));
@@ -108,10 +109,10 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
   return part;
 }
 
-// Vertices at which an edge of the hole's loop has no face of the rest on its other side.
+// Returns the loop's vertices at an edge that has no face of the rest on its other side.
 VertexSet without_other_side(const BoundaryLoop& loop, const CutPiece& rest,
                              std::span<const Index> numbers) {
-  std::vector<Index> next(rest.vertices.size(), kNoIndex);  // of the rest's own vertices
+  std::vector<Index> next(rest.vertices.size(), kNoIndex);  // along the loop, numbers of the rest
   std::vector<Index> open;
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Index from = numbers[loop[k]];
@@ -199,7 +200,7 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   }
   transform(part.mesh, part.motion);
   if (determinant < 0.0) std::reverse(part.loop.begin() + 1, part.loop.end());
-  // Sewn together, the loops run against each other.
+  // Loops that are joined run in opposite directions.
   const auto normal = [&](std::span<const Vector3d> points, const std::string& name) {
     return loop_frame(LoopCurve(points, name)).normal;
   };

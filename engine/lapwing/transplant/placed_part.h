@@ -11,29 +11,29 @@
 
 namespace lapwing {
 
-/// What a target region leaves behind.
+/// The hole that a target region leaves in a mesh.
 struct Hole {
-  std::vector<Triangle> triangles;  ///< that go, numbers of the mesh
-  BoundaryLoop loop;                ///< their boundary, with them on its left, numbers of the mesh
+  std::vector<Triangle> triangles;  ///< the removed ones, in vertices of the mesh
+  BoundaryLoop loop;                ///< their boundary, with them on its left, likewise
   CutPiece rest;
-  BoundaryLoop rest_loop;  ///< the same run through the other way, from the same vertex, of `rest`
+  BoundaryLoop rest_loop;  ///< the same loop reversed, from the same vertex, in vertices of `rest`
 };
 
-/// Cuts `region` from `mesh`. Throws InputError, naming the region, when it holds no whole face or
-/// all of them, when its boundary is not one loop, and when it reaches the mesh's own boundary.
+/// Cuts `region` from `mesh`. Throws InputError, naming the region, if it contains no whole face or
+/// all of them, if its boundary is not one loop, or if it reaches the mesh's own boundary.
 Hole cut_hole(const RegionSpec& region, const Mesh& mesh);
 
-/// A part where it belongs.
+/// A part at its place on the host.
 struct PlacedPart {
   Mesh mesh;
   BoundaryLoop loop;
-  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  ///< from where it was given
-  bool turned = false;                                   ///< it was inside out
-  std::vector<std::string> notes;                        ///< for a person
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  ///< from its original place
+  bool turned = false;                                   ///< it was inside out and is reversed
+  std::vector<std::string> notes;                        ///< messages to the user
 };
 
-/// Cuts, turns and places the part of `request`, from `source`. Throws InputError, naming the part:
-/// one without boundary loop or without the one that is wanted, a place that flattens it.
+/// Cuts, turns and places the part of `request` from `source`. Throws InputError, naming the part,
+/// if it lacks a boundary loop or the requested one, is not finite, or is flattened by its place.
 PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
                       const Hole& hole);
 

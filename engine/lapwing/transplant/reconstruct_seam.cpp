@@ -24,11 +24,10 @@ using Eigen::Vector3d;
 
 constexpr int kPasses = 3;
 
-// A draped ring may be this much larger or smaller than the one it came from before its Laplacian
-// is taken for one of another size.
+// Limit of the ratio of sizes between a mapped ring and its source; the scale is clamped to it.
 constexpr double kLargestRatio = 4.0;
 
-// What areas and angles are taken from.
+// Returns the smooth positions on which areas and angles are computed.
 Positions geometry_of(std::span<const Vector3d> positions, const Topology& topology,
                       const VertexSet& region, const TransplantOptions& options) {
   return Fairing(positions, topology, region, options.weights).smooth(shape_size(options));
@@ -94,7 +93,7 @@ class SeamReconstruction {
 
   SeamZone zone_;
   std::vector<double> cut_distances_;  // per vertex of the host, from the hole's rim inwards
-  std::vector<SurfacePoint> points_;   // per vertex of the joined mesh: where it lies on the host
+  std::vector<SurfacePoint> points_;   // per vertex of the joined mesh: its point on the host
   Positions host_geometry_;
   std::optional<Fairing> host_fairing_;
   std::optional<Fairing> fairing_;
@@ -111,12 +110,12 @@ class SeamReconstruction {
   TransplantResult result_;
 };
 
-// What D lies on: the host's vertices on themselves, the transition on what was cut.
+// Maps D to the host: the host's vertices to themselves, the transition to the removed region.
 void SeamReconstruction::lay_collars() {
   const auto [below, above] =
       seam_collars(host_, joined_, zone_.seam, cut_distances_, options_.transition.width, where_);
   points_.assign(joined_.positions.size(), SurfacePoint::nowhere());
-  // From the same vertex on both.
+  // Both cuts must start at the same vertex.
   std::vector<char> starts(host_.positions.size(), 0);
   for (const Index v : cut_starts(above)) starts[joined_.host_vertices[v]] = 1;
   const Index start = below.triangles.empty() || above.triangles.empty()
@@ -157,7 +156,7 @@ void SeamReconstruction::make_system() {
   rest_ = laplacians_of(joined_.positions);
 }
 
-// The shape below all detail.
+// Returns the shape without any detail.
 SmoothSurface SeamReconstruction::smoothed(const Fairing& fairing,
                                            std::span<const Vector3d> positions,
                                            const Topology& topology) const {
@@ -169,9 +168,8 @@ SmoothSurface SeamReconstruction::smoothed(const Fairing& fairing,
   return result;
 }
 
-// How much of what is between detail and shape host and joined mesh have in common, 0 to 1: all of
-// it where the part is what was cut out, little of it where the one was an ear and the other is a
-// horn.
+// Returns the correlation of host and joined mesh in the features between detail and shape, 0 to 1.
+// It is 1 if the part is what was cut out, and small if a horn replaces an ear.
 double SeamReconstruction::agreement(std::span<const Vector3d> between_on_host,
                                      std::span<const Vector3d> between) const {
   double common = 0.0;
@@ -189,7 +187,7 @@ double SeamReconstruction::agreement(std::span<const Vector3d> between_on_host,
   return most > 0.0 ? std::clamp(common / most, 0.0, 1.0) : 1.0;
 }
 
-// What the host has over its shape: its detail, and of the rest what the joined mesh has, too.
+// Returns the host's offset from its shape: detail, and `agreement` times the features in between.
 std::vector<Vector3d> SeamReconstruction::host_detail() const {
   const double size = detail_size(options_);
   const Positions host_fine = host_fairing_->smooth(host_.positions, size);
@@ -207,7 +205,7 @@ std::vector<Vector3d> SeamReconstruction::host_detail() const {
   return detail;
 }
 
-// Of the same part of the host as of the joined mesh.
+// Fairs the same part of the host as of the joined mesh.
 void SeamReconstruction::smooth_geometry() {
   cut_distances_ = distances_in_cut(host_);
   VertexSet region;
@@ -223,7 +221,7 @@ void SeamReconstruction::smooth_geometry() {
   fairing_.emplace(joined_.geometry, joined_.topology, zone_.region.roi, options_.weights);
 }
 
-// L x over the rows.
+// Returns L x, per row.
 std::vector<Vector3d> SeamReconstruction::laplacians_of(std::span<const Vector3d> positions) const {
   std::vector<Vector3d> result(rings().row_count(), Vector3d::Zero());
   for (std::size_t r = 0; r < result.size(); ++r) {
@@ -245,7 +243,7 @@ void SeamReconstruction::sample() {
     kernels_.sample_mapped_laplacians(mapped, options_.sampling, detail, sampled_);
     return;
   }
-  // As densities, which do not hang on how finely the host is triangulated.
+  // Densities do not depend on how finely the host is triangulated.
   const auto weights = laplacian_weights(host_.topology, host_geometry_, options_.weights);
   std::vector<Index> all;
   for (Index v = 0; v < host_.positions.size(); ++v) all.push_back(v);
@@ -270,7 +268,7 @@ std::vector<Matrix3d> SeamReconstruction::frames(std::span<const SurfacePoint> p
                          {positions, normals}, T);
   for (Matrix3d& t : T) {
     const double ratio = t.col(0).norm();
-    // Of a ring that is a point, nothing is known.
+    // A ring that is a point has no frame.
     if (ratio > 0.0) {
       t *= std::clamp(ratio, 1.0 / kLargestRatio, kLargestRatio) / ratio;
     } else {
@@ -280,8 +278,8 @@ std::vector<Matrix3d> SeamReconstruction::frames(std::span<const SurfacePoint> p
   return T;
 }
 
-// From what was sampled to the Laplacian of ring r as it lies on the host: 1 where that was sampled
-// whole; a density is that of the ring's size there.
+// Returns the factor from the sampled value to the Laplacian of ring r: 1 for whole Laplacians, the
+// size of the ring on the host for densities.
 double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
   if (options_.sampling == MappedSampling::one_ring) return 1.0;
   double square = 0.0;
@@ -291,7 +289,7 @@ double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
   return 0.25 * square / T.col(0).squaredNorm();
 }
 
-// The Laplacians that the surface is to have when its low frequencies are those of `now`.
+// Returns the Laplacians that the surface should have if its low frequencies are those of `now`.
 std::vector<Vector3d> SeamReconstruction::wanted(const SmoothSurface& now) const {
   const std::vector<Matrix3d> from_part = frames(on_itself_, smooth_start_, now);
   std::vector<Vector3d> on_host_side = laplacians_of(now.positions);

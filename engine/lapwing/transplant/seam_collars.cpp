@@ -10,10 +10,11 @@
 namespace lapwing {
 namespace {
 
-// Of a hole that is small all but its middle, which would be laid onto a whole side of the square.
+// Largest share of a hole's depth that its collar covers. The middle of a small hole would
+// otherwise be mapped to a whole side of the square.
 constexpr double kDeepest = 0.8;
 
-// Fine enough that little of a transition is lost, coarse enough that a tenth is reached soon.
+// Fine enough to lose little of a transition, coarse enough to reach a tenth of it in few tries.
 constexpr double kNarrower = 0.85;
 constexpr int kMostTries = 15;
 
@@ -33,7 +34,7 @@ Collar collar_of_part(const TransplantJoined& joined, const BoundaryLoop& seam, 
       piece.push_back(joined.topology.triangles[t]);
     }
   }
-  // Triangles between the loops belong to it, however narrow it is.
+  // The collar contains the triangles between the loops, however narrow it is.
   const double reach = std::max(width, 1e-9 * bounds_of(joined.positions).diagonal());
   return make_collar(piece, seam, depths, reach, where);
 }

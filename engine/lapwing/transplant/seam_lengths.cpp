@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A strip with both loops' points as its corners.
+// Returns the points of both loops, numbered as the corners of a strip.
 std::vector<Vector3d> corners_of(std::span<const Vector3d> host, std::span<const Vector3d> part) {
   std::vector<Vector3d> corners(host.begin(), host.end());
   corners.insert(corners.end(), part.begin(), part.end());
@@ -36,7 +36,8 @@ double smallest_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-// The mean of the edges from `v` to those of its ring that `counts` and are finite.
+// Returns the mean length of the edges from `v` to the finite ring vertices for which `counts`
+// holds.
 template <class Counts>
 double mean_ring_edge(Index v, const Topology& topology, std::span<const Vector3d> positions,
                       const Counts& counts) {
@@ -104,7 +105,7 @@ SeamLengths::SeamLengths(std::span<const Vector3d> positions, const Topology& to
     in_zone[v] = 1;
     region_.push_back(v);
     if (on_rim) continue;
-    // The strip's edges are neither the part's nor the host's.
+    // The strip's edges belong neither to the part nor to the host.
     lengths_[v] = mean_ring_edge(v, topology, positions, [&](Index j) { return !is_host(j); });
     part_edges.push_back(lengths_[v]);
   }

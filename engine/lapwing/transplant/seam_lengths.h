@@ -11,33 +11,33 @@
 
 namespace lapwing {
 
-/// The mean distance between two loops along the edges of `zip`; 0 where all of it is welded.
+/// Returns the mean distance between two loops along the edges of `zip`; welded pairs count as 0.
 double strip_width(const Zip& zip, std::span<const Eigen::Vector3d> host,
                    std::span<const Eigen::Vector3d> part);
 
-/// Whether the strip's triangles may stay: few are slivers, and it is not much wider than the
-/// loops' edges are long.
+/// Returns whether the strip's triangles may stay: few are slivers, and the strip is not much wider
+/// than the loops' edges are long.
 bool is_even(const Zip& zip, std::span<const Eigen::Vector3d> host,
              std::span<const Eigen::Vector3d> part);
 
-/// How long edges should be around a seam between two meshes of different scales (paper section 6):
-/// from the host's at its rim to the part's own at the transition's inner end.
+/// The sizing field around a seam between two meshes of different scales (paper section 6). It goes
+/// from the host's edge length at its rim to the part's own at the transition's inner end.
 class SeamLengths {
  public:
-  /// `host_vertices` and `depths` as in TransplantJoined; `width` of the transition.
+  /// `host_vertices` and `depths` are as in TransplantJoined, `width` is that of the transition.
   SeamLengths(std::span<const Eigen::Vector3d> positions, const Topology& topology,
               std::span<const Index> host_vertices, std::span<const double> depths, double width);
 
-  /// The strip and the part's side of the transition, the loops' vertices included.
+  /// The vertices of the strip and of the part's side of the transition, both loops included.
   const VertexSet& region() const { return region_; }
 
-  /// Whether the edges of host and part differ by more than kScaleRatio.
+  /// Returns whether the edge lengths of host and part differ by a factor above kScaleRatio.
   bool asks_for_remeshing() const;
 
-  /// About how many triangles remeshing the region to these lengths makes.
+  /// Estimates how many triangles remeshing the region to these lengths makes.
   double expected_triangles(std::span<const Eigen::Vector3d> positions) const;
 
-  /// The edge length wanted near `point`.
+  /// Returns the target edge length near `point`.
   double operator()(const Eigen::Vector3d& point) const;
 
   static constexpr double kScaleRatio = 1.6;

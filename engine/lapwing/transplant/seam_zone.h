@@ -7,26 +7,26 @@
 
 namespace lapwing {
 
-/// Where things are along the way from the host over the seam to the part.
+/// The vertices around the seam that take part in its reconstruction.
 struct SeamZone {
   BoundaryLoop seam;  ///< the hole's loop, numbers of the joined mesh
-  /// Per vertex of the joined mesh: from the seam on the host, from its loop on the part.
+  /// Per vertex of the joined mesh: distance on the host from the seam, on the part from its loop.
   std::vector<double> distances;
   EditRegion region;  ///< the unknowns, and those of them that are held
 };
 
-/// Linear in the joined mesh. `joined.geometry` is not read.
+/// Linear in the joined mesh. Does not read `joined.geometry`.
 SeamZone seam_zone(const TransplantHost& host, const TransplantJoined& joined,
                    const TransplantOptions& options);
 
-/// How far from its loop the part is free.
+/// Returns the distance from its loop up to which the part is free.
 double free_on_part(const TransplantOptions& options);
 
-/// What is larger than this is shape, which goes on smoothly over the seam.
+/// Features larger than this are shape, which continues smoothly over the seam.
 double shape_size(const TransplantOptions& options);
 
-/// What is smaller than this is detail. Whatever lies between the two is as large as what was cut
-/// out and what comes.
+/// Features smaller than this are detail. Those in between are as large as the region cut out and
+/// the part put in.
 double detail_size(const TransplantOptions& options);
 
 }  // namespace lapwing

@@ -1,4 +1,4 @@
-// Rigid motions linearized at each step as a translation and a small turn, as in point-to-plane
+// Each step linearizes the rigid motion as a translation and a small rotation, as in point-to-plane
 // registration: Chen and Medioni, "Object modelling by registration of multiple range images",
 // Image and Vision Computing 10, 1992.
 #include "lapwing/transplant/surface_snap.h"
@@ -18,20 +18,20 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 constexpr std::size_t kSnapPoints = 96;
 constexpr int kSteps = 60;
-// A smaller step, in radii of the loop, is none.
+// The iteration ends at a smaller step, in radii of the loop.
 constexpr double kLeastStep = 1e-11;
-// Where the cosine between the surface's normal and the loop's is below this, it is the back of a
-// sheet; above it, a neck, on which a loop lies across.
+// If the cosine between the surface's normal and the loop's is below this, the point is on the back
+// of a sheet. Above it, the surface may be a neck that the loop surrounds.
 constexpr double kBehind = -0.7;
-// Nearer than this, in radii, the surface's normal says more than the way to it.
+// Below this distance, in radii, the surface's normal is more reliable than the direction to it.
 constexpr double kTouching = 1e-7;
-// A step that leads farther away is halved as far as this.
+// A step that increases the distances is halved down to this share.
 constexpr double kLeastShare = 1.0 / 64.0;
-// Motions that change the distances by less than the root of this share of what the best one does
-// would have to be large to be of use: sliding along the surface.
+// Eigenvalues below this share of the largest are dropped: their motions slide along the surface
+// and would have to be large to change the distances.
 constexpr double kIdle = 1e-3;
 
-// The triangles with finite corners, as one group.
+// Returns the triangles with finite corners as one group.
 Adjacency usable(std::span<const Triangle> triangles, std::span<const Vector3d> positions,
                  const std::string& where) {
   Adjacency groups;
@@ -46,7 +46,7 @@ Adjacency usable(std::span<const Triangle> triangles, std::span<const Vector3d> 
   return groups;
 }
 
-// `share` of the motion `step` of a loop of that frame.
+// Returns `share` of the motion `step`, for a loop with that frame.
 Eigen::Affine3d motion_of(const Vector6d& step, double share, const LoopFrame& frame) {
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
   const double angle = step.tail<3>().norm();
@@ -60,16 +60,16 @@ Eigen::Affine3d motion_of(const Vector6d& step, double share, const LoopFrame& f
 
 }  // namespace
 
-// The linear least squares problem of one step, in radii of the loop: unknown are a translation and
-// a turn about its centre.
+// The linear least-squares problem of one step, in radii of the loop. The unknowns are a
+// translation and a rotation about its centre.
 struct SurfaceSnap::Contacts {
   Matrix6d normal_matrix = Matrix6d::Zero();
   Vector6d right_side = Vector6d::Zero();
   double squares = 0.0;
 
   Vector6d step() const {
-    // Its eigenvectors: it is symmetric and positive semidefinite. Eigen's solver for these takes
-    // ten times as long to compile.
+    // The matrix is symmetric and positive semidefinite, so these are its eigenvectors. Eigen's
+    // eigenvalue solver takes ten times as long to compile.
     const Eigen::JacobiSVD<Matrix6d> modes(normal_matrix, Eigen::ComputeFullV);
     Vector6d result = Vector6d::Zero();
     for (int m = 0; m < 6; ++m) {
@@ -99,7 +99,7 @@ SurfaceSnap::Contacts SurfaceSnap::contacts(std::span<const Vector3d> points,
   Index hint = kNoIndex;
   for (const Vector3d& p : points) {
     TrianglePoint nearest = surface_.find(0, p, Vector3d::Zero(), hint);
-    if (nearest.triangle == kNoIndex) continue;  // beyond what a square of a length can be
+    if (nearest.triangle == kNoIndex) continue;  // too far away to square the distance
     if (normals_[nearest.triangle].dot(frame.normal) < kBehind) {
       nearest = surface_.find(0, p, frame.normal);
     }

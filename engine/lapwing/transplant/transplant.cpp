@@ -35,17 +35,16 @@ ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
   return zip_loop(mesh.topology().triangles, mesh.positions, loop);
 }
 
-// The joined mesh on its way to the seam's reconstruction.
+// The joined mesh before the seam is reconstructed.
 struct Assembly {
   Mesh mesh;
   Positions geometry;                // smooth around the seam
   std::vector<Index> host_vertices;  // per vertex: its number in the host, or kNoIndex
-  std::vector<double> depths;        // per vertex: from the part's loop, 0 off the part
+  std::vector<double> depths;        // per vertex: distance from the part's loop, 0 off the part
   double gap = 0.0;
-  double depth = 0.0;  // the farthest that the part goes from its loop
+  double depth = 0.0;  // largest distance on the part from its loop
 };
 
-// One transplant on its way.
 class TransplantRun {
  public:
   TransplantRun(const Mesh& host, const Mesh& part, const std::string& part_name,
@@ -126,7 +125,7 @@ void TransplantRun::assemble() {
   report.place = part.motion.matrix().topRows<3>();
 }
 
-// On the part as it was placed, so that the strip does not count.
+// Measures on the part as it was placed, so that the strip does not count.
 void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
                                    const PlacedPart& part) {
   const auto distances = geodesic_distances(part.mesh.topology(), part.mesh.positions, part.loop);
@@ -137,8 +136,8 @@ void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
   }
 }
 
-// Lengths as they were asked for or, where they were not, from the size of the hole; all of them
-// shorter where the part is too short to hold itself beyond.
+// Returns the requested lengths, or defaults from the size of the hole. Scales all of them down if
+// the part is too short.
 TransplantOptions TransplantRun::options() {
   const TransplantParameters& parameters = request_.parameters;
   TransplantOptions options;
@@ -169,7 +168,7 @@ TransplantOptions TransplantRun::options() {
   return options;
 }
 
-// A width that nobody has asked for gives way to holes and handles next to the seam.
+// Narrows a default width if holes or handles are close to the seam.
 void TransplantRun::narrow(TransplantOptions& chosen) const {
   const TransplantParameters& parameters = request_.parameters;
   if (parameters.transition) return;
@@ -202,7 +201,7 @@ void TransplantRun::remesh() {
                   "make the part smaller, give \"transition\" a smaller \"width\", or turn "
                   "\"remesh\" off");
   timed("remesh", [&] {
-    // The smooth surface is cut anew, and keeps in mind where it was on the joined one.
+    // Remeshes the smooth surface. Extra attributes carry the joined mesh's positions and depths.
     Mesh smooth = joined_.mesh;
     smooth.positions = joined_.geometry;
     auto& extras = smooth.edit_attributes().vertex_extras;
@@ -261,7 +260,7 @@ TransplantHost TransplantRun::host() const {
   return {host_mesh_.positions, host_mesh_.topology(), hole_.triangles, hole_.loop};
 }
 
-// Joined and remeshed, the host's faces come first.
+// The host's faces come first, also after remeshing.
 TransplantJoined TransplantRun::joined() const {
   return {joined_.mesh.positions,
           joined_.mesh.topology(),
@@ -284,7 +283,7 @@ void TransplantRun::reconstruct() {
   report.padding = chosen.padding;
   report.belt = chosen.belt;
   remesh();
-  // What is next to a hole of the part may have been cut anew.
+  // Remeshing may have changed the surface next to a hole of the part.
   narrow(chosen);
   report.transition_width = chosen.transition.width;
   if (chosen.transition.width < wanted) tell_narrowed(wanted, chosen.transition.width);
@@ -300,7 +299,7 @@ void TransplantRun::reconstruct() {
   hand_over(std::move(seam));
 }
 
-// Over the edges that end on the hole's rim: how much the surface turns, a percentile of it.
+// Returns the 99th percentile of the angles between face normals at edges that end on the rim.
 double TransplantRun::seam_degrees(const Positions& positions) const {
   std::vector<char> on_rim(host_mesh_.vertex_count(), 0);
   for (const Index v : hole_.loop) on_rim[v] = 1;
@@ -330,7 +329,7 @@ double TransplantRun::seam_degrees(const Positions& positions) const {
   return degrees[static_cast<std::size_t>(place)];
 }
 
-// The joined mesh with the seam reconstructed.
+// Moves the reconstructed mesh into the result and completes the report.
 void TransplantRun::hand_over(TransplantResult seam) {
   TransplantReport& report = result_.report;
   for (std::size_t v = 0; v < seam.positions.size(); ++v) {

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::span<const Vector3d>;
 
-// Points sorted along one axis, to look only at those near by.
+// Points sorted along one axis, for fast nearest-point queries.
 class Sweep {
  public:
   Sweep(Points points, Eigen::Index axis) : points_(points), axis_(axis), order_(points.size()) {
@@ -20,8 +20,8 @@ class Sweep {
     std::ranges::stable_sort(order_, {}, [&](Index i) { return points_[i][axis_]; });
   }
 
-  // The point nearest to `p` within `reach`, the first of equally near ones; kNoIndex if none is.
-  // `reach` becomes its distance.
+  // Returns the point nearest to `p` within `reach`, the first of equally near ones, or kNoIndex.
+  // Sets `reach` to its distance.
   Index nearest(const Vector3d& p, double& reach) const {
     Index best = kNoIndex;
     const auto middle =
@@ -48,7 +48,7 @@ class Sweep {
   std::vector<Index> order_;
 };
 
-// The axis along which the points spread most.
+// Returns the axis along which the points spread most.
 Eigen::Index widest_axis(Points a, Points b) {
   Bounds bounds = bounds_of(a);
   const Bounds other = bounds_of(b);
@@ -59,7 +59,7 @@ Eigen::Index widest_axis(Points a, Points b) {
   return axis;
 }
 
-// Per vertex `share` times the shorter of its two edges.
+// Returns, per vertex, `share` times the shorter of its two edges.
 std::vector<double> reaches(Points loop, double share) {
   std::vector<double> reach(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -70,8 +70,8 @@ std::vector<double> reaches(Points loop, double share) {
   return reach;
 }
 
-// The largest subset of `pairs`, which ascend by their first entry, whose second entries ascend
-// when counted from `origin`, and which holds `origin`.
+// Returns the largest subset of `pairs` that contains `origin` and whose second entries ascend from
+// there, modulo `part_size`. `pairs` ascend by their first entry.
 std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t origin,
                                     std::size_t part_size) {
   const std::size_t count = pairs.size();
@@ -79,7 +79,7 @@ std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t 
     const Index second = pairs[(origin + k) % count][1];
     return (second + part_size - pairs[origin][1]) % part_size;
   };
-  // ends[l]: the pair with the smallest place at which an ascending row of l + 1 pairs ends.
+  // ends[l] is the pair with the smallest place that ends an ascending sequence of l + 1 pairs.
   std::vector<std::size_t> ends{0};
   std::vector<std::size_t> before(count, 0);
   for (std::size_t k = 1; k < count; ++k) {
@@ -102,8 +102,8 @@ std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t 
   return kept;
 }
 
-// Origins tried for the largest subset of pairs in order. A wrong one costs at most those pairs
-// that are out of order with it, and few pairs are out of order at all.
+// Number of origins tried for the largest subset. A bad origin loses at most the pairs out of order
+// with it, and few pairs are out of order at all.
 constexpr std::size_t kOrigins = 16;
 
 }  // namespace

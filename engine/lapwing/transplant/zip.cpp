@@ -19,7 +19,7 @@ using zipping::Pair;
 using zipping::RimLoop;
 using zipping::Step;
 
-// Larger ones have areas and costs that are no numbers.
+// The areas and costs of larger loops overflow.
 constexpr double kLargest = 1e50;
 
 void require_usable(const ZipLoop& loop, const std::string& where, const std::string& whose) {
@@ -52,8 +52,9 @@ void require_usable(const ZipLoop& loop, const std::string& where, const std::st
   }
 }
 
-// What is in the way of welding: of pairs whose two ends both meshes join already, one; unless
-// the two edges lie along both loops and so become one.
+// Marks pairs that must not be welded. If both meshes have an edge between the same two pairs,
+// welding both pairs would repeat it, so the pair farther apart is marked. Two edges along the
+// loops may become one.
 std::vector<char> crowded_welds(const RimLoop& host, const RimLoop& part,
                                 const std::vector<Pair>& welds) {
   std::vector<Index> weld_of_host(host.size(), kNoIndex);
@@ -77,7 +78,8 @@ std::vector<char> crowded_welds(const RimLoop& host, const RimLoop& part,
   return crowded;
 }
 
-// Whether one vertex holds all triangles of the other loop: the rung there would be an edge twice.
+// Returns whether one vertex is the apex of all triangles on the other loop: a rung there would be
+// an edge twice.
 bool cones_a_loop(const std::vector<Node>& nodes, std::span<const Step> steps,
                   std::size_t host_size, std::size_t part_size) {
   if (nodes.size() > 1) return false;
@@ -90,7 +92,7 @@ bool cones_a_loop(const std::vector<Node>& nodes, std::span<const Step> steps,
   return false;
 }
 
-// The rung half way along the strip.
+// Returns the rung half way along the strip.
 Node half_way(const Node& start, std::span<const Step> steps, std::size_t host_size,
               std::size_t part_size) {
   std::size_t i = start.host;
@@ -99,12 +101,12 @@ Node half_way(const Node& start, std::span<const Step> steps, std::size_t host_s
   return {static_cast<Index>(i % host_size), static_cast<Index>(j % part_size), false};
 }
 
-// Relative gain of a strip that is better than another beyond rounding.
+// A strip is better than another if it gains more than this share, which exceeds rounding.
 constexpr double kGain = 1e-9;
 
-// A strip that is fixed nowhere: through the two closest vertices, which every triangulation of
-// least circumcircles would join, and once more through the rung opposite, in case it is not best
-// to join them.
+// Returns a strip without welds. The first search passes the two closest vertices, which a Delaunay
+// triangulation would join. The second passes the rung opposite, in case it is not best to join
+// them. The cheaper strip wins.
 zipping::Strip zip_apart(const Gaps& gaps) {
   const auto& host = gaps.host();
   const auto& part = gaps.part();
@@ -165,7 +167,7 @@ ZipLoop zip_loop(std::span<const Triangle> triangles, std::span<const Vector3d> 
 Zip zip_loops(const ZipLoop& host, const ZipLoop& part, const std::string& where, double weld) {
   require_usable(host, where, "host's");
   require_usable(part, where, "part's");
-  // The part is taken backwards, so that both run the same way.
+  // The part is reversed, so that both run the same way.
   const RimLoop host_rim(host, false);
   const RimLoop part_rim(part, true);
   const Gaps gaps(host_rim, part_rim);

@@ -11,43 +11,43 @@
 
 namespace lapwing {
 
-/// A boundary loop as zipping sees it, with its surface on its left.
+/// A boundary loop with its surface on its left, as input of `zip_loops`.
 struct ZipLoop {
   Positions points;  ///< in order
-  /// The third corner of the triangle on the loop's edge k -> k + 1; empty: not considered.
+  /// Third corner of the triangle on the loop's edge k -> k + 1; ignored if empty.
   Positions across = {};
-  /// Places in the loop of vertices that an edge inside the mesh joins, so that no triangle of the
-  /// strip may have a side there.
+  /// Places in the loop of vertices joined by an edge inside the mesh, which no triangle of the
+  /// strip may repeat.
   std::vector<std::array<Index, 2>> chords = {};
 };
 
-/// `loop` of a mesh with all that there is to know. Linear in the mesh.
+/// Returns `loop` of a mesh with its `across` and `chords`. Linear in the mesh.
 ZipLoop zip_loop(std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions,
                  const BoundaryLoop& loop);
 
 /// The strip that closes the gap between two boundary loops.
 struct Zip {
-  /// Pairs (place in the host's loop, place in the part's) that are one vertex: so close together
-  /// that a triangle between them would have no area worth having. Ascending.
+  /// Pairs (place in the host's loop, place in the part's) that become one vertex, because a
+  /// triangle between them would be degenerate. Ascending.
   std::vector<std::array<Index, 2>> welded;
-  /// Corners below host.size() are places in the host's loop, the others, less host.size(), in the
-  /// part's. Oriented as host and part are: each boundary edge of either loop is the first side of
-  /// one triangle, run through the other way; the apex is on the other loop. Welded part vertices
-  /// are already the host's; an edge with both ends welded to both ends of one of the host's needs
-  /// no triangle.
+  /// Corners below host.size() are places in the host's loop; the others, less host.size(), are
+  /// places in the part's. Oriented as host and part: each boundary edge of either loop, reversed,
+  /// is the first side of one triangle, whose apex is on the other loop. Welded part vertices have
+  /// the host's number. An edge of one loop needs no triangle if both its ends are welded to those
+  /// of an edge of the other.
   std::vector<Triangle> triangles;
 };
 
-/// Zips two loops whose numbers may differ: among the strips that go around both once, each
-/// triangle on one edge of a loop with its apex on the other, the one of smallest cost (dynamic
-/// programming after Fuchs, Kedem and Uselton 1977; see zip_path.h) that passes the two closest
-/// vertices or does better. Upright triangles that bend little against each other and against the
-/// `across` triangles are cheap, folds dear. Pairs nearer than `weld` times the shortest of the
-/// loop edges at them become one vertex where that keeps both orders and no edge is there twice.
-/// Host, strip and part are then a manifold if host and part are. Where the loops are the same up
-/// to a turn of the start, the strip is the same; turning, moving and scaling both does not change
-/// it (but where several strips are equally good). Throws InputError, naming `where`, for a loop of
-/// fewer than 3 vertices, one that is not finite, larger than 1e50 or has no length. Near-linear.
+/// Zips two loops, whose vertex counts may differ. In a strip around both loops, each triangle
+/// stands on an edge of one loop and has its apex on the other. The result is the cheapest strip
+/// through the two closest vertices, or a cheaper one (dynamic programming after Fuchs, Kedem and
+/// Uselton 1977; zip_path.h). Upright triangles that bend little against each other and against the
+/// `across` triangles are cheap; folds are expensive. Pairs nearer than `weld` times the shortest
+/// loop edge at them become one vertex, if that keeps both orders and repeats no edge. If host and
+/// part are manifolds, host, strip and part together are one. Unless several strips are equally
+/// good, the strip depends neither on the loops' starts nor on a common rotation, translation or
+/// scale. Throws InputError, naming `where`, if a loop has fewer than 3 vertices, is not finite, is
+/// larger than 1e50 or has no length. Near-linear.
 Zip zip_loops(const ZipLoop& host, const ZipLoop& part, const std::string& where,
               double weld = 0.05);
 

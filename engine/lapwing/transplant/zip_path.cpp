@@ -19,24 +19,24 @@ using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Grids of more rungs are searched near a coarser path only: this many take milliseconds.
+// Larger grids are searched only near a coarser path. This many rungs take milliseconds.
 constexpr std::size_t kFullGrid = 100'000;
-// Which vertices the coarser path sees, and how many of these around it are searched.
+// The coarser path takes every kStride-th vertex, and kPad of these around it are searched.
 constexpr std::size_t kStride = 4;
 constexpr std::size_t kPad = 5;
 // Chains of fewer vertices are not thinned out.
 constexpr std::size_t kShortChain = 64;
 
-// What a fold between two triangles of the strip costs, as a multiple of their own cost: longer
-// ways around it are taken. Not between the strip and the surface behind, which have to fold back
-// where a part is larger than its hole.
+// Cost of a fold between two triangles of the strip, as a multiple of their own cost, so that
+// longer ways around it are taken. It does not apply between the strip and the surface behind,
+// which must fold if a part is larger than its hole.
 constexpr double kFold = 50.0;
-// A triangle is taken to be at least this share of its rungs high, so that the cost is finite.
+// Least height of a triangle, as a share of its rungs, so that the cost is finite.
 constexpr double kLeastHeight = 1e-3;
 
-// What bending by the angle between two unit normals costs, as a share of what the triangle does:
-// 0.1 at 45 degrees, 1 at 90, `fold` more where they face opposite ways. Nothing is known where one
-// is zero.
+// Returns the cost of bending by the angle between two unit normals, as a share of the triangle's
+// cost: 0.1 at 45 degrees, 1 at 90, `fold` more if they are opposite. 0 if a normal is zero, which
+// means unknown.
 double bending(const Vector3d& a, const Vector3d& b, double fold) {
   const double cosine = a.dot(b);
   if (cosine == 0.0 && (a.isZero() || b.isZero())) return 0.0;
@@ -45,15 +45,15 @@ double bending(const Vector3d& a, const Vector3d& b, double fold) {
   return flat * flat + fold * folded * folded * folded;
 }
 
-// The last step on the way to a rung and its triangle.
+// The last step of a path to a rung, with its triangle.
 struct Arrival {
   double cost = kInfinity;
   double size = 0.0;  // the triangle's cost without bending; 0 if there is no triangle
   Vector3d normal = Vector3d::Zero();
 };
 
-// The triangle on the edge from `from` to `to` with this apex, seen so that it faces as a surface
-// would that has the edge on its left.
+// Returns the triangle on the edge from `from` to `to` with this apex. Its normal is that of a
+// surface with the edge on its left.
 Arrival triangle(const Vector3d& from, const Vector3d& to, const Vector3d& apex,
                  const Vector3d& behind) {
   const Vector3d edge = to - from;
@@ -71,10 +71,10 @@ Arrival triangle(const Vector3d& from, const Vector3d& to, const Vector3d& apex,
   return arrival;
 }
 
-// Which rungs are searched: for each host vertex a range of the part's.
+// The rungs to search: for each host vertex a range of the part's.
 struct Band {
   std::vector<std::size_t> low, high;   // both inclusive and ascending
-  std::vector<std::size_t> row_starts;  // of the rows one after another
+  std::vector<std::size_t> row_starts;  // prefix sums of the ranges' lengths
 };
 
 Band finish(Band band) {
@@ -123,7 +123,7 @@ class Search {
   }
 
  private:
-  using Rung = std::array<Arrival, 2>;  // by the step that arrives there
+  using Rung = std::array<Arrival, 2>;  // indexed by the step that arrives
 
   Rung start(std::optional<Step> first) const {
     Rung rung;
@@ -137,7 +137,7 @@ class Search {
     return rung;
   }
 
-  // Where both chains share a vertex, the place of the triangle is taken by the face behind.
+  // At a welded end there is no triangle, and the face behind takes its place.
   Arrival host_triangle(std::size_t i, std::size_t j) const {
     if ((gap_.starts_welded && i == 0 && j == 0) || (gap_.ends_welded && i + 1 == a_ && j == b_)) {
       return {0.0, 0.0, gap_.host.normals[i]};
@@ -179,7 +179,8 @@ class Search {
     from_[band_.row_starts[i] + j - band_.low[i]] = from;
   }
 
-  // Adds the cheaper way to the rung before. Returns whether that one arrives by a part's step.
+  // Adds the cost of the cheaper way to the rung before. Returns whether that way ends with a
+  // part's step.
   static bool arrive(Arrival& arrival, const Rung& before) {
     std::array<double, 2> costs{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -224,7 +225,7 @@ ZipPath search(const Gap& gap, const Band& band) {
   return by_part.cost < by_host.cost ? by_part : by_host;
 }
 
-// Every `stride`-th vertex of a chain and its last.
+// Returns every `stride`-th vertex of a chain and its last.
 std::vector<std::size_t> thinned(const Chain& chain) {
   const std::size_t stride = chain.points.size() > kShortChain ? kStride : 1;
   std::vector<std::size_t> kept;
@@ -245,7 +246,7 @@ Chain coarse(const Chain& chain, const std::vector<std::size_t>& kept) {
   return result;
 }
 
-// The rungs near a path between the vertices kept.
+// Returns the rungs near a path between the vertices kept.
 Band band_around(const std::vector<Step>& steps, const std::vector<std::size_t>& host_kept,
                  const std::vector<std::size_t>& part_kept) {
   const std::size_t rows = host_kept.size();
@@ -289,7 +290,7 @@ ZipPath shortest_zip(const Gap& gap) {
   thin.closed = gap.closed;
   ZipPath path = search(gap, band_around(shortest_zip(thin).steps, host_kept, part_kept));
   if (!path.steps.empty()) return path;
-  // Forbidden rungs may close the band.
+  // Forbidden rungs may block the band.
   require_memory((a + 1) * (b + 1),
                  "sewing boundary loops of " + std::to_string(a) + " and " + std::to_string(b) +
                      " edges together",

@@ -7,8 +7,8 @@
 
 namespace lapwing::zipping {
 
-/// A piece of a boundary loop: its vertices, and for each edge the unit normal of the surface
-/// behind it, zero where unknown.
+/// A piece of a boundary loop: its vertices and, per edge, the unit normal of the surface behind
+/// it, zero if unknown.
 struct Chain {
   Positions points;
   std::vector<Eigen::Vector3d> normals;
@@ -16,19 +16,19 @@ struct Chain {
 };
 
 /// A step along one of the two chains. The step from host vertex i to i + 1 while the part is at j
-/// stands for the triangle (i + 1, i, j), that of the part for (j, j + 1, i).
+/// adds the triangle (i + 1, i, j), a step of the part adds (j, j + 1, i).
 enum class Step : unsigned char { host, part };
 
 /// The gap between two chains that run the same way, the host's with its surface on its left, the
-/// part's on its right. A rung (i, j) joins their vertices i and j; those between the first and the
-/// last vertices are fixed.
+/// part's on its right. A rung (i, j) joins host vertex i to part vertex j. The rungs between the
+/// first vertices and between the last ones are fixed.
 struct Gap {
   Chain host, part;
-  bool starts_welded = false;  ///< the first vertices are one: no triangle holds both
-  bool ends_welded = false;    ///< the last ones are
+  bool starts_welded = false;  ///< the first vertices are one: no triangle contains both
+  bool ends_welded = false;    ///< likewise the last vertices
   bool closed = false;         ///< the last rung is the first again
-  /// Rungs that would be second edges between their ends: (i, first of the part), (i, last), (first
-  /// of the host, j), (last, j). One entry per vertex, or empty.
+  /// Rungs that would repeat an edge: (i, first of the part), (i, last), (first of the host, j),
+  /// (last, j). One entry per vertex, or empty.
   std::vector<char> no_rung_to_part_start, no_rung_to_part_end;
   std::vector<char> no_rung_to_host_start, no_rung_to_host_end;
 };
@@ -39,12 +39,12 @@ struct ZipPath {
   double cost = 0.0;
 };
 
-/// Shortest path from the first rung to the last in the grid of all rungs (Fuchs, Kedem and Uselton
-/// 1977). A triangle costs e (a^2 + b^2) / (2 h), for e the side on a chain, a and b its rungs and
-/// h its height over e: least for upright ones, and whatever the counts, about the same for the
-/// whole gap. To this come shares of it for bending at e and, with the triangle before, at their
-/// rung. O(n m) for up to about 10^5 rungs, beyond that near-linear: only rungs near the path
-/// between every fourth vertex are looked at.
+/// Returns the shortest path from the first rung to the last in the grid of all rungs (Fuchs, Kedem
+/// and Uselton 1977). A triangle costs e (a^2 + b^2) / (2 h), with e its side on a chain, a and b
+/// its rungs and h its height over e. Upright triangles cost least, and the cost of the whole gap
+/// hardly depends on the vertex counts. Bending at e, and at the rung shared with the triangle
+/// before, adds a share of this. O(n m) for up to about 10^5 rungs. Larger grids take near-linear
+/// time: only rungs near the path between every fourth vertex are searched.
 ZipPath shortest_zip(const Gap& gap);
 
 }  // namespace lapwing::zipping

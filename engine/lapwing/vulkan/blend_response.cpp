@@ -22,7 +22,7 @@ std::size_t groups_of(std::size_t columns) {
   return (columns + kColumnsPerGroup - 1) / kColumnsPerGroup;
 }
 
-// What the columns take for one vertex.
+// Returns the bytes of all columns for one vertex.
 std::size_t bytes_per_vertex(std::size_t columns) {
   return 3 * groups_of(columns) * sizeof(Vec4);
 }
@@ -81,8 +81,8 @@ void BlendResponse::add_ranges(std::size_t most_bytes, gpu::Transfer& transfer) 
   }
 }
 
-// Calls pack(vertex of moving, its numbers, how far apart these are), per group and axis, and puts
-// the numbers where the device reads them.
+// Calls pack(vertex of moving, out, stride), which writes the vertex's numbers per group and axis,
+// `stride` apart, and transfers them to the device.
 template <typename Pack>
 void BlendResponse::fill(gpu::Transfer& transfer, const Pack& pack) {
   for (const Range& range : ranges_) {

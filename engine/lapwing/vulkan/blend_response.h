@@ -14,37 +14,37 @@
 
 namespace lapwing {
 
-/// Kernel blend_response over the columns of one response, which are kept on the device in float32.
-/// Vertices are split into ranges, each with buffers of its own, where the columns take more bytes
-/// than a buffer may have. May be made on another thread than it is used on.
+/// Kernel blend_response over the columns of one response, stored on the device in float32. If the
+/// columns exceed the largest buffer, the vertices are split into ranges with separate buffers. May
+/// be created on another thread than it is used on.
 class BlendResponse {
  public:
-  /// One buffer has at most `most_bytes` of columns; the device's limit if 0. Throws GpuError when
+  /// One buffer has at most `most_bytes` of columns; the device's limit if 0. Throws GpuError if
   /// the columns do not fit in the device's memory.
   BlendResponse(std::shared_ptr<gpu::Context> context, gpu::Transfer& transfer,
                 const ResponseColumns& columns, const Topology& topology,
                 std::size_t most_bytes = 0);
 
-  /// The pipeline that `record` runs.
+  /// Returns the pipeline that `record` runs.
   static gpu::Kernel kernel(const gpu::Context& context);
 
-  /// What blends begin from: the moving vertices at `rest` + `displacement`, both of the whole
-  /// mesh, relative to `origin`; no displacement is none. Goes before the first blend. The device
-  /// must be done with the recorded commands, as for `set_parameters`.
+  /// Sets the start of the blends: the moving vertices at `rest` + `displacement`, both of the
+  /// whole mesh, relative to `origin`. An empty `displacement` is 0. Required before the first
+  /// blend. The device must have finished the recorded commands, as for `set_parameters`.
   void set_rest(gpu::Transfer& transfer, std::span<const Eigen::Vector3d> rest,
                 std::span<const Eigen::Vector3d> displacement, const Eigen::Vector3d& origin);
-  /// What the recorded commands use when they next run: one number per column. Throws InputError
-  /// when their number is wrong.
+  /// Sets the parameters of the next run of the recorded commands, one per column. Throws
+  /// InputError if their number is wrong.
   void set_parameters(std::span<const double> parameters);
 
-  /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays: 1.
+  /// Records the blend into `positions`, one vec4 per vertex of the mesh. w stays 1.
   void record(gpu::Recorder& recorder, const gpu::Kernel& kernel,
               const gpu::Buffer& positions) const;
-  /// Does now, on the processor, what the recorded commands would. Everything must be mapped.
+  /// Does the same as the recorded commands, at once on the CPU. All buffers must be mapped.
   void run_on_host(std::span<Vec4> positions) const;
 
   std::span<const Index> moving() const { return moving_; }
-  /// The vertices whose normals change with it: those that move and their neighbours.
+  /// The vertices whose normals change: the moving ones and their neighbours.
   const gpu::Buffer& affected() const { return affected_; }
 
  private:
@@ -69,7 +69,7 @@ class BlendResponse {
   std::vector<Range> ranges_;
 };
 
-/// A response on its own way to the device, from any thread.
+/// Uploads a response with its own Transfer, on any thread.
 std::shared_ptr<BlendResponse> upload_response(const std::shared_ptr<gpu::Context>& context,
                                                const ResponseColumns& columns,
                                                const Topology& topology);

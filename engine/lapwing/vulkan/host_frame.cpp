@@ -28,9 +28,9 @@ Lanes yzx(Lanes v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 
-// Twice the area of the triangles around, along their normals.
+// Returns the sum of the normals of the triangles around, each as long as twice the area.
 Lanes area_around(const Vec4& here, std::span<const Index> fan, std::span<const Vec4> positions) {
-  // a x b = yzx(a yzx(b) - yzx(a) b), whose outer turn can wait for the sum.
+  // a x b = yzx(a yzx(b) - yzx(a) b). The outer yzx is applied once, to the sum.
   Lanes sum{};
   Lanes previous{};
   Lanes turned_previous{};

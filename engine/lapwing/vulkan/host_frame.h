@@ -10,25 +10,25 @@ namespace lapwing {
 
 using Vec4 = std::array<float, 4>;
 
-/// A vertex among the positions of a surface: relative to `origin`, and 1.
+/// Returns a vertex as the shaders store it: relative to `origin`, with w = 1.
 inline Vec4 place_of(const Eigen::Vector3d& position, const Eigen::Vector3d& origin) {
   const Eigen::Vector3f place = (position - origin).cast<float>();
   return {place.x(), place.y(), place.z(), 1.0F};
 }
 
-/// Four columns of a blend with a parameter other than 0, as shaders/blend_response.comp reads
-/// them.
+/// Four columns of a blend with a parameter other than 0, in the layout of
+/// shaders/blend_response.comp.
 struct alignas(16) BlendGroup {
   Vec4 parameters;
   std::uint32_t number;  ///< of the group among all
 };
 
-/// The kernels of a drag frame, run by the processor on the very memory that the shaders would read
-/// and write, in float32 and in the shaders' layouts. For devices that are the processor in
-/// disguise: what Mesa's compiler makes of the shaders takes 2.5 to 7 times as long, a submission
-/// included. Same bits for any number of threads; within float32 rounding of what the shaders give.
+/// The kernels of a drag frame on the CPU, in the memory and layouts of the shaders, in float32.
+/// They are for software devices, on which the shaders take 2.5 to 7 times as long, a submission
+/// included. The bits do not depend on the number of threads, and agree with the shaders within
+/// float32 rounding.
 
-/// shaders/blend_response.comp over one range of vertices.
+/// Input of shaders/blend_response.comp for one range of vertices.
 struct BlendRange {
   std::span<const Index> moving;
   std::span<const Vec4> rests;  ///< per vertex of `moving`; w is that of the positions
@@ -37,8 +37,8 @@ struct BlendRange {
 void blend_on_host(const BlendRange& range, std::span<const BlendGroup> groups,
                    std::span<Vec4> positions);
 
-/// shaders/vertex_normals.comp; `starts` and `corners` are build_fans' (vulkan/vertex_normals.h).
-/// The normals' w becomes 0.
+/// Input of shaders/vertex_normals.comp, from build_fans (vulkan/vertex_normals.h). normals_on_host
+/// sets the normals' w to 0.
 struct FanLists {
   std::span<const Index> starts;
   std::span<const Index> corners;

@@ -5,7 +5,7 @@
 namespace lapwing {
 namespace {
 
-// As shaders/mapped_ring.glsl has it.
+// Push constants of shaders/mapped_ring.glsl.
 struct Push {
   std::uint32_t row_count;
   std::uint32_t first_row;

@@ -9,23 +9,23 @@
 
 namespace lapwing {
 
-/// MappedRings on the device, a batch of rows at a time (layout: shaders/mapped_ring.glsl): the
-/// source and the points stay there, the rings come and go.
+/// MappedRings on the device, a batch of rows at a time (layout: shaders/mapped_ring.glsl). The
+/// source and the points stay there; the rings are uploaded for each batch.
 class MappedBatches {
  public:
-  /// `source` has one vector per source vertex: what the mapped rings take differences of.
+  /// `source` has one vector per source vertex. The mapped rings take differences of these.
   MappedBatches(VulkanState& state, const MappedRings& rings,
                 std::span<const Eigen::Vector3d> source);
 
   const std::vector<RingBatch>& batches() const { return batches_; }
   const RingBatch& largest() const { return largest_; }
-  /// Where the entries of a batch begin in RegionRings.
+  /// Returns the first entry of a batch in RegionRings.
   std::size_t first_entry(const RingBatch& batch) const {
     return rings_.target.starts[batch.first_row];
   }
 
-  /// Uploads the rings of `batch`, runs `kernel` on them with `others` as the buffers that follow
-  /// and `flag` as its last push constant, and waits.
+  /// Uploads the rings of `batch`, runs `kernel` on them and waits. `others` are the buffers that
+  /// follow, and `flag` is its last push constant.
   void run(const RingBatch& batch, const gpu::Kernel& kernel,
            std::initializer_list<gpu::BufferRange> others, bool flag = false);
 

@@ -37,7 +37,7 @@ void upload_places(VulkanState& state, const gpu::Buffer& buffer,
   }
   std::vector<float> parts(vectors.size() * 6);
   for (std::size_t v = 0; v < vectors.size(); ++v) {
-    // Number by number: of vectors g++ 12 drops the rounding to float and back, and with it all of
+    // Number by number: for whole vectors, g++ 12 drops the rounding to float and back, and with it
     // the low part.
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const double exact = vectors[v][axis];

@@ -10,13 +10,13 @@
 
 namespace lapwing {
 
-/// Numbers in the precision of the state's kernels (shaders/precision.glsl).
+/// Size and transfers of numbers in the precision of the state's kernels (shaders/precision.glsl).
 std::size_t real_bytes(const VulkanState& state, std::size_t count);
 void upload_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<const double> numbers);
 void download_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<double> numbers);
 
-/// Vectors of which kernels take differences (shaders/place.glsl): 3 doubles, or 3 floats and what
-/// each of them rounded off.
+/// Vectors whose differences kernels need (shaders/place.glsl): 3 doubles, or 3 floats and the
+/// rounding error of each.
 inline std::size_t place_bytes(std::size_t count) {
   return count * 3 * sizeof(double);
 }

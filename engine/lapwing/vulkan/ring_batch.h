@@ -19,34 +19,34 @@ struct RingBatch {
   std::size_t row_count = 0;
   std::size_t entry_count = 0;  ///< ring entries of these rows
 
-  /// Blocks of these rows of M: one for each row and each ring entry.
+  /// Returns the number of blocks in these rows of M: one for each row and each ring entry.
   std::size_t block_count() const { return row_count + entry_count; }
 };
 
-/// Rows 0 to `row_count` in as few batches as keep the buffers of each far below every device's
-/// limits. `entries_of` gives the size of a row's ring.
+/// Splits rows 0 to `row_count` into few batches whose buffers stay far below every device's
+/// limits. `entries_of` returns the size of a row's ring.
 std::vector<RingBatch> split_rows(std::size_t row_count,
                                   const std::function<std::size_t(std::size_t)>& entries_of);
-/// The largest of each number over all batches.
+/// Returns the largest of each number over all batches.
 RingBatch largest_of(std::span<const RingBatch> batches);
 
 /// A RingProblem on the device, a batch of rows at a time (layout: shaders/ring.glsl), so that the
-/// memory for one call and the range of its output stay small however many rows there are.
+/// memory of one call and its output stay small for any number of rows.
 class RingBatches {
  public:
   RingBatches(VulkanState& state, const RingProblem& problem);
-  /// With row weights and stiffness as buffers after the output.
+  /// Adds row weights and stiffness as buffers after the output.
   RingBatches(VulkanState& state, const EnergyProblem& problem);
 
   const std::vector<RingBatch>& batches() const { return batches_; }
   const RingBatch& largest() const { return largest_; }
 
-  /// Runs `kernel`, which writes a 3 x 3 block for each row and each ring entry, on all batches:
-  /// what Kernels::assemble_rsi and assemble_tangent do.
+  /// Runs `kernel`, which writes a 3 x 3 block for each row and each ring entry, on all batches
+  /// (see Kernels::assemble_rsi and assemble_tangent).
   void assemble(const gpu::Kernel& kernel, const char* name, std::span<double> blocks);
 
-  /// Uploads `batch`, runs `kernel` on it with `output` as the last buffer but those of the energy,
-  /// and waits.
+  /// Uploads `batch`, runs `kernel` on it and waits. `output` is the last buffer before those of
+  /// the energy.
   void run(const RingBatch& batch, const gpu::Kernel& kernel, const gpu::Buffer& output);
 
  private:
@@ -63,7 +63,7 @@ class RingBatches {
   gpu::Buffer starts_;
   gpu::Buffer neighbours_;
   gpu::Buffer weights_;
-  std::vector<gpu::Buffer> energy_buffers_;  ///< weights of rows, stiffness of entries; or none
+  std::vector<gpu::Buffer> energy_buffers_;  ///< row weights and stiffness, or none
   gpu::CommandList commands_;
 };
 

@@ -8,7 +8,7 @@ std::span<const double> numbers_of(std::span<const Eigen::Vector3d> vectors) {
   return {vectors.empty() ? nullptr : vectors.data()->data(), 3 * vectors.size()};
 }
 
-// Differences are taken here, in double precision; the kernel sees no target position.
+// Returns the target's edges, in double precision. The kernel gets no target positions.
 std::vector<Eigen::Vector3d> target_edges(const RegionRings& rings, const RingBatch& batch,
                                           std::span<const Eigen::Vector3d> positions) {
   std::vector<Eigen::Vector3d> edges;

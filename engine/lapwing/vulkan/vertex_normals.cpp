@@ -17,7 +17,7 @@ Edge opposite_edge(const Triangle& t, Index i) {
   return {t[(corner + 1) % 3], t[(corner + 2) % 3]};
 }
 
-// Position of an edge, not before `from`, that begins at `corner`; edges.size() if there is none.
+// Returns the place of an edge from `from` on that begins at `corner`, or edges.size().
 std::size_t find_edge_from(std::span<const Edge> edges, std::size_t from, Index corner) {
   for (std::size_t e = from; e < edges.size(); ++e) {
     if (edges[e].first == corner) return e;
@@ -25,7 +25,8 @@ std::size_t find_edge_from(std::span<const Edge> edges, std::size_t from, Index 
   return edges.size();
 }
 
-// Position of an edge at which no other one ends: where an open fan begins.
+// Returns the place of an edge that begins an open fan (no other edge ends at its start), or
+// `from`.
 std::size_t find_open_start(std::span<const Edge> edges, std::size_t from) {
   for (std::size_t e = from; e < edges.size(); ++e) {
     bool continued = false;

@@ -24,11 +24,11 @@
 namespace lapwing {
 namespace {
 
-// The push constant of most kernels: how many rows or vertices there are.
+// Most kernels have one push constant: the number of rows or vertices.
 constexpr std::uint32_t kCountBytes = sizeof(std::uint32_t);
-// Those of shaders/rotations.glsl.
+// Push constants of shaders/rotations.glsl.
 constexpr std::uint32_t kRotationsBytes = 5 * sizeof(std::uint32_t);
-// Those of shaders/mapped_ring.glsl.
+// Push constants of shaders/mapped_ring.glsl.
 constexpr std::uint32_t kMappedRingBytes = 3 * sizeof(std::uint32_t);
 
 std::shared_ptr<gpu::Context> make_context(const VulkanOptions& options) {

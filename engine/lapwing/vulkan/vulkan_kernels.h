@@ -12,27 +12,27 @@ class Context;
 }
 class VulkanState;
 
-/// The precision in which kernels run; those of drawn surfaces are in float32 always.
+/// The precision of the kernels. Those of drawn surfaces always use float32.
 enum class Precision {
-  automatic,  ///< float64 where the device has it
+  automatic,  ///< float64 if the device has it
   float32,
-  float64,  ///< GpuError where the device does not have it
+  float64,  ///< throws GpuError if the device does not have it
 };
 
 struct VulkanOptions {
   std::string device = "auto";  ///< as in gpu::ContextOptions
   Precision precision = Precision::automatic;
   bool validation = false;  ///< as in gpu::ContextOptions
-  /// Settling by shaders on a software device, too (DeviceInfo::frames).
+  /// Minimizes with shaders on a software device, too (DeviceInfo::frames).
   bool frames_on_device = false;
 };
 
-/// The kernels as Vulkan compute shaders. Not for use from several threads at once.
+/// The kernels as Vulkan compute shaders. Not thread-safe.
 class VulkanKernels final : public Kernels {
  public:
-  /// Throws GpuError saying what was tried and what to install when no device fits.
+  /// If no device fits, throws GpuError saying what was tried and what to install.
   explicit VulkanKernels(const VulkanOptions& options = {});
-  /// On a context that something else, a window say, uses too.
+  /// Uses a context that others, such as a window, use too.
   VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
                 bool frames_on_device = false);
   ~VulkanKernels() override;

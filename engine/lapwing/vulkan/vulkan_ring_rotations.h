@@ -11,13 +11,13 @@
 
 namespace lapwing {
 
-/// RingRotations on the device, in the precision of its kernels. What goes to and fro in one
-/// iteration are displacements, energies and gradient; the rings stay there. Rows are split
-/// into ranges, each with buffers of its own, where their edges exceed what one buffer may hold.
+/// RingRotations on the device, in the precision of its kernels. The rings stay there; an iteration
+/// transfers only displacements, energies and gradient. If the edges exceed the largest buffer, the
+/// rows are split into ranges with separate buffers.
 class VulkanRingRotations final : public RingRotations {
  public:
-  /// `most_entries` of the rings in one buffer; the device's limit if 0. Throws GpuError when the
-  /// rings do not fit in the device's memory.
+  /// One buffer has at most `most_entries` of the rings; the device's limit if 0. Throws GpuError
+  /// if the rings do not fit in the device's memory.
   VulkanRingRotations(std::shared_ptr<VulkanState> state, const RegionRings& rings,
                       std::size_t most_entries = 0);
 
@@ -28,7 +28,7 @@ class VulkanRingRotations final : public RingRotations {
   std::vector<Eigen::Matrix3d> transforms() const override;
 
  private:
-  // As shaders/rotations.glsl has it.
+  // Push constants of shaders/rotations.glsl.
   struct Push {
     std::uint32_t row_count;
     std::uint32_t first_row;

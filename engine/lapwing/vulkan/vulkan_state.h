@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// What VulkanKernels and the ring rotations made by it share.
+/// State that VulkanKernels shares with its ring rotations.
 class VulkanState {
  public:
   VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,

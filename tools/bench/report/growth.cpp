@@ -13,8 +13,8 @@
 namespace lapwing::bench {
 namespace {
 
-constexpr std::size_t kSmallest = 5'000;  // vertices; below, overheads are measured
-constexpr std::size_t kFewestSizes = 3;   // two are always on a line
+constexpr std::size_t kSmallest = 5'000;  // vertices; overheads dominate below
+constexpr std::size_t kFewestSizes = 3;   // two points always lie on a line
 
 struct Sample {
   double x;  // log of the vertices

@@ -13,15 +13,15 @@ struct Growth {
   std::string by;
   std::string device;
   double exponent = 0;
-  double standard_error = 0;  ///< of the exponent, by how far the medians lie off the line
+  double standard_error = 0;  ///< of the exponent, from the residuals of the fit
   double factor = 0;          ///< in ms
-  std::size_t sizes = 0;      ///< different sizes that it was fitted to
+  std::size_t sizes = 0;      ///< number of different mesh sizes in the fit
 };
 
-/// By least squares on the logarithms of vertices and of medians (of wall time, device time for
-/// kernels), for everything that was measured at three different sizes or more; in the order of the
-/// report. Meshes smaller than 5,000 vertices are left out: there, constant costs such as a
-/// submission to the device are most of the time, and bend the line.
+/// Fits a line to the logarithms of vertices and median times (device time for kernels) by least
+/// squares. Returns one Growth per stage that was measured at three different sizes or more, in the
+/// order of the report. Leaves out meshes below 5,000 vertices, because constant costs such as a
+/// submission to the device dominate there.
 std::vector<Growth> growths_of(const Report& report);
 
 /// "n^1.48 +-0.03"

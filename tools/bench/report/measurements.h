@@ -8,30 +8,31 @@
 
 namespace lapwing::bench {
 
-/// Whose work a report is about; everyone else in it is a peer.
+/// The value of Measurement::by in our rows. All other rows are peers'.
 inline constexpr std::string_view kOurselves = "Lapwing";
 
-/// The wall's, or the device's own where only that was read: of the kernels that a stage ran.
+/// Returns the wall times or, if there are none, the device times (rows of kernels).
 const std::vector<double>& clock_of(const Measurement& measurement);
-double median_ms(const Measurement& measurement);  ///< by that clock
+double median_ms(const Measurement& measurement);  ///< of `clock_of`
 
 inline bool is_ours(const Measurement& measurement) {
   return measurement.by == kOurselves;
 }
 
-/// Both are about one mesh at one size.
+/// Returns whether both rows are about the same mesh at the same size.
 bool same_subject(const Measurement& a, const Measurement& b);
 
-/// Who else did the work of one of our measurements, on whichever device; none for a peer's own.
+/// Returns the peers' rows of the same stage and mesh, on any device; none if `ours` is a peer's
+/// row.
 std::vector<const Measurement*> peers_of(const Report& report, const Measurement& ours);
 
-/// Our median wall time over a peer's: below 1 where we are faster. 0 where either has none.
+/// Returns our median wall time over the peer's: below 1 if we are faster, 0 if either has none.
 double ratio_to(const Measurement& ours, const Measurement& peer);
 
-/// A row about each mesh and size, in the order of the report.
+/// Returns one row for each mesh and size, in the order of the report.
 std::vector<const Measurement*> subjects_of(const Report& report);
 
-/// The devices that anything was measured on.
+/// Returns the devices of all rows, in the order of the report.
 std::vector<std::string> devices_of(const Report& report);
 
 }  // namespace lapwing::bench

@@ -16,10 +16,10 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
-// Decimals that leave `digits` which count; as rounding may add one in front, of what is printed.
+// Prints `digits` significant digits, counted after rounding, which may add one: 9.999 is "10.0".
 std::string with_digits(double value, int digits) {
   if (value == 0.0 || !std::isfinite(value)) return fixed(value, 0);
-  constexpr int kMostDecimals = 6;  // of a millisecond: nothing here is known below a nanosecond
+  constexpr int kMostDecimals = 6;  // of a millisecond; no clock here resolves less
   const auto decimals_of = [&](double v) {
     const int before_point = static_cast<int>(std::floor(std::log10(std::abs(v)))) + 1;
     return std::clamp(digits - before_point, 0, kMostDecimals);

@@ -7,26 +7,26 @@
 
 namespace lapwing::bench {
 
-/// Characters in a line of the reports for a terminal.
+/// Line width of reports for a terminal, in characters.
 inline constexpr std::size_t kTerminalLine = 100;
 
-/// Three digits that count, never an exponent, thousands apart: "0.0123", "12.3", "1,230".
+/// Prints three significant digits, no exponent, and groups thousands: "0.0123", "12.3", "1,230".
 std::string short_number(double value);
 
-/// Of a share: "12%", "0.3%".
+/// Prints a share as a percentage: "12%", "0.3%".
 std::string percent(double share);
 
-/// The nearest number of six digits that count: more than any clock is good for.
+/// Rounds to six significant digits, more than any clock measures.
 double six_digits(double value);
 
-/// How many characters are seen, UTF-8 read as such.
+/// Returns the number of characters of a UTF-8 text.
 std::size_t character_count(std::string_view text);
 
-/// With spaces up to `width` characters; unchanged where it is longer.
+/// Pads with spaces to `width` characters. Returns longer text unchanged.
 std::string padded_right(std::string text, std::size_t width);
 std::string padded_left(const std::string& text, std::size_t width);
 
-/// Not wider than `width` characters: what is too long ends in "...".
+/// Shortens text of more than `width` characters, so that it ends in "...".
 std::string clipped(std::string_view text, std::size_t width);
 
 }  // namespace lapwing::bench

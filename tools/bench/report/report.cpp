@@ -8,7 +8,7 @@
 namespace lapwing::bench {
 namespace {
 
-// Between the two numbers that stand nearest to `share` of the way through.
+// Interpolates linearly between the two numbers next to the quantile.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -16,7 +16,7 @@ double quantile(const std::vector<double>& sorted, double share) {
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
-// `count` in `ms` milliseconds, as a share of `limit` (1e9 a second).
+// Returns the rate of `count` over `ms` milliseconds, as a share of `limit` (1e9 per second).
 double share(const Counts& counts, const std::string& count, double ms, double limit) {
   const auto found = counts.find(count);
   if (found == counts.end() || !(ms > 0.0) || !(limit > 0.0)) return 0.0;

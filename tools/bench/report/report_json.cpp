@@ -70,7 +70,7 @@ std::string lines(const std::vector<Item>& items) {
 }
 
 std::uint64_t whole_number(const JsonNode& node) {
-  constexpr double kLargest = 9007199254740992.0;  // 2^53: beyond it a double skips numbers
+  constexpr double kLargest = 9007199254740992.0;  // 2^53; not all larger whole numbers are doubles
   const double value = node.number_from_zero();
   if (value != std::floor(value) || value > kLargest) node.fail_expecting("a whole number, from 0");
   return static_cast<std::uint64_t>(value);

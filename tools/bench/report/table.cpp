@@ -33,7 +33,7 @@ std::string row_name(const Measurement& m) {
   return is_ours(m) ? m.stage : m.stage + ", " + m.by;
 }
 
-// Ratios come one to a line: the first ends the row, the others stand below it.
+// One ratio per line: the first ends the row, the others follow below it.
 std::string ratio_cells(const Report& report, const Measurement& m, std::size_t indent) {
   std::string text;
   for (const Measurement* peer : peers_of(report, m)) {
@@ -78,7 +78,7 @@ std::string blocks(const Report& report) {
   return text;
 }
 
-// `line` of every item below the heading it belongs to; headings in the order of their first item.
+// Prints each item by `line` under its heading. Headings keep the order of their first items.
 template <class Item>
 std::string grouped_lines(const std::vector<Item>& items, std::string Item::*heading,
                           std::string (*line)(const Item&)) {

@@ -4,10 +4,10 @@
 
 namespace lapwing::bench {
 
-/// Throws IoError when the file cannot be written; leaves what it holds.
+/// Throws IoError if the file cannot be written. Does not change its contents.
 void require_writable(const std::string& path);
 
-/// Replaces what the file holds. Throws IoError when it cannot be written.
+/// Replaces the contents of the file. Throws IoError if it cannot be written.
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace lapwing::bench

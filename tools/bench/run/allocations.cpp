@@ -17,7 +17,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
   void* const memory =
       alignment <= alignof(std::max_align_t)
           ? std::malloc(bytes)
-          // aligned_alloc wants a multiple of the alignment.
+          // aligned_alloc requires a multiple of the alignment.
           : std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
@@ -31,7 +31,7 @@ std::uint64_t allocation_count() {
 
 }  // namespace lapwing::bench
 
-// The forms that all others call.
+// All other forms of new and delete call these.
 void* operator new(std::size_t bytes) {
   return lapwing::bench::allocate(bytes, alignof(std::max_align_t));
 }

@@ -4,8 +4,8 @@
 
 namespace lapwing::bench {
 
-/// How often this process has called operator new so far, on all threads. Memory that libraries
-/// take by malloc is not in it.
+/// Returns how often this process has called operator new so far, on all threads. Does not count
+/// memory that libraries allocate with malloc.
 std::uint64_t allocation_count();
 
 }  // namespace lapwing::bench

@@ -28,7 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Work = std::function<void(const std::function<void(std::string_view)>& tell)>;
 
-// Ends what is told; the words of an exception follow, or nothing. Who dies does not come to it.
+// Ends the text. The message of an exception may follow. A process that dies does not send it.
 constexpr char kEnd = '\0';
 
 [[noreturn]] void fail(const std::string& what) {
@@ -44,9 +44,9 @@ void send(int pipe, std::string_view text) {
   }
 }
 
-// Without what runs at a program's end: that is for the process that this is a copy of.
+// Skips the exit handlers, which belong to the original process.
 [[noreturn]] void work_and_exit(const Work& work, int pipe) {
-  // Who stops this program means that, too.
+  // Stop if the parent is stopped.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::string end(1, kEnd);
   try {
@@ -58,7 +58,7 @@ void send(int pipe, std::string_view text) {
   _exit(0);
 }
 
-// For poll: as long as it takes without a deadline.
+// Returns the timeout for poll; without a deadline it is -1, which means no limit.
 int milliseconds_left(const std::optional<Clock::time_point>& deadline) {
   if (!deadline) return -1;
   const auto left =
@@ -66,7 +66,7 @@ int milliseconds_left(const std::optional<Clock::time_point>& deadline) {
   return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
 }
 
-// Appends to `text` until the other end is closed; false when the time is up first.
+// Appends to `text` until the other end closes. Returns false if the deadline passes first.
 bool receive(int pipe, const std::optional<Clock::time_point>& deadline, std::string& text) {
   std::array<char, 4096> part;
   for (;;) {
@@ -82,7 +82,7 @@ bool receive(int pipe, const std::optional<Clock::time_point>& deadline, std::st
   }
 }
 
-// How a process ended that did not come to kEnd.
+// Describes how a process ended that did not send kEnd.
 std::string end_of(int status) {
   const std::string who = "the process that measured ";
   if (!WIFSIGNALED(status)) return who + "ended with status " + std::to_string(WEXITSTATUS(status));

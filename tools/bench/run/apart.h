@@ -8,25 +8,23 @@
 
 namespace lapwing::bench {
 
-/// What a process told, and how it ended.
+/// The output of a child process, and how it ended.
 struct Told {
   std::string text;
-  std::string
-      failure;  ///< what was thrown, or the signal or the limit that ended it; empty if well
+  std::string failure;  ///< exception, signal or time limit that ended it; empty on success
 };
 
-/// Does `work` in a process of its own, a copy of this one, for at most `most_seconds` (0: as long
-/// as it takes), and returns what it told by then, which must hold no NUL. This process must not
-/// have opened a device or worked on several threads. Throws Error when there is no process to be
-/// had.
+/// Runs `work` in a forked copy of this process, for at most `most_seconds` (0: no limit). Returns
+/// the text that it passed to `tell` by then, which must not contain NUL. This process must not
+/// have opened a device or used several threads before. Throws Error if the process cannot be
+/// started.
 Told told_apart(const std::function<void(const std::function<void(std::string_view)>& tell)>& work,
                 double most_seconds = 0.0);
 
-/// What `work` returns, made by a process of its own, a copy of this one: memory that it leaves in
-/// pieces, caches and threads do not tell on what is measured next, and when it dies the others'
-/// results are there. What goes to standard error there comes from here. This process must not have
-/// opened a device. Throws Error with the words of what `work` threw, or that say how the process
-/// ended.
+/// Runs `work` in a forked copy of this process and returns its report. Memory fragmentation,
+/// caches and threads then do not affect the next measurement, and a crash does not lose the other
+/// results. The copy shares standard error. This process must not have opened a device. Throws
+/// Error with the message of an exception of `work`, or with one that says how the process ended.
 Report made_apart(const std::function<Report()>& work);
 
 }  // namespace lapwing::bench

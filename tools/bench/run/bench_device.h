@@ -22,9 +22,9 @@ struct BenchDevice {
 /// `name` as for `open_device`; `map_device_memory` as in gpu::ContextOptions. Throws GpuError.
 BenchDevice open_bench_device(const std::string& name, bool map_device_memory = true);
 
-/// What the device can do at best: copies between large buffers, by its copy command or by a kernel
-/// (shaders/copy.comp), whichever is faster; products of large matrices (shaders/matmul.comp). On
-/// the processor all threads copy, and the products are those of the BLAS that CHOLMOD uses;
+/// Measures the peak rates of the device: copies between large buffers, by its copy command or a
+/// kernel (shaders/copy.comp), whichever is faster, and products of large matrices
+/// (shaders/matmul.comp). On the processor all threads copy, and the products use CHOLMOD's BLAS;
 /// without it their rates are 0. Takes about a second.
 Limits measure_limits(const BenchDevice& device);
 

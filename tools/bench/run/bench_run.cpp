@@ -13,7 +13,7 @@
 namespace lapwing::bench {
 namespace {
 
-// One line that the next one replaces; only for someone who watches.
+// Shows a line that the next one replaces, if standard error is a terminal.
 void show_progress(const std::string& text) {
   if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K%s", text.c_str());
 }

@@ -13,27 +13,27 @@
 
 namespace lapwing::bench {
 
-/// What is measured, on what, and how often.
+/// The settings of a benchmark run.
 struct RunSettings {
-  std::string models = "build/models";  ///< where the scans are
+  std::string models = "build/models";  ///< folder of the scans
   std::vector<std::string> devices{"cpu", "auto"};
   std::size_t most_vertices = 1'100'000;  ///< larger meshes are left out
   std::size_t least_vertices = 0;         ///< smaller ones too
-  /// Only rows in which "stage / who / device / mesh" has a match; all without.
+  /// Measures only rows whose "stage / who / device / mesh" matches; all rows if not set.
   std::optional<std::regex> filter;
-  bool peers = true;  ///< CGAL, Eigen and CHOLMOD too, where they were there to build with
-  std::size_t most_for_eigen = 30'000;  ///< vertices that Eigen factors; minutes beyond
+  bool peers = true;  ///< also measures CGAL, Eigen and CHOLMOD, if built with them
+  std::size_t most_for_eigen = 30'000;  ///< largest mesh for Eigen's factorization; minutes beyond
   bool limits = true;
   Repeats repeats;
-  /// What one piece of work may take; what would need more is left out, and said so.
+  /// Memory limit of one stage. A stage that needs more is left out, with a message.
   std::uint64_t memory_bytes = 0;
-  bool only_counts = false;  ///< one run of everything, for what it counts
+  bool only_counts = false;  ///< runs everything once and keeps only the counts
 };
 
 inline constexpr const char* kLapwing = "Lapwing";
 inline constexpr const char* kProcessor = "CPU";
 
-/// A run of the benchmark: what measures, and where the results go.
+/// A run of the benchmark: measures work and collects the rows of the report.
 class BenchRun {
  public:
   explicit BenchRun(const RunSettings& settings);
@@ -42,28 +42,29 @@ class BenchRun {
   const std::vector<BenchDevice>& devices() const { return devices_; }
   Report& report() { return report_; }
 
-  /// Whether a row is asked for; what only serves rows that are not need not be made ready.
+  /// Returns whether a row is asked for. Skip preparations that only unwanted rows need.
   bool wants(const std::string& stage, const std::string& by, const std::string& device,
              const Subject& subject) const;
 
-  /// Measures `work`, unless the row is not wanted: then null. The row stays the report's until the
-  /// next one; add to its counts.
+  /// Measures `work` and adds a row to the report. Returns null if the row is not wanted. The
+  /// pointer is valid until the next row; add further counts to it.
   Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
                        const Subject& subject, const std::function<void()>& work,
                        const std::function<void()>& before = {});
-  /// With at least so many runs if the settings allow as many, and none takes kLongRun_ms.
+  /// The same with at least `least_runs` runs, if the settings allow them and a run is shorter than
+  /// kLongRun_ms.
   Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
                        const Subject& subject, int least_runs, const std::function<void()>& work,
                        const std::function<void()>& before = {});
-  /// On the processor, whatever the device.
+  /// The same on the processor.
   Measurement* measure(const std::string& stage, const std::string& by, const Subject& subject,
                        const std::function<void()>& work, const std::function<void()>& before = {});
 
-  /// Rows "kernel NAME" of what the last `measure` ran on its device; `bytes` is what each dispatch
-  /// must move at least.
+  /// Adds a row "kernel NAME" for a kernel that the last `measure` ran on its device. `bytes` is
+  /// the least that a dispatch must move.
   void add_kernel(const std::string& kernel, std::uint64_t bytes);
 
-  /// Says on the terminal why something is left out.
+  /// Prints to standard error why something is left out.
   void leave_out(const std::string& what, const Subject& subject, const std::string& why);
 
  private:
@@ -74,9 +75,8 @@ class BenchRun {
   std::map<std::string, std::vector<gpu::KernelUse>> last_kernels_;
 };
 
-/// Measures everything the settings ask for, each mesh in a process of its own (see made_apart).
-/// Says on the error stream what is under way, and hands what there is so far to `after_mesh` after
-/// each.
+/// Measures everything that the settings ask for, each mesh in a separate process (made_apart).
+/// Prints progress to standard error. Calls `after_mesh` with the report so far after each mesh.
 Report run_benchmark(const RunSettings& settings,
                      const std::function<void(const Report&)>& after_mesh = {});
 

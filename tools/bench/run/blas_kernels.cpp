@@ -11,10 +11,10 @@ namespace lapwing::bench {
 namespace {
 
 constexpr const char* kChosenKernels = "OPENBLAS_CORETYPE";
-// What it takes for an x86-64 processor that it does not know.
+// OpenBLAS's choice for an unknown x86-64 processor.
 constexpr std::string_view kKernelsForUnknown = "Prescott";
 
-// Empty where the program has another BLAS, or none.
+// Returns an empty name if the program has another BLAS or none.
 std::string_view kernels_of_blas() {
   using CoreName = char* (*)();
   const auto name = reinterpret_cast<CoreName>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
@@ -28,7 +28,7 @@ void require_fitting_blas(char** arguments) {
   const InstructionSet best = available_instruction_sets().front();
   if (best == InstructionSet::baseline) return;
   setenv(kChosenKernels, best == InstructionSet::avx512 ? "SkylakeX" : "Haswell", 1);
-  execv("/proc/self/exe", arguments);  // where that fails, it goes on as it is
+  execv("/proc/self/exe", arguments);  // if this fails, the program goes on unchanged
 }
 
 }  // namespace lapwing::bench

@@ -2,11 +2,11 @@
 
 namespace lapwing::bench {
 
-/// OpenBLAS chooses its kernels as it is loaded, by the model of the processor. Of one that is
-/// newer than the library it knows nothing, and takes kernels of 2004, which make a third of what
-/// the processor can: no limit to measure by, and no CHOLMOD to compare with. Where that is so this
-/// starts the program again, with the kernels for the processor's vector instructions
-/// (OPENBLAS_CORETYPE). To be called first; `arguments` are those of `main`.
+/// Restarts the program with suitable OpenBLAS kernels if OpenBLAS does not know the processor.
+/// When OpenBLAS is loaded, it chooses kernels by processor model. For a model newer than the
+/// library it takes kernels of 2004, which reach a third of the processor's speed. That is too slow
+/// for a limit and for a comparison with CHOLMOD. The restart sets OPENBLAS_CORETYPE to kernels for
+/// the processor's vector instructions. Call this first, with the arguments of `main`.
 void require_fitting_blas(char** arguments);
 
 }  // namespace lapwing::bench

@@ -17,7 +17,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = SurfaceMesh::Vertex_index;
 
-// CGAL tells nobody how many iterations it took: every one asks for each vertex's rotation once.
+// Counts iterations, which CGAL does not report: each one asks once for each vertex's rotation.
 struct CountingRotations : CGAL::Deformation_Eigen_polar_closest_rotation_traits_3 {
   static inline std::size_t count = 0;
 

@@ -11,28 +11,28 @@
 
 namespace lapwing::bench {
 
-/// CGAL's variants: as its manual chooses by default (spokes and rims), of the original paper, and
-/// with rotations made smooth (SRE-ARAP).
+/// CGAL's variants: its default (spokes and rims), the original paper's, and the one with smooth
+/// rotations (SRE-ARAP).
 enum class ArapVariant { spokes_and_rims, original, smooth_rotations };
 
-/// CGAL's as-rigid-as-possible deformation of a region; belt and handles are where they should be
-/// exactly.
+/// CGAL's as-rigid-as-possible deformation of a region. Belt and handles are hard constraints.
 class CgalArap {
  public:
-  /// Throws InputError unless the triangles are a manifold, turned one way.
+  /// Throws InputError unless the triangles form a consistently oriented manifold.
   CgalArap(const Mesh& mesh, const EditRegion& region,
            ArapVariant variant = ArapVariant::spokes_and_rims);
   ~CgalArap();
 
-  /// Weights, assembly and factorization with Eigen: its preprocess(), from anew. Throws
-  /// SolverError when that fails.
+  /// Computes and factorizes CGAL's system with Eigen (its preprocess()), even if that was done
+  /// before. Throws SolverError if it fails.
   void prepare();
-  /// Back to the rest pose, prepared as it is.
+  /// Returns to the rest pose and keeps the factorization.
   void reset();
-  /// What the handles are moved by from rest.
+  /// Sets the motions of the handles from rest.
   void move(std::span<const Eigen::Affine3d> motions);
-  /// From where the surface is, until the energy changes by less than `tolerance` of itself; CGAL's
-  /// default is 1e-4, and 0 does all `most_iterations`. Returns how many it took.
+  /// Iterates from the current surface until the relative energy change is below `tolerance`, or
+  /// `most_iterations` times. CGAL's default tolerance is 1e-4; 0 does all iterations. Returns the
+  /// number of iterations.
   int iterate(int most_iterations, double tolerance = kDefaultTolerance);
   static constexpr double kDefaultTolerance = 1e-4;
 
@@ -48,10 +48,10 @@ class CgalArap {
 struct ArapResult {
   Positions positions;
   int iterations = 0;
-  Samples frame;  ///< from the rest pose until it converges
+  Samples frame;  ///< from the rest pose until convergence
 };
 
-/// Deforms from rest, up to `max_iterations`, with CGAL's default tolerance.
+/// Deforms from rest in at most `max_iterations`, with CGAL's default tolerance.
 ArapResult deform_by_cgal_arap(const Mesh& mesh, const EditRegion& region,
                                std::span<const Eigen::Affine3d> motions, ArapVariant variant,
                                int max_iterations, int repeats);

@@ -12,10 +12,10 @@
 
 namespace lapwing::bench {
 
-/// Right-hand sides of a response to one handle.
+/// Number of right-hand sides of the response to one handle.
 inline constexpr std::size_t kResponseColumns = 12;
 
-/// What the parts of a preparation start from, for a subject's region with soft constraints of
+/// The inputs of the stages of a preparation, for a subject's region with soft constraints of
 /// weight 1 and uniform Laplacian weights.
 struct EditParts {
   explicit EditParts(const Subject& subject)

@@ -10,7 +10,8 @@
 namespace lapwing::bench {
 namespace {
 
-// What follows `key` and `separator` in a file of such lines; empty if no line has it.
+// Returns the unquoted value after `key` and `separator` in a file of such lines; empty if no line
+// has the key.
 std::string value_in(const char* path, const std::string& key, char separator) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {

@@ -4,13 +4,13 @@
 
 namespace lapwing::bench {
 
-/// The machine that this runs on.
+/// Describes this machine.
 Host this_host();
 
-/// Now, as ISO 8601 in UTC, to the second.
+/// Returns the current time as ISO 8601 in UTC, to the second.
 std::string now_utc();
 
-/// The source that this was built from, as git described it when CMake last ran; "unknown" without.
+/// Returns the source revision as git described it when CMake last ran, or "unknown".
 std::string built_from();
 
 }  // namespace lapwing::bench

@@ -20,21 +20,21 @@
 namespace lapwing::bench {
 namespace {
 
-// Each rate is the best of so many runs after one to warm up: a limit is what can be reached.
+// Each rate is the best of these runs, after one to warm up: a limit is what can be reached.
 constexpr int kRuns = 9;
 
-// What is copied must not fit in caches; a real GPU's are tens of megabytes.
+// Copies must not fit in the caches, which have tens of megabytes on a real GPU.
 constexpr std::size_t kCopyBytes = std::size_t{64} << 20U;
 constexpr std::size_t kCopyBytesOfGpu = std::size_t{1} << 30U;
 constexpr std::size_t kBytesPerTask = std::size_t{1} << 16U;
 
-// Multiples of kTile. Large enough that a processor core or a whole GPU is busy.
+// Matrix sizes: multiples of kTile, large enough to keep a processor core or a whole GPU busy.
 constexpr std::uint32_t kProduct = 512;
 constexpr std::uint32_t kProductOfGpu = 4096;
 constexpr std::uint32_t kTile = 64;                 // of shaders/matmul.comp
 constexpr std::uint32_t kInvocationsPerTile = 256;  // likewise
 
-// `work` returns how long it took.
+// Returns the least of the times that `work` returns.
 template <typename Work>
 double least_ms(Work work) {
   work();
@@ -97,7 +97,7 @@ void measure_processor(Limits& limits) {
 #endif
 }
 
-// What a device takes for what `record` records: by its own clock where it has one.
+// Returns the time of what `record` records, by the device's clock if it has one.
 template <typename Record>
 double device_ms(gpu::Context& context, Record record) {
   gpu::CommandList list(context, "limit", 2);

@@ -45,9 +45,9 @@ Samples measure(int repeats, Body body) {
   return measure_cold(repeats, body);
 }
 
-/// Takes, touches and frees `bytes` of memory, untimed, before a run that takes as much anew. A
-/// virtual machine hands freed memory back to its host, and getting it again costs far more than a
-/// page fault: without this, whoever is measured first pays for all.
+/// Allocates, touches and frees `bytes` of memory, untimed, before a run that allocates as much. A
+/// virtual machine returns freed memory to its host, and getting it back costs far more than a page
+/// fault. Otherwise the first measurement would pay for all.
 inline void touch_memory(std::size_t bytes) {
   void* const memory =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

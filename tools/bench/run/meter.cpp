@@ -53,7 +53,7 @@ void Meter::run_once(Measurement& measurement, const std::function<void()>& work
     return;
   }
   const gpu::DeviceUse use = context_->profile()->take();
-  // The processor may have done it all in the device's memory.
+  // The processor may have done all the work itself, in the device's memory.
   if (use.submissions > 0) measurement.device_ms.push_back(use.device_ms);
   measurement.counts["submissions"] = use.submissions;
   std::uint64_t dispatches = 0;

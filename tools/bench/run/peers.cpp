@@ -15,7 +15,7 @@
 namespace lapwing::bench {
 namespace {
 
-// Beyond these, minutes or gigabytes.
+// Largest meshes, in vertices. Beyond them a peer takes minutes or gigabytes.
 constexpr std::size_t kMostForEigenProduct = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForCholmod = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForArap = 120'000;
@@ -45,7 +45,7 @@ void measure_product(BenchRun& run, const Subject& subject, const BlockRows& M) 
   run.measure("normal matrix", "Eigen", subject, [&] { const Sparse N = St * S; });
 }
 
-// The same matrix in the same order of its blocks.
+// Factorizes our matrix, in our order of its blocks.
 void measure_factorization(BenchRun& run, const Subject& subject, const EditParts& parts,
                            const BlockRows& M, std::unique_ptr<BlockSolver> solver,
                            const char* by) {
@@ -68,7 +68,8 @@ void measure_factorization(BenchRun& run, const Subject& subject, const EditPart
 }
 
 #ifdef LAPWING_HAVE_CGAL
-// From rest to the motion's end and back, as ours: each frame begins where the last one ended.
+// Moves the handle from rest to the end of its motion and back, as our rows do. Each frame begins
+// where the last one ended.
 void measure_arap(BenchRun& run, const Subject& subject) {
   constexpr const char* kArap = "CGAL ARAP";
   constexpr int kMostIterations = 200;

@@ -19,9 +19,9 @@
 namespace lapwing::bench {
 namespace {
 
-// What a user sees as settled while the handle still moves, in mean edge lengths.
+// Tolerance of a surface that looks settled while the handle still moves, in mean edge lengths.
 constexpr double kSettleTolerance = 1e-3;
-// Iterations of one counted run, so that what begins and ends a run does not count.
+// Iterations per counted run, enough to make its constant costs negligible.
 constexpr int kSettleIterations = 20;
 
 DeformOptions deform_options(const BenchRun& run) {
@@ -31,15 +31,15 @@ DeformOptions deform_options(const BenchRun& run) {
   return options;
 }
 
-// Where the surface is drawn; null without a device for that.
+// Uploads the response to a device that draws; returns null without one.
 std::shared_ptr<BlendResponse> uploaded(const DragResponse& response, const Subject& subject,
                                         const BenchDevice& device) {
   if (device.context == nullptr) return nullptr;
   return upload_response(device.context, response.columns(), subject.mesh.topology());
 }
 
-// A drag as a person sees it: the vertices follow by a response, and their normals them, in the
-// surface that is drawn. Without a device that can draw, the vertices alone in double precision.
+// A drag as a user sees it: the response moves the vertices of the drawn surface, and the normals
+// follow. Without a device that draws, it moves only the vertices, in double precision.
 class ShownDrag {
  public:
   ShownDrag(const Subject& subject, const BenchDevice& device,
@@ -69,8 +69,8 @@ class ShownDrag {
   Positions positions_;
 };
 
-// What a frame must read and write at least: blend (columns, rest, numbers, positions), and where
-// it is drawn normals (numbers, fans, positions, normals). Twelve columns, all in use.
+// The least that a frame must read and write. Blending takes columns, rest, numbers and positions;
+// normals, if drawn, take numbers, fans, positions and normals. All twelve columns are in use.
 std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
   const std::uint64_t n = subject.vertices();
   const std::uint64_t number = on_device ? sizeof(float) : sizeof(double);
@@ -95,8 +95,8 @@ Measurement* measure_frame(BenchRun& run, const Subject& subject, const BenchDev
   return row;
 }
 
-// A frame by the shaders, also where the processor does them in place of a software device. The
-// response is made up.
+// Measures a frame by the shaders, even on a software device, where the processor usually replaces
+// them. The response is made up.
 void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   if (device.context == nullptr) return;
   if (!run.wants("shader frame", kLapwing, device.name, subject)) return;
@@ -142,7 +142,7 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
                           const std::shared_ptr<const DeformSolver>& solver) {
   MovingHandle handle(subject);
   DragSession drag(solver);
-  // The middle of the way is the fastest part.
+  // Small meshes run the whole motion, because the handle is fastest in the middle.
   constexpr std::size_t kMostForTheWholeWay = 120'000;
   const int frames_there_and_back =
       subject.vertices() <= kMostForTheWholeWay ? MovingHandle::kFramesOfMotion : 0;
@@ -153,12 +153,12 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
         iterations += static_cast<std::uint64_t>(drag.step(handle.next()).last_result.iterations);
         ++frames;
       });
-  // How many there are depends on the rounding of the processor: no count.
+  // The number of iterations depends on rounding, so it is not a count.
   if (row == nullptr || run.settings().only_counts) return;
   row->counts["iterations"] = iterations / frames;
 }
 
-// What a frame comes to depends on the time it takes: no count.
+// The result of a frame depends on time, so there is no count.
 void measure_frame_in_time(BenchRun& run, const Subject& subject, const BenchDevice& device,
                            const std::shared_ptr<const DeformSolver>& solver) {
   if (run.settings().only_counts) return;
@@ -195,7 +195,7 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   measure_frame_in_time(run, subject, device, solver);
 }
 
-// All that a settled drag needs from its first frame on.
+// Prepares everything that a settled drag needs from its first frame on.
 std::shared_ptr<DragSession> settled_drag(PreparedRegion& prepared, const Subject& subject,
                                           const EditRegion& region, const DeformOptions& options,
                                           const BenchDevice& device) {
@@ -206,7 +206,7 @@ std::shared_ptr<DragSession> settled_drag(PreparedRegion& prepared, const Subjec
   return drag;
 }
 
-// Several threads allocate: no count.
+// Several threads allocate, so allocations cannot be counted.
 void measure_settled_preparation(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   if (run.settings().only_counts) return;
   if (!run.wants("settled preparation", kLapwing, device.name, subject)) return;
@@ -220,7 +220,7 @@ void measure_settled_preparation(BenchRun& run, const Subject& subject, const Be
       [&] { drag.reset(); });
 }
 
-// The region of the subject with another handle, the same number of vertices below its own.
+// Returns the subject's region with another handle: as many vertices, just below the original one.
 EditRegion with_other_handle(const Subject& subject) {
   EditRegion region = subject.region;
   const Positions& positions = subject.mesh.positions;
@@ -235,24 +235,24 @@ EditRegion with_other_handle(const Subject& subject) {
   return region;
 }
 
-// Half of the belt.
+// Returns the subject's region with half of the belt.
 EditRegion with_other_belt(const Subject& subject) {
   EditRegion region = subject.region;
   region.belt.resize(region.belt.size() / 2);
   return region;
 }
 
-// Prepares an edit, and makes all that a drag of it needs.
-// Prepares an edit and returns its owner, which is destroyed before the next preparation.
+// Prepares an edit and all that its drag needs. Returns the owner, which is destroyed before the
+// next preparation.
 using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const EditRegion&,
                                                           const DeformOptions&)>;
 
-// A preparation that follows another one of the same region, of which the first is gone by then,
-// and what it made on threads of its own.
+// Measures a preparation that follows another one of the same region. The first one and its
+// background results are destroyed by then.
 void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
                    const std::string& stage, const EditRegion& region, const DeformOptions& options,
                    const Prepare& prepare) {
-  // Every run needs a preparation before it.
+  // Each run needs another preparation before it, which takes too long on larger meshes.
   constexpr std::size_t kMostForAgain = 120'000;
   if (subject.vertices() > kMostForAgain) return;
   if (!run.wants(stage, kLapwing, device.name, subject)) return;
@@ -292,7 +292,7 @@ void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice&
         uploaded(*solver->response(), subject, device);
         return solver;
       });
-  // Several threads allocate: no count.
+  // Several threads allocate, so allocations cannot be counted.
   if (run.settings().only_counts) return;
   measure_all_again(
       run, subject, device, "settled again",
@@ -301,7 +301,7 @@ void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice&
       });
 }
 
-// The mean of many iterations from rest, on what a DeformSolver would run them on.
+// Measures the mean of many iterations from rest, on the system of a DeformSolver.
 void measure_settle_iteration(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   if (!run.wants("settle iteration", kLapwing, device.name, subject)) return;
   const EditParts parts(subject);

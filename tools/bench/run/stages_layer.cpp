@@ -8,10 +8,10 @@
 namespace lapwing::bench {
 namespace {
 
-// In units of the sheet, whose edges are one long: above the relief, below the hills.
+// In units of the sheet, whose edges have length 1: above the relief, below the hills.
 constexpr double kDetailSize = 10.0;
 
-// The square of a sheet that spans these shares of it, each from 0 to 1.
+// Returns the square of a sheet from `left` to `right`, in shares of its width.
 RegionSpec square(const Subject& subject, double left, double right) {
   const double size = subject.mesh.positions.back().x();
   constexpr double kLow = 0.33;
@@ -44,7 +44,7 @@ CoatStep coat_step(const Subject& subject) {
   return step;
 }
 
-// The other source is the target's own coating, in the half of the patch that is farther away.
+// The second source is the target's own coating, in the farther half of the patch.
 MixStep mix_step(const Subject& subject) {
   MixStep step;
   step.target_patch = target_patch(subject);

@@ -12,7 +12,7 @@ namespace {
 void measure_reading(BenchRun& run, const Subject& subject, const std::string& stage,
                      const std::string& extension) {
   if (!run.wants(stage, kLapwing, kProcessor, subject)) return;
-  // As generated: a mesh read from a file is written back as that file.
+  // Copy the bare mesh: a mesh that was read from a file is written back as that file.
   Mesh mesh;
   mesh.positions = subject.mesh.positions;
   for (const Triangle& t : subject.mesh.topology().triangles) mesh.add_face(t);

@@ -29,7 +29,7 @@ void measure_render(BenchRun& run, const Subject& subject) {
       Surface shown(device.context, subject.mesh.positions, subject.mesh.topology());
       shown.place(subject.mesh.positions);
     });
-    // At rest: a picture costs the same wherever the vertices are.
+    // The rest pose suffices: the cost of a picture does not depend on the positions.
     const Surface surface(device.context, subject.mesh.positions, subject.mesh.topology());
     SurfacePaint paint(surface);
     paint.set_classes(vertex_classes(subject.region, subject.vertices()));

@@ -18,8 +18,8 @@ void count_factor(Measurement* row, const SolverStatistics& statistics) {
   row->counts["nonzeros"] = statistics.factor_bytes / sizeof(double);
 }
 
-// Both triangular solves read the whole factor, and every number of it is used for every column
-// in a multiplication and an addition.
+// Both triangular solves read the whole factor, and use each of its numbers in one multiplication
+// and one addition per column.
 void count_solve(Measurement* row, const SolverStatistics& statistics, std::size_t size,
                  std::size_t columns) {
   if (row == nullptr) return;
@@ -33,7 +33,7 @@ void measure_assembly(BenchRun& run, const Subject& subject, const EditParts& pa
     const std::size_t real = float64 ? sizeof(double) : sizeof(float);
     const std::size_t entries = subject.mesh.topology().rings.values.size();
     const std::size_t n = subject.vertices();
-    // Positions, rings and weights come in once, nine numbers a block go out.
+    // Reads positions, rings and weights once; writes nine numbers per block.
     const std::uint64_t bytes =
         real * (3 * n + entries + 9 * (n + entries)) + sizeof(Index) * (2 * n + entries);
     BlockRows M;

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr const char* kHills = "hills";
 
-// Vertices of a file of the models' packages, so that a run need not read what it leaves out.
+// A scan and its number of vertices, so that a run need not read the files that it leaves out.
 struct Scan {
   const char* name;
   const char* file;
@@ -34,7 +34,7 @@ constexpr std::array kScans{
     Scan{"armadillo x 4", "armadillo.off", 104002, 1},
     Scan{"armadillo x 16", "armadillo.off", 416002, 2},
 };
-// Across: about 1,000, 10,000, 100,000, 250,000 and 1,000,000 vertices.
+// Vertices per side, for about 1,000, 10,000, 100,000, 250,000 and 1,000,000 vertices.
 constexpr std::array<Index, 5> kHillsAcross{32, 100, 316, 500, 1000};
 
 }  // namespace

@@ -13,29 +13,29 @@
 
 namespace lapwing::bench {
 
-/// A mesh that everything is measured on, whole, as one region. Belt: the lowest 5% of the vertices
-/// in y; handle: the highest 5%.
+/// A mesh to measure on, with the whole mesh as the region. The belt holds the lowest 5% of the
+/// vertices in y, the handle the highest 5%.
 struct Subject {
   std::string name;
   Mesh mesh;
   EditRegion region;
   double diagonal = 0.0;    ///< of the bounding box
-  bool has_relief = false;  ///< a sheet of `hills`, on which patches can be chosen by number
+  bool has_relief = false;  ///< a sheet of `hills`, on which coordinates choose patches
 
   std::size_t vertices() const { return mesh.vertex_count(); }
-  /// The handle on its way, all 12 numbers of its motion in use: at rest for `share` 0, moved by a
-  /// ninth of the diagonal and turned by 17 degrees for 1.
+  /// Returns the handle's motion: at rest for `share` 0, moved by a ninth of the diagonal and
+  /// turned by 17 degrees for 1. All 12 numbers of the motion are in use.
   Eigen::Affine3d motion(double share) const;
 };
 
-/// What a settled frame of a drag may take, by the size of its mesh: 8 ms up to 50,000 vertices, 16
-/// up to 250,000, then 100.
+/// Returns the time budget of a settled frame of a drag, by the size of its mesh: 8 ms up to 50,000
+/// vertices, 16 ms up to 250,000, then 100 ms.
 double frame_budget_ms(std::size_t vertices);
 
-/// A handle on its way there and back, a frame at a time: one that stands still would be too easy.
+/// Moves the handle there and back, frame by frame. A handle at rest would be too easy.
 class MovingHandle {
  public:
-  /// There and back in a second at 60 frames a second.
+  /// Frames of one motion there and back: a second at 60 frames per second.
   static constexpr int kFramesOfMotion = 60;
 
   /// `subject` must outlive it.
@@ -47,7 +47,7 @@ class MovingHandle {
   int frames_ = 0;
 };
 
-/// A subject that has not been made yet.
+/// A subject that is not loaded yet.
 struct SubjectSource {
   std::string name;
   std::size_t vertices = 0;
@@ -56,16 +56,16 @@ struct SubjectSource {
   Subject load() const;
 };
 
-/// The meshes of a run, by size: scans of `models` (the folder that tools/setup/fetch-models
-/// fills; those it lacks are left out), subdivided ones, and a sheet of generated hills at every
-/// order of magnitude from 1,000 to 1,000,000 vertices.
+/// Returns the meshes of a run, by size: scans from `models` (the folder that
+/// tools/setup/fetch-models fills; missing ones are left out), subdivided scans, and sheets of
+/// generated hills, one at every order of magnitude from 1,000 to 1,000,000 vertices.
 std::vector<SubjectSource> all_subjects(const std::filesystem::path& models);
 
-/// The square sheet of `across` x `across` vertices a unit apart, covered with hills: smooth ones
-/// 30 units wide under a fine relief, the same for every size.
+/// Returns a square sheet of `across` x `across` vertices one unit apart, with hills 30 units wide
+/// under a fine relief, the same at every size.
 Mesh hills(Index across);
 
-/// The region of a whole mesh that a Subject has.
+/// Returns a Subject's region of a whole mesh.
 EditRegion whole_mesh_region(const Mesh& mesh);
 
 }  // namespace lapwing::bench

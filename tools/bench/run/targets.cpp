@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kMesh = "armadillo";
 constexpr const char* kGrowthMesh = "hills";
 constexpr const char* kArap = "CGAL ARAP";
-constexpr std::size_t kLarge = 200'000;      // vertices: far beyond every cache
+constexpr std::size_t kLarge = 200'000;      // vertices; exceeds every cache
 constexpr std::size_t kMillion = 1'000'000;  // vertices
 
 const Measurement* find(const Report& report, const std::string& stage, const std::string& by,
@@ -29,7 +29,7 @@ double median_wall_ms(const Measurement& m) {
   return spread_of(m.wall_ms).median;
 }
 
-// One of our stages over another row, at most `at_most`.
+// Limits one of our stages over another row to `at_most`.
 struct RatioTarget {
   const char* stage;
   const char* beside;
@@ -108,7 +108,7 @@ void add_large(const Report& report, std::vector<Target>& targets) {
   }
 }
 
-// Of one shape at every size: between shapes, costs differ by more than sizes explain.
+// Only one shape at every size, because costs differ between shapes by more than sizes explain.
 void add_growths(const Report& report, std::vector<Target>& targets) {
   Report hills;
   std::copy_if(report.measurements.begin(), report.measurements.end(),

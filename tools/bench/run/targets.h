@@ -6,9 +6,9 @@
 
 namespace lapwing::bench {
 
-/// What the engine is held to, of what `report` has measured, on the whole Armadillo (26,002
-/// vertices), on large meshes and over all sizes: ratios of medians of wall time, and each device
-/// by itself. Targets whose rows were not measured are left out.
+/// Compares `report` with the engine's targets: ratios of median wall times on the whole Armadillo
+/// (26,002 vertices), bounds on large meshes and growth over all sizes, for each device. Leaves out
+/// targets whose rows were not measured.
 std::vector<Target> targets_of(const Report& report);
 
 }  // namespace lapwing::bench

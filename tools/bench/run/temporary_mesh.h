@@ -8,10 +8,10 @@
 
 namespace lapwing::bench {
 
-/// A mesh file for as long as it is needed, beside those of other processes.
+/// A temporary mesh file. Its name contains the process id.
 class TemporaryMesh {
  public:
-  /// The extension, ".obj", says in which format.
+  /// Writes the mesh in the format of `extension`, such as ".obj".
   TemporaryMesh(const Mesh& mesh, const std::string& extension)
       : path_(std::filesystem::temp_directory_path() /
               ("lapwing-bench-" + std::to_string(getpid()) + extension)) {

@@ -70,7 +70,7 @@ std::span<const double> CholmodSolver::solve(std::span<const double> B) {
   b.nrow = b.d = static_cast<std::size_t>(lower_.rows());
   b.ncol = B.size() / b.nrow;
   b.nzmax = B.size();
-  b.x = const_cast<double*>(B.data());  // CHOLMOD reads it only
+  b.x = const_cast<double*>(B.data());  // CHOLMOD only reads it
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,

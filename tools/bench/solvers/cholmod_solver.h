@@ -7,7 +7,8 @@
 
 namespace lapwing::bench {
 
-/// CHOLMOD's supernodal Cholesky behind our seam, and each of its steps without what the seam adds.
+/// CHOLMOD's supernodal Cholesky as a BlockSolver. Each step is also public without the conversions
+/// that BlockSolver adds, to time it alone.
 class CholmodSolver final : public BlockSolver {
  public:
   explicit CholmodSolver(CholmodOrdering ordering = CholmodOrdering::blocks);
@@ -20,13 +21,13 @@ class CholmodSolver final : public BlockSolver {
   void factor(const BlockMatrix& matrix) override;
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override;
 
-  /// `order` is that of the blocks; ignored where CHOLMOD orders by itself.
+  /// `order` is that of the blocks; ignored if CHOLMOD orders by itself.
   void set_pattern(const BlockPattern& pattern, int block_size, std::span<const int> order);
   void set_values(const BlockMatrix& matrix);
-  /// After these; as those of the seam.
+  /// The steps of BlockSolver, after the two functions above.
   void analyze();
   void factor();
-  /// Valid until the next one.
+  /// The view is valid until the next solve.
   std::span<const double> solve(std::span<const double> B);
   std::size_t factor_bytes() const { return factor_->xsize * sizeof(double); }
 

@@ -6,11 +6,11 @@
 namespace lapwing::bench {
 namespace {
 
-// Eigen asks an ordering for a permutation; ours is known already.
+// Eigen's ordering does nothing, because the matrix is permuted by ours already.
 class Simplicial final
     : public Eigen::SimplicialLLT<ScalarLower, Eigen::Lower, Eigen::NaturalOrdering<int>> {
  public:
-  // Leaves 0 on the diagonal of the columns that a refused factorization does not reach.
+  // After a failed factorization, the columns that it did not reach have 0 on the diagonal.
   void clear() { m_matrix.coeffs().setZero(); }
 };
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;

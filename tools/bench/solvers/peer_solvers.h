@@ -10,7 +10,7 @@ namespace lapwing::bench {
 std::unique_ptr<BlockSolver> make_eigen_solver();
 
 #ifdef LAPWING_HAVE_CHOLMOD
-/// How CHOLMOD orders: by itself on the scalar graph, or given the order of the blocks.
+/// CHOLMOD's order: its own of the scalar graph, or the given order of the blocks.
 enum class CholmodOrdering { amd, metis, blocks };
 
 /// CHOLMOD's supernodal Cholesky, to compare with.

@@ -26,7 +26,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A patch on a mesh of its own or, for generated ones, on the one mesh that holds both.
+// A patch and its mesh. A generated source patch has none, because it lies on the target's mesh.
 struct Side {
   Mesh mesh;
   VertexSet region;
@@ -35,8 +35,8 @@ struct Side {
 
 struct Pair {
   Side target;
-  Side source;              // without a mesh where it is on that of the target
-  std::string source_path;  // empty then
+  Side source;              // without a mesh if it lies on the target's
+  std::string source_path;  // empty in that case
 
   const Mesh& source_mesh() const { return source_path.empty() ? target.mesh : source.mesh; }
   const Topology& source_topology() const {
@@ -68,7 +68,8 @@ VertexSet middle(Index first, Index across, Index patch_across) {
   return region;
 }
 
-// A relief on a sheet, and beside it a dome whose odd rows are moved by half an edge.
+// Returns a sheet with a relief, the source, beside a dome whose odd rows are shifted by half an
+// edge.
 Pair generated_pair(const CoatBench& settings) {
   const auto root = [](std::size_t count) {
     return static_cast<Index>(std::lround(std::sqrt(static_cast<double>(count))));
@@ -101,7 +102,7 @@ Pair generated_pair(const CoatBench& settings) {
   return pair;
 }
 
-// The largest disk in the `count` vertices nearest to the highest one in y.
+// Returns the largest disk among the `count` vertices nearest to the highest vertex in y.
 Side patch_on(const std::string& path, std::size_t count) {
   Side side;
   side.mesh = read_mesh(path);
@@ -126,7 +127,7 @@ Pair read_pair(const CoatBench& settings) {
           patch_on(settings.source, settings.vertices), settings.source};
 }
 
-// Vertices around the middle of both patches, on the source somewhat nearer to it.
+// Pairs vertices around the middle of both patches; those of the source are nearer to it.
 std::vector<VertexPair> some_inner_pairs(const Patch& source, const DomainMap& source_map,
                                          const Patch& target, const DomainMap& target_map,
                                          std::size_t count) {
@@ -148,7 +149,7 @@ std::vector<VertexPair> some_inner_pairs(const Patch& source, const DomainMap& s
   return pairs;
 }
 
-// What a coat step is given, and its parts one by one.
+// Measures a coat step, its parts and its sliders.
 class CoatBenchRun {
  public:
   CoatBenchRun(const CoatBench& settings, const Pair& pair)
@@ -228,7 +229,7 @@ void CoatBenchRun::print_sizes() const {
       pair_.target.mesh.vertex_count(), settings_.detail_size, inner_pairs_.size());
 }
 
-// What the step is set beside: the target's n x n system, and the two parameterizations.
+// The reference for the step: the target's n x n system here, and the two maps in `solve_maps`.
 void CoatBenchRun::factor_system() const {
   const Topology& topology = pair_.target.mesh.topology();
   EditRegion region;
@@ -247,7 +248,7 @@ void CoatBenchRun::solve_maps() const {
   mean_value_map(target_, laid_, Domain::disk, pins_[1]);
 }
 
-// Each by itself, as nothing else runs.
+// Measures each part alone, while nothing else runs.
 void CoatBenchRun::measure_parts() {
   const int repeats = settings_.repeats;
   const Mesh& mesh = pair_.target.mesh;
@@ -309,7 +310,7 @@ CoatStep CoatBenchRun::step(bool smooth_target) const {
   return step;
 }
 
-// What a slider of a viewer asks for; the target's system and the map stay.
+// Measures what the viewer's sliders recompute. The target's system and the map stay.
 void CoatBenchRun::measure_sliders(Kernels& kernels) {
   const Correspondence map =
       correspond({source_, coating_.smooth}, {target_, laid_}, pairs(), "coat");
@@ -346,7 +347,7 @@ void CoatBenchRun::measure_steps(Kernels& kernels, bool smooth_target) {
   Samples system;
   Samples maps;
   Samples reference;
-  // Once to warm up. Step and reference in turn: what else the machine does then slows both.
+  // The first run warms up. Step and reference alternate, so that other load slows both.
   for (int run = 0; run <= settings_.repeats; ++run) {
     RunResult result;
     result.mesh = pair_.target.mesh;

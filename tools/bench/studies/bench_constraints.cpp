@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A mesh one end of which is held, and how its other vertices are asked to move: the farther from
-// there the more like the other end, which leans.
+// A mesh with one end held, and the motion that its other vertices should follow: the farther from
+// the held end, the more they follow the other end, which leans.
 struct LeaningMesh {
   Mesh mesh;
   MovedEnds ends;
@@ -46,7 +46,7 @@ struct LeaningMesh {
     return share * share * (ends.map * p - p);
   }
 
-  // `count` vertices off the belt, evenly by number.
+  // Returns `count` vertices off the belt, at even steps of their numbers.
   std::vector<Index> chosen(std::size_t count) const {
     VertexSet all(mesh.vertex_count());
     for (Index v = 0; v < all.size(); ++v) all[v] = v;
@@ -99,7 +99,7 @@ double peak_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// One edit in a process of its own: reading and subdividing do not count.
+// Runs one edit in a separate process. Its time excludes reading and subdividing.
 EditCost run_apart(const ConstraintsBench& settings, const char* name,
                    const std::function<DeformRequest(const LeaningMesh&)>& request) {
   const Told told = told_apart([&](const auto& tell) {
@@ -141,7 +141,7 @@ void print_ratio(const char* name, const EditCost& run, const EditCost& of) {
               run.peak_mb / of.peak_mb);
 }
 
-// What a window waits for: until the exact response of the handle in hand is there.
+// Returns how long a window waits for the exact response of the dragged handle.
 double preparation_ms(const LeaningMesh& scene, std::size_t handles,
                       const ConstraintsBench& settings, std::unique_ptr<DeformSolver>& kept,
                       CpuKernels& kernels) {

@@ -23,16 +23,16 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-// Of a region's vertices, those that its handle and its belt have each.
+// Handle and belt each hold the region's vertices divided by this.
 constexpr std::size_t kHeldShare = 20;
-// Handles go by this share of the region's diagonal, and every other one turns, too.
+// Handles move by this share of the region's diagonal. Every other one turns, too.
 constexpr double kMove = 0.1;
 constexpr double kTurn = std::numbers::pi / 6.0;
 
 constexpr std::array kStages{"pattern",       "order",  "laplacian", "assemble", "analyze",
                              "normal_matrix", "factor", "shares",    "solve"};
 
-// The `count` vertices that come first as rings grow around `seed`.
+// Returns the first `count` vertices of a breadth-first search from `seed`.
 std::vector<Index> around(Index seed, std::size_t count, const Topology& topology) {
   std::vector<char> seen(topology.rings.row_count(), 0);
   std::vector<Index> found{seed};
@@ -52,7 +52,7 @@ struct Edit {
   Affine3d motion = Affine3d::Identity();
 };
 
-// Edit number k: the handle is what is nearest to its seed, the belt what is farthest.
+// Returns edit number k. Its handle is nearest to the seed, its belt farthest from it.
 Edit edit_of(std::size_t k, bool turned, const EditsBench& settings, const Mesh& mesh) {
   const auto seed = static_cast<Index>(k * mesh.vertex_count() / settings.count);
   const std::vector<Index> vertices = around(seed, settings.vertices, mesh.topology());
@@ -71,7 +71,7 @@ Edit edit_of(std::size_t k, bool turned, const EditsBench& settings, const Mesh&
   return edit;
 }
 
-// Of edits of one kind.
+// Times of the edits of one kind.
 struct EditTimes {
   Samples whole;
   std::map<std::string, Samples> stages;

@@ -30,14 +30,14 @@ using Eigen::Affine3d;
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-// A drag there in half a second, and then a hand that rests.
+// A drag takes half a second. Then the hand rests.
 constexpr int kFrames = 30;
 constexpr std::chrono::microseconds kFrameInterval{1'000'000 / 60};
 constexpr double kRest_ms = 500.0;
-// What is made for the first rest is there by then.
+// By then, background work for the first rest is done.
 constexpr std::chrono::milliseconds kBeforeDrag{1000};
 constexpr double kLongestRest_ms = 10'000.0;
-// What a frame is given while the hand rests, as in the viewer.
+// Time of a frame while the hand rests, as in the viewer.
 constexpr double kRestFrame_ms = 50.0;
 constexpr int kFramesPerCheck = 5;
 
@@ -58,14 +58,14 @@ class FollowedEdit {
   Affine3d part(double share) const {
     return partial_motion(ends_.map, shortest_turn(ends_.map), centroid_, share);
   }
-  // By the columns alone.
+  // Returns the linear response.
   Positions linear(double share) const {
     if (response_ == nullptr) response_ = solver_->response();
     Positions positions = mesh_.positions;
     Drag(response_).move(std::array{part(share)}, positions);
     return positions;
   }
-  // What settling comes to from a pose, in percent of the diagonal from there.
+  // Returns the distance from a pose to where it settles, in percent of the diagonal.
   double off_percent(double share, const DragState& pose, Positions* settled = nullptr) const {
     DragState start = pose;
     start.last_result = {};
@@ -90,7 +90,7 @@ class FollowedEdit {
  private:
   static constexpr int kMostFrames = 5;  // of 200 iterations each
 
-  // What is left of a drag with another handle and another belt.
+  // Prepares and drops a drag with another handle and another belt.
   void prepare_other(EndsMotion motion) {
     const EndsMotion other = motion == EndsMotion::lift ? EndsMotion::lean : EndsMotion::lift;
     DragSession(std::make_shared<const DeformSolver>(prepared_, mesh_.positions,
@@ -105,7 +105,7 @@ class FollowedEdit {
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
     return positions;
   }
-  // So that what is measured keeps what its frames have told.
+  // A separate session, so that checks do not change the history of the measured one.
   DragSession& reference() const {
     if (reference_ == nullptr) {
       reference_ = std::make_unique<DragSession>(std::make_shared<const DeformSolver>(
@@ -145,7 +145,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
   frame(0.0, {});
   const double first_ms = first.elapsed_ms();
   int iterations = 0;
-  // Looked at when all is over, since what is made beside the drag would have that time, too.
+  // Checked at the end: during the drag, a check would give background work extra time.
   std::vector<std::pair<double, DragState>> checked;
   for (int k = 1; k <= kFrames; ++k) {
     const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
@@ -155,7 +155,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
     frames.milliseconds.push_back(watch.elapsed_ms());
     iterations += pose.last_result.iterations;
     if (k % kFramesPerCheck == 0) checked.emplace_back(share, pose);
-    // What is made beside the drag has the rest of a sixtieth of a second.
+    // Background work has the rest of a sixtieth of a second.
     std::this_thread::sleep_until(next);
   }
   double rest_ms = 0.0;

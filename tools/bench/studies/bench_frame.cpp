@@ -69,7 +69,7 @@ class Panels {
       std::vector<viewer::Message>(12, "a line of the log, to be read");
 };
 
-// The handle on its way: all 12 numbers of its motion are in use.
+// Returns a motion of the handle in which all 12 numbers are in use.
 Eigen::Affine3d motion_at(double share, double size) {
   const Eigen::Vector3d shift(0.1 * size * share, 0.05 * size * share, 0.0);
   return Eigen::Translation3d(shift) *
@@ -82,14 +82,14 @@ Mesh subject_of(const FrameBench& settings) {
   return mesh;
 }
 
-// What a frame does to the mesh.
+// What changes in a frame.
 enum class Change { panels, camera, handle };
 
-// What draws it: as the viewer does, without keeping pictures, or by corner and by one pipeline for
-// all ways of looking, besides, at full resolution.
+// How a frame is drawn: as in the viewer; without keeping pictures; or, in addition, at full
+// resolution and by one pipeline for all styles.
 enum class Painter { viewer, anew, one_pipeline };
 
-// A mesh on its way through the frames of a window that nobody sees.
+// A mesh that is dragged and drawn offscreen, frame by frame.
 class DraggedMesh {
  public:
   explicit DraggedMesh(const FrameBench& settings)
@@ -122,7 +122,7 @@ class DraggedMesh {
     camera_ = scene_.camera;
   }
 
-  // One frame, drawn as the window does while something moves or as when nothing does.
+  // Draws one frame. With `quick` it draws as the window does while something moves.
   void paint(Change change, bool quick, Painter by, FrameParts& parts) {
     const Stopwatch frame;
     ++frames_;
@@ -131,7 +131,7 @@ class DraggedMesh {
       surface_.blend(blend_, drag_.parameters(motions));
     }
     if (change == Change::camera) {
-      // The same views for every kind of frame.
+      // Use the same views for every kind of frame.
       const double turned = 5.0 * (frames_ % (kFramesPerRun + 1) + 1);
       scene_.camera =
           viewer::orbited(camera_, {turned, 0.0}, Eigen::Vector2d(size_.width, size_.height),
@@ -149,8 +149,8 @@ class DraggedMesh {
     parts.add(times_, frame.elapsed_ms());
   }
 
-  // What is under the middle of the window in a frame of a drag, as the viewer finds it and as a
-  // picture of triangle numbers, which the device would have to draw first, says it.
+  // Picks the triangle in the middle of the window in a frame of a drag: along the line of sight,
+  // as the viewer does, and by a picture of triangle numbers, which the device must draw first.
   void pick(Samples& along_ray, Samples& by_picture) {
     const Eigen::Vector2d size(size_.width, size_.height);
     const viewer::Projection projection(
@@ -212,7 +212,7 @@ class DraggedMesh {
   IdPicture picture_of_ids_{*context_};
   Positions dragged_;
   Scene scene_;
-  Camera camera_;  // it begins with
+  Camera camera_;  // initial
   VkExtent2D size_;
   double diagonal_;
   bool closed_;
@@ -220,7 +220,7 @@ class DraggedMesh {
   int frames_ = 0;
 };
 
-// Frames of one kind, and what they are called.
+// A kind of frame, and its title.
 struct Kind {
   const char* title;
   Change change;
@@ -245,7 +245,7 @@ void print_dragged_mesh(const FrameBench& settings) {
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
       const Kind& kind = kKinds[k];
       FrameParts uncounted;
-      // The first frame of a kind may follow on one that showed something else.
+      // The first frame may follow a frame of another kind, so it does not count.
       dragged.paint(kind.change, kind.quick, kind.by, uncounted);
       for (int f = 0; f < kFramesPerRun; ++f) {
         dragged.paint(kind.change, kind.quick, kind.by, run < 0 ? uncounted : measured[k]);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct MeshFile {
   fs::path path;
-  std::string name;  // below the folder that was asked for
+  std::string name;  // relative to the given folder
 };
 
 bool is_mesh_file(const fs::path& path) {
@@ -68,7 +68,7 @@ void fail_what_is_missing(RealOutcome& outcome, const std::string& failure) {
   if (!outcome.measured && outcome.failure.empty()) outcome.failure = failure;
 }
 
-// The last line that is whole; nothing without one.
+// Parses the last complete line. Returns an empty RealMesh if there is none.
 RealMesh last_of(const std::string& lines) {
   const std::size_t end = lines.rfind('\n');
   if (end == std::string::npos) return {};
@@ -77,8 +77,8 @@ RealMesh last_of(const std::string& lines) {
   return parse_real_mesh(std::string_view(lines).substr(begin, end - begin));
 }
 
-// In a process of its own: a mesh that takes too long, or too much memory, or that CGAL dies of,
-// costs what it did not come to.
+// Runs a mesh in a separate process. If it takes too long or too much memory, or if CGAL crashes,
+// only the missing results are lost.
 RealMesh run_apart(const MeshFile& file, const RealBench& settings) {
   const Told told = told_apart(
       [&](const auto& tell) {
@@ -123,7 +123,7 @@ RealReport measured_report(const RealBench& settings) {
     }
     std::fflush(stdout);
     report.seconds = watch.elapsed_ms() / 1e3;
-    // After each mesh: what was measured is not lost to what stops the rest.
+    // Write after each mesh, so that a failure does not lose earlier results.
     write_all(settings, report);
   }
   return report;

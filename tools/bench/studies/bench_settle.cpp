@@ -52,11 +52,11 @@ Affine3d turn_and_move(double degrees, const Vector3d& axis, const Vector3d& mov
          Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis) * Eigen::Translation3d(-pivot);
 }
 
-// What one way of deforming gave.
+// The result of one method.
 struct Row {
   std::string name;
   double detail_error = 0.0;         // over the free vertices, as in certificates
-  double region_detail_error = 0.0;  // belt and handle too, and so any crease at their borders
+  double region_detail_error = 0.0;  // includes belt and handle, and so creases at their borders
   double edge_stretch = 0.0;
   double largest_stretch = 0.0;
   int iterations = 0;
@@ -85,7 +85,7 @@ void print_ratios(const Row& theirs, const Row& ours) {
       static_cast<double>(theirs.iterations) / ours.iterations, theirs.frame_ms / ours.frame_ms);
 }
 
-// The same measures for everyone.
+// Measures the results of all methods in the same way.
 Row measured(const std::string& name, const Cylinder& cylinder, Positions positions, int iterations,
              const Samples& frame) {
   const auto& [mesh, topology, region, free, weights] = cylinder;

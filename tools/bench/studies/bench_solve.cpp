@@ -41,7 +41,7 @@ void print(const SolverRow& row) {
   std::fflush(stdout);
 }
 
-// How many times faster the best of ours is than the best of the others, column by column.
+// Prints, per column, how many times faster our best solver is than the best other one.
 void print_ratios(const std::vector<SolverRow>& ours, const std::vector<SolverRow>& others) {
   if (others.empty()) return;
   const auto ratio = [&](auto value) {

@@ -8,10 +8,10 @@
 
 namespace lapwing::bench {
 
-/// Frames of each kind for one counted run.
+/// Frames of each kind in one counted run.
 inline constexpr int kFramesPerRun = 8;
 
-/// What a frame costs, part by part, in the order of the table.
+/// Times of the parts of a frame, in the order of the table.
 struct FrameParts {
   std::array<Samples, 6> parts;
 

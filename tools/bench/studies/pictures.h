@@ -11,14 +11,14 @@
 
 namespace lapwing::bench {
 
-/// Writes pictures of results into a folder, for someone to look at.
+/// Writes pictures of results into a folder.
 class PictureMaker {
  public:
-  /// Makes the folder. Throws GpuError without a Vulkan device.
+  /// Creates the folder. Throws GpuError if there is no Vulkan device.
   explicit PictureMaker(std::filesystem::path folder);
 
-  /// NAME.png: `mesh` with its vertices at `positions`, dashes for the spaces of the name, no
-  /// commas.
+  /// Writes NAME.png: `mesh` with its vertices at `positions`. In the file name, spaces become
+  /// dashes and commas are left out.
   void write(std::string name, const Mesh& mesh, std::span<const Eigen::Vector3d> positions,
              const ViewAxes& axes);
 

@@ -24,16 +24,16 @@ using Eigen::Affine3d;
 
 constexpr std::size_t kLeastVertices = 100;
 
-// Change of the energy in an iteration, relative to itself.
+// Relative change of the energy at which ARAP stops iterating.
 constexpr double kArapTolerance = 1e-6;
 
-// Edges and Laplacians count alike.
+// Edges and Laplacians have the same weight.
 constexpr double kSmoothArapLambda = 0.5;
 
-// One motion of one mesh, ready to be done.
+// One motion of one mesh, ready to run.
 struct RealEdit {
   const Mesh& mesh;
-  const std::vector<double>& weights;  // of the detail error
+  const std::vector<double>& weights;  // for the detail error
   EditRegion region;
   Affine3d map;
 };
@@ -42,14 +42,14 @@ DeformOptions default_options() {
   return DeformParameters{};
 }
 
-// The response that drags use, alone.
+// Only the linear response, which drags use.
 DeformOptions linear_options() {
   DeformOptions options = default_options();
   options.settle.reset();
   return options;
 }
 
-// Fills in what the shape says. Throws SolverError when that is not finite.
+// Measures the deformed shape. Throws SolverError if a measure is not finite.
 void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutcome& outcome) {
   const Positions& rest = edit.mesh.positions;
   Certificate measures;
@@ -108,7 +108,7 @@ void deform_by_smooth_arap(const RealEdit& edit, int most_iterations, RealOutcom
   iterate(arap, preparing.elapsed_ms(), edit, most_iterations, outcome);
 }
 
-// What is thrown becomes the outcome's failure.
+// Runs `work`. An exception becomes the outcome's failure.
 template <class Work>
 void try_to(const Work& work, RealOutcome& outcome) {
   try {
@@ -119,7 +119,7 @@ void try_to(const Work& work, RealOutcome& outcome) {
   }
 }
 
-// Why a mesh is no subject of the study; empty if it is.
+// Returns why the study passes over a mesh; empty if it does not.
 std::string why_passed_over(const Mesh& mesh, std::size_t most_vertices) {
   const std::size_t n = mesh.vertex_count();
   if (mesh.topology().triangles.empty()) return "no triangles";
@@ -129,7 +129,7 @@ std::string why_passed_over(const Mesh& mesh, std::size_t most_vertices) {
   return {};
 }
 
-// The edits of `all.runs` that there is something to deform in, and where their runs are.
+// An edit of `all.runs` that has something to deform, and the index of its run.
 struct ReadyEdit {
   RealEdit edit;
   std::size_t run;
@@ -180,7 +180,7 @@ void run_real_mesh(const std::filesystem::path& path, const std::string& name,
     done(all);
     return;
   }
-  // The measure's own, whatever weights the engine prefers.
+  // All methods are measured with these weights.
   const std::vector<double> weights =
       laplacian_weights(mesh.topology(), mesh.positions, default_options().weights);
   const std::vector<ReadyEdit> ready = ready_edits(mesh, weights, name, all);

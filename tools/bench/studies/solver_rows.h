@@ -12,8 +12,8 @@
 
 namespace lapwing::bench {
 
-/// The systems that the solvers are timed on: the RSI normal matrix M'M + W of a mesh, and its
-/// part for x alone, which has the pattern and the size of the settling's L'L + W.
+/// The systems to time solvers on: the RSI normal matrix M'M + W of a mesh, and its part for x
+/// alone, which has the pattern and the size of the minimizer's n x n matrix.
 struct BenchSystem {
   std::string name;
   BlockPattern pattern;
@@ -21,7 +21,7 @@ struct BenchSystem {
   BlockMatrix scalar;   ///< 1 x 1 blocks
 };
 
-/// Milliseconds, medians of the repeats; 0 for what was not measured.
+/// Median times in milliseconds; 0 if not measured.
 struct SolverRow {
   std::string name;
   double order = 0;
@@ -37,21 +37,21 @@ struct SolverRow {
   double cold() const { return order + analyze + first_factor; }
 };
 
-/// Times the solvers that `make` makes, behind the seam.
+/// Times the solvers that `make` creates, through the BlockSolver interface.
 SolverRow time_solver(const BenchSystem& system, const std::string& name,
                       const std::function<std::unique_ptr<BlockSolver>()>& make, Ordering ordering,
                       int repeats);
 
-/// `count` numbers between -1 and 1, the same each time.
+/// Returns `count` numbers between -1 and 1, the same each time.
 std::vector<double> right_hand_sides(std::size_t count);
 
-/// |A x - b| / (|A| |x| + |b|) in the maximum norm.
+/// Returns |A x - b| / (|A| |x| + |b|) in the maximum norm.
 double normwise_backward_error(const BlockMatrix& A, std::span<const double> x,
                                std::span<const double> b);
 
 #ifdef LAPWING_HAVE_CHOLMOD
-/// Times CHOLMOD's supernodal factorization and its solve with reused work space, with the number
-/// of BLAS threads that factors faster (1 or all).
+/// Times CHOLMOD's supernodal factorization and its solve with reused work space, on 1 and on 2
+/// BLAS threads. Each time is the better of the two.
 SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int repeats);
 #endif
 

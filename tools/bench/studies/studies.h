@@ -11,23 +11,23 @@ struct SolveBench {
   int subdivisions = 0;  ///< of every mesh, each into four times the triangles
   int repeats = 7;
   std::vector<unsigned> threads{2, 1};
-  std::size_t anchor_step = 50;  ///< every so many vertices one is anchored
+  std::size_t anchor_step = 50;  ///< one vertex in so many is anchored
   bool eigen = false;
-  bool busy = false;  ///< also with a processor kept busy by something else
+  bool busy = false;  ///< also with one processor kept busy
 };
 
-/// Times the block Cholesky beside CHOLMOD and Eigen on the RSI systems of whole meshes.
+/// Compares the block Cholesky with CHOLMOD and Eigen on the RSI systems of whole meshes.
 void bench_solve(const SolveBench& settings);
 
 struct OrderBench {
   std::vector<std::string> meshes;
-  std::vector<std::uint32_t> hills;  ///< generated sheets of so many vertices a side
+  std::vector<std::uint32_t> hills;  ///< vertices per side of generated sheets
   int subdivisions = 0;              ///< of every mesh, each into four times the triangles
   int repeats = 7;
 };
 
-/// Times our nested dissection on whole meshes beside AMD and METIS, and counts what each makes of
-/// the operations of the factorization.
+/// Compares our nested dissection with AMD and METIS on whole meshes: the time of each, and the
+/// operations of the factorization that follows.
 void bench_order(const OrderBench& settings);
 
 struct SettleBench {
@@ -37,30 +37,30 @@ struct SettleBench {
   int repeats = 7;
 };
 
-/// What settling keeps of details and lengths and what a frame costs: on three motions of a rippled
-/// cylinder beside the linear solution alone and, where CGAL was there to build with, its
-/// as-rigid-as-possible deformation; and on the four test motions of tools/classics.
+/// Measures how well settling keeps details and lengths, and what a frame costs. Uses three motions
+/// of a rippled cylinder, also solved by the linear response alone and, if built with CGAL, by
+/// as-rigid-as-possible deformation, and the four test motions of tools/classics.
 void bench_settle(const SettleBench& settings);
 
 struct RealBench {
   std::vector<std::string> paths{"build/models"};  ///< mesh files, and folders to search for them
-  std::string only;                                ///< a part of the name of those wanted, or empty
-  std::size_t most_vertices = 0;                   ///< larger meshes are passed over; 0: none
-  int arap_iterations = 300;                       ///< at most, of CGAL's
-  double seconds = 120.0;                          ///< that a mesh may take
-  std::string show;                                ///< a file of --json: nothing is measured
+  std::string only;                                ///< only meshes with this in their names
+  std::size_t most_vertices = 0;                   ///< larger meshes are passed over; 0: no limit
+  int arap_iterations = 300;                       ///< maximum for both ARAP methods
+  double seconds = 120.0;                          ///< time limit of a mesh
+  std::string show;                                ///< a file of --json to show; measures nothing
   std::string json;      ///< write all runs and the summary here, or empty
   std::string markdown;  ///< write the table here, or empty
 };
 
-/// Moves one end of every mesh of at least 100 vertices in two ways (`studies/real/ends_motion.h`)
-/// and measures by the same measures what the recipe's defaults, the linear response alone and
-/// CGAL's as-rigid-as-possible deformation make of it; then counts what the engine is held to, and
-/// names the exceptions. Each mesh has a process of its own.
+/// Moves one end of every mesh of at least 100 vertices in two ways (`studies/real/ends_motion.h`).
+/// Measures the results of the recipe's defaults, the linear response alone, CGAL's
+/// as-rigid-as-possible deformation and Smooth ARAP in the same way. Then counts the runs that meet
+/// the engine's targets and names the exceptions. Each mesh runs in a separate process.
 void bench_real(const RealBench& settings);
 
 struct CoatBench {
-  std::size_t vertices = 10'000;       ///< of each patch, about
+  std::size_t vertices = 10'000;       ///< of each patch, approximately
   std::size_t mesh_vertices = 30'000;  ///< of the generated mesh that holds both
   std::string source;                  ///< a mesh to take the source patch from, or empty
   std::string target;                  ///< likewise for the target
@@ -70,9 +70,9 @@ struct CoatBench {
   int repeats = 7;
 };
 
-/// A coat step from one patch to another, without remeshing, by stages, on each of the devices,
-/// beside what it is measured by: the target's n x n system and the two parameterizations; then
-/// what a change of its amplitude and of its detail size costs, and its parts alone.
+/// Times a coat step from one patch to another, without remeshing, by stages and on each device.
+/// Its reference is the target's n x n system and the two parameterizations. Then times a change of
+/// its amplitude and of its detail size, and each of its parts alone.
 void bench_coat(const CoatBench& settings);
 
 struct ConstraintsBench {
@@ -85,34 +85,34 @@ struct ConstraintsBench {
   int repeats = 7;
 };
 
-/// What many constraints cost: one end of a mesh is held, and the other leans by one handle, by
-/// many one-vertex handles, by hard landmarks, each an edit in a process of its own; then, of the
-/// mesh as it is, how long a window waits with many pins, and for another one to be taken in hand.
+/// Measures the cost of many constraints. One end of a mesh is held, and the other leans by one
+/// handle, by many one-vertex handles or by hard landmarks, each in a separate process. Without
+/// subdivision it then measures how long a window waits with many pins, and for a drag of another
+/// pin.
 void bench_constraints(const ConstraintsBench& settings);
 
 struct FollowBench {
   std::vector<std::string> meshes;
   int subdivisions = 0;    ///< of every mesh, each into four times the triangles
   double budget_ms = 0.0;  ///< of a frame; 0: frame_budget_ms
-  bool at_once = false;    ///< drags begin before what is made for the first rest is there
-  bool again = false;      ///< each is made ready after one with another handle and belt
+  bool at_once = false;    ///< starts drags before background work for the rest is done
+  bool again = false;      ///< prepares each drag after one with another handle and belt
 };
 
 /// Drags one end of each mesh in two ways (`studies/real/ends_motion.h`), settled frame by frame in
-/// a given time, and prints what frames take and how far they are from what they would settle to:
-/// while the handle moves, beside the linear response, and half a second after it has come to rest.
+/// a given time. Prints the times of frames and their distances from the settled surface: while the
+/// handle moves, beside the linear response, and half a second after it has come to rest.
 void bench_follow(const FollowBench& settings);
 
 struct EditsBench {
   std::vector<std::string> meshes;
-  std::vector<std::uint32_t> hills;  ///< generated sheets of so many vertices a side
+  std::vector<std::uint32_t> hills;  ///< vertices per side of generated sheets
   std::size_t vertices = 10'000;     ///< of a region, at most
   std::size_t count = 100;           ///< edits of each mesh
   bool settled = false;
 };
 
-/// Edits regions all over each mesh one after the other, each prepared anew, and prints what an
-/// edit takes, by stages.
+/// Edits regions all over each mesh, each prepared separately, and prints the times of the stages.
 void bench_edits(const EditsBench& settings);
 
 struct FrameBench {
@@ -125,10 +125,10 @@ struct FrameBench {
   std::string picture;  ///< a PNG of the last frame, or empty
 };
 
-/// Shows a whole mesh by what the viewer's window draws with, on images that no display holds up,
-/// and prints what each part of a frame costs where the panels alone change, where the camera moves
-/// or jumps, and where a handle is dragged; and beside it where every frame draws its picture anew,
-/// at full resolution and by one pipeline for all ways of looking.
+/// Draws a whole mesh offscreen, as the viewer's window does. Prints the cost of each part of a
+/// frame when only the panels change, when the camera moves or jumps, and when a handle is dragged.
+/// Also measures frames that always redraw their picture, and frames at full resolution with one
+/// pipeline for all styles.
 void bench_frame(const FrameBench& settings);
 
 }  // namespace lapwing::bench

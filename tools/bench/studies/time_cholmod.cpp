@@ -8,7 +8,7 @@
 namespace lapwing::bench {
 namespace {
 
-// OpenBLAS's own switch, where the BLAS is OpenBLAS.
+// Does nothing if the BLAS is not OpenBLAS.
 void set_blas_threads(int threads) {
   using Setter = void (*)(int);
   static const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));

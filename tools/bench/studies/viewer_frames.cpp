@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using viewer::InputKind;
 using viewer::MouseButton;
 
-// Its panels in the look that they have by default. Nothing is kept of it.
+// The viewer with its default panels. It saves no settings.
 class WholeViewer {
  public:
   WholeViewer(const FrameBench& settings, const std::filesystem::path& mesh)
@@ -43,21 +43,21 @@ class WholeViewer {
       draw(uncounted);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    // Whatever else has been begun with it comes to an end.
+    // Let other work that opening started come to an end.
     for (int k = 0; k < kFramesPerRun; ++k) draw(uncounted);
   }
   ~WholeViewer() { ImGui::DestroyContext(); }
   WholeViewer(const WholeViewer&) = delete;
   WholeViewer& operator=(const WholeViewer&) = delete;
 
-  // The cursor goes down over the controls of the sidebar.
+  // Moves the cursor down over the controls of the sidebar.
   void point_at_panels(int frame, FrameParts& parts) {
     const float down = 60.0F + 30.0F * static_cast<float>(frame % kFramesPerRun);
     ImGui::GetIO().MousePos = {100.0F, down};
     draw(parts);
   }
 
-  // A drag beside the mesh turns the view.
+  // Turns the view by a drag beside the mesh.
   void turn_view(int frame, FrameParts& parts) {
     const Vector2d at(0.95 * size_.width, 0.5 * size_.height);
     ImGui::GetIO().MousePos = {static_cast<float>(at.x()), static_cast<float>(at.y())};
@@ -113,7 +113,7 @@ void print_viewer_frames(const FrameBench& settings, const Mesh& mesh) {
   FrameParts camera;
   for (int run = -1; run < settings.repeats; ++run) {
     FrameParts uncounted;
-    // The first frame of a kind may follow on one that showed something else.
+    // The first frame may follow a frame of another kind, so it does not count.
     whole.point_at_panels(0, uncounted);
     for (int f = 1; f <= kFramesPerRun; ++f) {
       whole.point_at_panels(f, run < 0 ? uncounted : panels);

@@ -17,8 +17,8 @@ class MeshArrays:
     """A polygon mesh in world units, oriented outward as the world sees it."""
 
     vertices: np.ndarray  #: (n, 3) float64
-    corners: np.ndarray  #: uint32, the vertices of all polygons one after the other
-    sizes: np.ndarray  #: int32, how many corners each polygon has
+    corners: np.ndarray  #: uint32, the vertices of all polygons, concatenated
+    sizes: np.ndarray  #: int32, the number of corners of each polygon
     materials: np.ndarray  #: int32, the material slot of each polygon
 
     @property
@@ -37,14 +37,14 @@ class MeshArrays:
         )
 
     def turned_over(self) -> "MeshArrays":
-        """The same with every polygon the other way round."""
+        """Returns the mesh with the orientation of every polygon reversed."""
         ends = np.repeat(self.starts + self.sizes - 1, self.sizes)
         within = np.arange(len(self.corners)) - np.repeat(self.starts, self.sizes)
         return MeshArrays(self.vertices, self.corners[ends - within], self.sizes, self.materials)
 
 
 def coordinates_of(points: Any) -> np.ndarray:
-    """(n, 3) float32 of mesh vertices or of the points of a shape key."""
+    """Returns the coordinates (n, 3), float32, of mesh vertices or of a shape key's points."""
     flat = np.empty(3 * len(points), np.float32)
     points.foreach_get("co", flat)
     return flat.reshape(-1, 3)
@@ -63,7 +63,7 @@ def transformed(matrix: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 
 def world_matrix(obj: bpy.types.Object) -> np.ndarray:
-    """Refuses a matrix from which no way leads back."""
+    """Returns the world matrix; refuses a singular one."""
     matrix = matrix_of(obj.matrix_world)
     lengths = np.linalg.norm(matrix[:3, :3], axis=0)
     volume = abs(np.linalg.det(matrix[:3, :3]))
@@ -77,20 +77,20 @@ def is_mirrored(matrix: np.ndarray) -> bool:
 
 
 def rest_points(mesh: bpy.types.Mesh) -> Any:
-    """Where the surface without shape keys is kept."""
+    """Returns the points that store the surface without shape keys."""
     return mesh.shape_keys.reference_key.data if mesh.shape_keys else mesh.vertices
 
 
 def mesh_arrays(mesh: bpy.types.Mesh, local: np.ndarray, matrix: np.ndarray) -> MeshArrays:
-    """The faces of `mesh` on the coordinates `local`, moved by `matrix`."""
+    """Returns the faces of `mesh` on the coordinates `local`, transformed by `matrix`."""
     if len(mesh.polygons) == 0:
         raise Refusal(f"The mesh '{mesh.name}' has no faces; choose one that has")
-    corners = np.empty(len(mesh.loops), np.uint32)  # Blender's own type, which it only has to copy
+    corners = np.empty(len(mesh.loops), np.uint32)  # Blender's own type, so that it only copies
     mesh.loops.foreach_get("vertex_index", corners)
     sizes = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get("loop_total", sizes)
     materials = np.zeros(len(mesh.polygons), np.int32)
-    attribute = mesh.attributes.get("material_index")  # as an attribute it is read fastest
+    attribute = mesh.attributes.get("material_index")  # the fastest way to read it
     if attribute is not None:
         attribute.data.foreach_get("value", materials)
     arrays = MeshArrays(transformed(matrix, local), corners, sizes, materials)
@@ -98,17 +98,17 @@ def mesh_arrays(mesh: bpy.types.Mesh, local: np.ndarray, matrix: np.ndarray) -> 
 
 
 def object_arrays(obj: bpy.types.Object) -> MeshArrays:
-    """An object's mesh at rest: without modifiers, on its first shape key."""
+    """Returns an object's mesh at rest: without modifiers, on its first shape key."""
     obj.update_from_editmode()
     mesh = obj.data
     return mesh_arrays(mesh, coordinates_of(rest_points(mesh)), world_matrix(obj))
 
 
 def to_local(matrix: np.ndarray, world: np.ndarray) -> np.ndarray:
-    """Float32 coordinates of the object whose world matrix is `matrix`."""
+    """Returns float32 coordinates in the object whose world matrix is `matrix`."""
     return transformed(np.linalg.inv(matrix), world).astype(np.float32)
 
 
 def similarity_scale(matrix: np.ndarray) -> float:
-    """By how much a matrix scales lengths, on the average of all directions."""
+    """Returns the scale factor of a matrix for lengths, averaged over all directions."""
     return float(np.cbrt(abs(np.linalg.det(matrix[:3, :3]))))

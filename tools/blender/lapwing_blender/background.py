@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators whose work the engine does on a thread, while the window stays alive.
+"""Operators whose work runs on a thread of the engine, while the window stays responsive.
 
-`prepare` reads Blender's data on the main thread, in slices, and returns the work; the work touches
-no Blender data; `finish` writes its value back on the main thread.
+`prepare` reads Blender's data on the main thread, in slices, and returns the work. The work must
+not touch Blender's data. `finish` writes its value back on the main thread.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from .engine import Progress
 from .errors import Cancelled, Refusal
 
 Work = Callable[[Progress], Any]
-#: Of reading between two redraws, and between two looks at the thread.
+#: Duration of a slice of reading, and interval between two checks of the thread.
 _SLICE_SECONDS = 0.03
-#: What the user may do meanwhile: look at the scene, and not change it.
+#: Events that the user may trigger meanwhile: they change the view, not the scene.
 _VIEW_EVENTS = {
     "MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM",
 }
@@ -39,7 +39,7 @@ class Job:
     def _run(self, work: Work) -> None:
         try:
             self.value = work(self._hear)
-        except BaseException as error:  # told on the main thread, by `result`
+        except BaseException as error:  # raised on the main thread, by `result`
             self.error = error
 
     def _hear(self, stage: str, fraction: float) -> bool:
@@ -60,7 +60,7 @@ class Job:
 
 
 def finished(steps: Generator[None, None, Any]) -> Any:
-    """The value of a generator, without pauses."""
+    """Returns the value of a generator, without pauses."""
     while True:
         try:
             next(steps)
@@ -69,10 +69,10 @@ def finished(steps: Generator[None, None, Any]) -> Any:
 
 
 class EngineOperator:
-    """Mixin for an operator. Called with a window it runs on a thread; called by a script, in
-    background mode, or again by the redo panel it runs to its end at once. Redo cannot wait for a
-    thread: Blender undoes the step, calls `execute`, and where that has not finished when it returns,
-    brings the old step back."""
+    """Mixin for an operator. With a window it runs on a thread. From a script, in background mode,
+    or again from the redo panel, it runs to its end at once. Redo cannot wait for a thread:
+    Blender undoes the step and calls `execute`, and if that has not finished when it returns,
+    restores the old step."""
 
     def prepare(self, context: bpy.types.Context) -> Generator[None, None, Work]:
         raise NotImplementedError
@@ -84,7 +84,7 @@ class EngineOperator:
         manager = context.window_manager
 
         def heard(_stage: str, fraction: float) -> bool:
-            manager.progress_update(fraction)  # the cursor alone, since nothing is drawn meanwhile
+            manager.progress_update(fraction)  # only the cursor, since nothing is drawn meanwhile
             return True
 
         manager.progress_begin(0.0, 1.0)

@@ -17,7 +17,7 @@ KEY_STEM = "Lapwing"
 
 
 def write_pc2(path: str, first_frame: int, surfaces: Sequence[np.ndarray]) -> None:
-    """Little-endian, as 3ds Max writes it and the Mesh Cache modifier reads it."""
+    """Writes a PC2 cache: little-endian, as in 3ds Max and the Mesh Cache modifier."""
     header = struct.pack(
         "<12siiffi", b"POINTCACHE2\0", 1, len(surfaces[0]), float(first_frame), 1.0, len(surfaces)
     )
@@ -25,7 +25,7 @@ def write_pc2(path: str, first_frame: int, surfaces: Sequence[np.ndarray]) -> No
 
 
 def write_mdd(path: str, frames_per_second: float, surfaces: Sequence[np.ndarray]) -> None:
-    """Big-endian, as LightWave writes it."""
+    """Writes an MDD cache: big-endian, as LightWave writes it."""
     header = struct.pack(">ii", len(surfaces), len(surfaces[0]))
     times = (np.arange(len(surfaces)) / frames_per_second).astype(">f4").tobytes()
     _write(path, [header, times, *(surface.astype(">f4").tobytes() for surface in surfaces)])
@@ -48,7 +48,7 @@ def add_cache_modifier(obj: bpy.types.Object, path: str, kind: str, first_frame:
     modifier.cache_format = kind
     modifier.filepath = path
     modifier.frame_start = first_frame
-    # The surface is that of the mesh before all that modifiers make of it.
+    # The cache replaces the mesh itself, so its modifier must be the first.
     index = obj.modifiers.find(modifier.name)
     if index > 0:
         with bpy.context.temp_override(object=obj):
@@ -56,7 +56,7 @@ def add_cache_modifier(obj: bpy.types.Object, path: str, kind: str, first_frame:
 
 
 def add_frame_keys(obj: bpy.types.Object, first_frame: int, surfaces: Sequence[np.ndarray]) -> None:
-    """A shape key for each frame, which counts in full there and not at all a frame away."""
+    """Adds a shape key for each frame, with the value 1 at that frame and 0 one frame away."""
     if obj.data.shape_keys is None:
         obj.shape_key_add(name="Basis", from_mix=False)
     for k, surface in enumerate(surfaces):
@@ -74,7 +74,7 @@ def add_frame_keys(obj: bpy.types.Object, first_frame: int, surfaces: Sequence[n
 def _curves(action: bpy.types.Action) -> List[bpy.types.FCurve]:
     if hasattr(action, "fcurves"):
         return list(action.fcurves)
-    # Since 4.4 actions have layers, which are the only way to the curves from 5.0 on.
+    # Since 4.4 actions have layers; from 5.0 on, curves are only available through them.
     return [
         curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags
         for curve in bag.fcurves
@@ -82,7 +82,7 @@ def _curves(action: bpy.types.Action) -> List[bpy.types.FCurve]:
 
 
 def cache_path(given: str, obj: bpy.types.Object, kind: str) -> str:
-    """Where the cache goes: beside the .blend file, if nothing else is said."""
+    """Returns the path of the cache, by default beside the .blend file."""
     extension = "." + kind.lower()
     if given:
         path = bpy.path.abspath(given)
@@ -97,7 +97,7 @@ def cache_path(given: str, obj: bpy.types.Object, kind: str) -> str:
 def settle_all(
     edit: Any, motions: Sequence[Any], free: Sequence[bool], progress: Any
 ) -> List[Any]:
-    """World coordinates and warnings of each frame."""
+    """Returns the world coordinates and warnings of each frame."""
     settled = []
     for k, of_frame in enumerate(motions):
         def heard(stage: str, _fraction: float, k: int = k) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The edit that an object's settings ask for, as a step of a recipe."""
+"""The edit from an object's settings, as a step of a recipe."""
 
 from __future__ import annotations
 
@@ -19,30 +19,31 @@ from .settings import settings_of
 
 @dataclass
 class EditRequest:
-    """A deform whose handles are at rest. Pins stand behind the handles that Empties move."""
+    """A deform whose handles are at rest. Pins come after the handles of Empties."""
 
     object_name: str
     step: Dict[str, Any]
-    matrix: np.ndarray  #: the object's, when this was made
+    matrix: np.ndarray  #: the object's matrix when the request was made
     rest: np.ndarray  #: (n, 3) float32 in the object's own space
     mesh: MeshArrays
     frames: List[HandleFrame]
-    turns_freely: List[bool]  #: of each handle that an Empty moves, where only its place is given
+    turns_freely: List[bool]  #: per Empty: may its handle rotate while it only translates
 
     @property
     def handle_count(self) -> int:
         return len(self.step["handles"])
 
     def motions(self, obj: bpy.types.Object) -> List[np.ndarray]:
-        """How the Empties have moved the handles, in the world in which the edit was prepared: an
-        object that has moved since takes its handles along."""
+        """Returns the motions of the handles by their Empties, in the world in which the edit was
+        prepared. If the object has moved since, its handles have moved along."""
         to_prepared = self.matrix @ np.linalg.inv(matrix_of(obj.matrix_world))
         moved = []
         for handle in settings_of(obj).handles:
             rest = self.matrix @ matrix_of(handle.rest).reshape(4, 4)
             now = matrix_of(_empty_of(handle).matrix_world)
             moved.append(to_prepared @ now @ np.linalg.inv(rest))
-        # Blender keeps matrices in single precision; a handle at rest is to leave the mesh's bits.
+        # Blender stores matrices in single precision, but a handle at rest must not change the
+        # mesh's bits.
         return [
             np.eye(4) if frame.is_rest(motion) else motion
             for frame, motion in zip(self.frames, moved)
@@ -52,8 +53,8 @@ class EditRequest:
         return motions + [np.eye(4)] * (self.handle_count - len(motions))
 
     def free_handles(self, frames: Sequence[Sequence[np.ndarray]]) -> List[bool]:
-        """Which handles turn as the surface wants: those whose Empties only change their places, in
-        all `frames` of motions. A hand that is pulled turns by itself; one that is turned is held."""
+        """Returns which handles have a free orientation: those whose Empties only translate in all
+        `frames` of motions. A pulled hand rotates by itself; a rotated one is held."""
         free = [
             may and all(frame.is_shift(motions[k]) for motions in frames)
             for k, (may, frame) in enumerate(zip(self.turns_freely, self.frames))
@@ -61,7 +62,7 @@ class EditRequest:
         return free + [False] * (self.handle_count - len(free))
 
     def moved_step(self, motions: List[np.ndarray]) -> Dict[str, Any]:
-        """The step of a recipe that makes this edit."""
+        """Returns the step of a recipe that makes this edit."""
         handles = moved_handles(
             self.step["handles"], self.with_pins(motions), self.free_handles([motions])
         )
@@ -77,7 +78,7 @@ def _empty_of(handle: Any) -> bpy.types.Object:
 
 
 def check_object(obj: bpy.types.Object | None) -> bpy.types.Object:
-    """A mesh object that may be changed."""
+    """Returns the object if it is a mesh that may be changed."""
     if obj is None or obj.type != "MESH":
         raise Refusal("The active object is no mesh; select the mesh to edit")
     for data in (obj, obj.data):
@@ -90,7 +91,7 @@ def check_object(obj: bpy.types.Object | None) -> bpy.types.Object:
 
 
 def edited_object(context: bpy.types.Context) -> bpy.types.Object | None:
-    """The active object; or, where that is an Empty that moves a handle, the mesh of the handle."""
+    """Returns the active object or, if that is the Empty of a handle, the handle's mesh."""
     obj = context.object
     if obj is None or obj.type == "MESH":
         return obj
@@ -101,7 +102,7 @@ def edited_object(context: bpy.types.Context) -> bpy.types.Object | None:
 
 
 def gather(obj: bpy.types.Object) -> Iterator[None]:
-    """Yields while it reads; its value is the EditRequest."""
+    """Yields while it reads. Its value is the EditRequest."""
     settings = settings_of(obj)
     matrix = world_matrix(obj)
     if len(settings.handles) == 0:
@@ -149,7 +150,7 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
     if obj.data.use_mirror_x:
         step["mirror"] = _mirror(obj, matrix)
-    # A hard constraint holds the orientation, too.
+    # Hard constraints also hold the orientation.
     free = [handle.turns_freely and not settings.hard for handle in settings.handles]
     return EditRequest(obj.name, step, matrix, rest, mesh, frames, free)
 
@@ -193,7 +194,7 @@ def _handle(handle: Any, weights: np.ndarray, in_roi: np.ndarray) -> Dict[str, A
 
 
 def _mirror(obj: bpy.types.Object, matrix: np.ndarray) -> Dict[str, Any]:
-    """The object's plane x = 0 in the world."""
+    """Returns the object's plane x = 0 in the world."""
     linear = matrix[:3, :3]
     normal = np.linalg.inv(linear)[0]
     normal /= np.linalg.norm(normal)
@@ -207,7 +208,7 @@ def _mirror(obj: bpy.types.Object, matrix: np.ndarray) -> Dict[str, Any]:
 
 
 def return_handles(obj: bpy.types.Object) -> None:
-    """Moves the Empties back to rest, but for those whose motion is keyframed or driven."""
+    """Moves the Empties back to rest, except those with keyframes or drivers."""
     from mathutils import Matrix
 
     for handle in settings_of(obj).handles:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the engine: the Python module `lapwing`, or the program where it cannot be imported."""
+"""Finds the engine: the Python module `lapwing`, or else the program."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any, Callable, List, Optional, Tuple
 
 from .errors import Refusal
 
-#: The engine's versions that this add-on was written for: major and minor.
+#: Major and minor version of the engine that this add-on needs.
 VERSION = (0, 1)
 
 Progress = Callable[[str, float], bool]
@@ -21,8 +21,8 @@ _found: dict = {}
 
 
 def engine(path: str = "") -> Any:
-    """The engine at the preferred `path`, or else the module, or else the program on PATH. Once
-    found it stays; Refusal says why there is none, and the next call looks again."""
+    """Returns the engine at the preferred `path`, or else the module, or else the program on PATH.
+    The result is cached. Refusal says why there is none; the next call then looks again."""
     if isinstance(_found.get(path), Refusal):
         del _found[path]
     found = last_look(path)
@@ -32,7 +32,7 @@ def engine(path: str = "") -> Any:
 
 
 def last_look(path: str = "") -> Any:
-    """The engine or the Refusal that was found last, for a panel that is drawn again and again."""
+    """Returns the engine or the Refusal of the last search, for a panel that is redrawn often."""
     if path not in _found:
         try:
             _found[path] = _find(path)
@@ -42,7 +42,7 @@ def last_look(path: str = "") -> Any:
 
 
 def forget() -> None:
-    """Looks again the next time, for preferences that changed or a program installed since."""
+    """Makes the next call look again, after preferences changed or a program was installed."""
     _found.clear()
 
 
@@ -84,9 +84,9 @@ def _imported(folder: str) -> Tuple[Optional[Any], str]:
         sys.path.insert(0, folder)
     try:
         module = importlib.import_module("lapwing")
-        module.__version__, module.Deformer  # of the engine, and not of another module so called
+        module.__version__, module.Deformer  # not another module of that name
         return module, ""
-    except Exception as error:  # whatever a broken module raises, the program may still be there
+    except Exception as error:  # if the module is broken in any way, the program may still work
         sys.modules.pop("lapwing", None)
         return None, " ".join(str(error).split()) or type(error).__name__
     finally:

@@ -28,7 +28,8 @@ class ModuleEngine:
 
     @contextmanager
     def heard(self, progress: Progress) -> Iterator[Any]:
-        """What the engine reports to; its errors come out as Refusal, a cancel as Cancelled."""
+        """Yields the progress callback for the engine. Converts its errors to Refusal, and a
+        cancellation to Cancelled."""
         stopped = False
 
         def hear(stage: str, fraction: float) -> bool:
@@ -47,7 +48,7 @@ class ModuleEngine:
         corners = mesh.sizes[0]
         if (mesh.sizes == corners).all():
             return self._module.Mesh(mesh.vertices, mesh.corners.reshape(-1, corners))
-        # A list of polygons takes an array for each; a file takes none.
+        # A list of polygons needs an array for each polygon, but a file does not.
         with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
             path = os.path.join(folder, "mesh.ply")
             write_ply(path, mesh)
@@ -57,8 +58,8 @@ class ModuleEngine:
         self, mesh: MeshArrays, step: Mapping[str, Any], frames: Sequence[HandleFrame],
         progress: Progress,
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
-        """The linear response to each number of each of `frames`, those of the first handles, as
-        displacements (12 k, n, 3), and the edit that settles, both of one preparation."""
+        """Returns the linear response to each parameter of `frames`, those of the first handles, as
+        displacements (12 k, n, 3), and the edit that settles. Both share one preparation."""
         keys = {key: value for key, value in step.items() if key not in ("op", "handles")}
         with self.heard(progress) as hear:
             edit = self._module.Deformer(
@@ -73,7 +74,7 @@ class ModuleEngine:
     ) -> Outcome:
         recipe = {"lapwing": 1, "mesh": "mesh.ply", "steps": list(steps)}
         with tempfile.TemporaryDirectory(prefix="lapwing-") as folder, self.heard(progress) as hear:
-            # Files keep the material of each face through an edit that makes faces.
+            # Files keep the material of each face if an edit creates faces.
             for name, each in {**others, "mesh.ply": mesh}.items():
                 write_ply(os.path.join(folder, name), each)
             result = self._module.run(recipe, folder=folder, progress=hear)
@@ -84,7 +85,7 @@ class ModuleEngine:
 
 
 class PreparedEdit:
-    """An edit that is settled again and again."""
+    """An edit that can be settled many times."""
 
     def __init__(self, engine: ModuleEngine, edit: Any) -> None:
         self._engine = engine
@@ -93,13 +94,13 @@ class PreparedEdit:
     def settle(
         self, motions: Sequence[np.ndarray], free: Sequence[bool], progress: Progress
     ) -> Tuple[np.ndarray, List[str]]:
-        """World coordinates (n, 3), and what is to be said of them. Handles that are `free` turn as
-        the surface wants."""
+        """Returns the world coordinates (n, 3) and the warnings. Handles that are `free` have a
+        free orientation."""
         with self._engine.heard(progress) as hear:
             result = self._edit.solve(np.stack(motions), free=list(free), progress=hear)
         return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:
-        # Of a large mesh it is a gigabyte, which takes a while to free; Thread.start would wait.
+        # A large edit takes a gigabyte, and freeing it takes a while; Thread.start would wait.
         edits, self._edit = [self._edit], None
         _thread.start_new_thread(edits.clear, ())

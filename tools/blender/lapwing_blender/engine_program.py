@@ -30,7 +30,7 @@ class ProgramEngine:
         self.version = version
 
     def call(self, folder: str, arguments: Sequence[str], progress: Progress) -> str:
-        """What the program wrote to standard error. An interrupt lets it take its files away."""
+        """Returns the program's standard error. An interrupt lets the program remove its files."""
         log_path = os.path.join(folder, "log.txt")
         with open(log_path, "wb") as log:
             try:
@@ -69,8 +69,8 @@ class ProgramEngine:
         self, mesh: MeshArrays, step: Mapping[str, Any], frames: Sequence[HandleFrame],
         progress: Progress,
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
-        """The linear response to each number of each of `frames`, those of the first handles, as
-        displacements (12 k, n, 3), each a solve of its own, and the edit that settles."""
+        """Returns the linear response to each parameter of `frames`, those of the first handles, as
+        displacements (12 k, n, 3), one solve each, and the edit that settles."""
         edit = PreparedEdit(self, mesh, step)
         try:
             return edit.linear(unit_motions(frames, len(step["handles"])), progress), edit
@@ -90,7 +90,7 @@ class ProgramEngine:
             return Outcome(read_ply(os.path.join(folder, "result.ply")), warnings)
 
     def run_recipe(self, folder: str, name: str, progress: Progress) -> List[str]:
-        """What the report of the recipe warns of."""
+        """Runs a recipe and returns the warnings of its report."""
         self.call(
             folder, ["run", name, "--device", "cpu", "--report", "report.json"], progress
         )
@@ -99,7 +99,7 @@ class ProgramEngine:
 
 
 class PreparedEdit:
-    """An edit whose mesh lies in a folder of its own until it is closed."""
+    """An edit whose mesh is in its own folder until `close`."""
 
     def __init__(self, engine: ProgramEngine, mesh: MeshArrays, step: Mapping[str, Any]) -> None:
         self._engine = engine
@@ -133,8 +133,8 @@ class PreparedEdit:
     def settle(
         self, motions: Sequence[np.ndarray], free: Sequence[bool], progress: Progress
     ) -> Tuple[np.ndarray, List[str]]:
-        """World coordinates (n, 3), and what is to be said of them. Handles that are `free` turn as
-        the surface wants."""
+        """Returns the world coordinates (n, 3) and the warnings. Handles that are `free` have a
+        free orientation."""
         handles = moved_handles(self._step["handles"], motions, free)
         _write_json(self._path("settle.json"), _recipe([{**self._step, "handles": handles}]))
         warnings = self._engine.run_recipe(self._folder.name, "settle.json", progress)
@@ -160,7 +160,7 @@ def _last_message(said: str) -> str:
 
 
 def _first_failure(folder: str) -> str:
-    """Why a batch failed, which it writes beside its results."""
+    """Returns the reason why a batch failed, which it writes beside its results."""
     path = os.path.join(folder, "linear", "failed.jsonl")
     if not os.path.exists(path):
         return ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one way in which the add-on says no."""
+"""The exceptions of the add-on."""
 
 
 class Refusal(Exception):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the surface of a live edit is written, and where its rest shape is kept meanwhile.
+"""Stores the surface of a live edit, and its rest shape.
 
-A mesh without shape keys is written directly, which Blender does fastest, and an attribute keeps
-its rest shape. In a mesh with shape keys Blender shows only these: there a key of its own is
-written, and the first key is the rest shape. Both survive saving and undo.
+In a mesh without shape keys, the surface is written to the mesh, which is the fastest way, and an
+attribute keeps the rest shape. In a mesh with shape keys, Blender shows only these. There the
+surface is written to an additional key, and the first key is the rest shape. Both survive saving
+and undo.
 """
 
 from __future__ import annotations
@@ -40,7 +41,8 @@ def begin(obj: bpy.types.Object) -> None:
 
 
 def is_begun(obj: bpy.types.Object) -> bool:
-    """Whether there is still what `begin` made, which shape keys added meanwhile would hide."""
+    """Returns whether the data of `begin` still exists. Shape keys that were added since would hide
+    it."""
     mesh = obj.data
     if mesh.shape_keys is not None:
         return LIVE_KEY in mesh.shape_keys.key_blocks
@@ -60,7 +62,7 @@ def show(obj: bpy.types.Object, coordinates: np.ndarray) -> None:
 
 
 def discard(obj: bpy.types.Object) -> None:
-    """The rest shape again."""
+    """Restores the rest shape."""
     mesh = obj.data
     if mesh.shape_keys is None:
         set_coordinates(mesh.vertices, rest_coordinates(obj))
@@ -69,7 +71,7 @@ def discard(obj: bpy.types.Object) -> None:
 
 
 def keep_in_mesh(obj: bpy.types.Object, coordinates: np.ndarray) -> None:
-    """Shape keys keep what each adds to the rest shape."""
+    """Applies the surface to the mesh. Shape keys keep their offsets from the rest shape."""
     mesh = obj.data
     change = coordinates - rest_coordinates(obj)
     _forget(obj)
@@ -81,7 +83,7 @@ def keep_in_mesh(obj: bpy.types.Object, coordinates: np.ndarray) -> None:
 
 
 def keep_as_key(obj: bpy.types.Object, coordinates: np.ndarray, name: str) -> str:
-    """The name that the key got."""
+    """Stores the surface as a shape key. Returns the key's name."""
     discard(obj)
     if obj.data.shape_keys is None:
         obj.shape_key_add(name="Basis", from_mix=False)

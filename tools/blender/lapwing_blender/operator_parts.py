@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What operators share."""
+"""Code shared by operators."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .errors import Refusal
 
 
 class Refusing:
-    """Mixin: what `act` refuses is reported in Blender's way."""
+    """Mixin that reports a Refusal of `act` in Blender."""
 
     def execute(self, context: bpy.types.Context) -> Set[str]:
         try:

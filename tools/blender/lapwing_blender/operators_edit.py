@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The live edit, from its start to where its result goes."""
+"""Operators of the live edit, from its start to its result."""
 
 from typing import Any, Generator
 
@@ -52,7 +52,7 @@ class LAPWING_OT_respond(Refusing, bpy.types.Operator):
 
 
 class _Settling(EngineOperator):
-    """Mixin: settles what is not settled yet before `settled` goes on."""
+    """Mixin that settles the surface, if necessary, before it calls `settled`."""
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -66,7 +66,7 @@ class _Settling(EngineOperator):
         if live.is_settled:
             return lambda _progress: None
         return live.settling(live.motions())
-        yield  # a generator, as it has to be, that needs no pause
+        yield  # makes this a generator, which needs no pause
 
     def finish(self, context: bpy.types.Context, value: Any) -> None:
         obj = bpy.data.objects[self._name]
@@ -103,7 +103,7 @@ class LAPWING_OT_apply(_Settling, bpy.types.Operator):
             key = live_mesh.keep_as_key(obj, coordinates, self.key_name or "Lapwing")
             return_handles(obj)
         else:
-            # The original has to be the mesh at rest.
+            # The original must be the mesh at rest.
             live_mesh.discard(obj)
             recipe_store.keep_original(obj)
             live_mesh.keep_in_mesh(obj, coordinates)

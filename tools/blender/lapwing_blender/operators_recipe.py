@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Recipes of objects: made again on another object, written for `lapwing run`, forgotten."""
+"""Operators for recipes of objects: replay on another object, export for `lapwing run`, forget."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Region, belt, pins and handles."""
+"""Operators for region, belt, pins and handles."""
 
 import bpy
 import numpy as np
@@ -52,7 +52,8 @@ class LAPWING_OT_set_region(Refusing, bpy.types.Operator):
 
 
 def _grouped(obj: bpy.types.Object, name: str, vertices: np.ndarray) -> str:
-    """A vertex group of that name; edit mode keeps groups elsewhere and is left for a moment."""
+    """Creates a vertex group of that name. Leaves edit mode for a moment, since edit mode stores
+    groups elsewhere."""
     mode = obj.mode
     if mode == "EDIT":
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -109,7 +110,7 @@ class LAPWING_OT_add_handle(Refusing, bpy.types.Operator):
 
 
     def _take_proportional_editing(self, context: bpy.types.Context) -> None:
-        """Where it is on, it says how far a move reaches."""
+        """Takes the falloff from proportional editing if that is on."""
         tools = context.tool_settings
         editing = context.mode == "EDIT_MESH"
         if tools.use_proportional_edit if editing else tools.use_proportional_edit_objects:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coat, mix, transplant and peel: one call of the engine each."""
+"""Coat, mix, transplant and peel. Each is one call of the engine."""
 
 from math import degrees
 from typing import Any, Dict, Generator, Tuple
@@ -18,7 +18,7 @@ from .preferences import chosen_engine
 from .regions import Region, chosen_region, named_region
 from .settings import PROFILES, settings_of
 
-#: A step of a recipe, and the objects of the files that it names; yields while it reads.
+#: Yields while it reads. Its value is a step of a recipe, and the objects of the files it names.
 Step = Generator[None, None, Tuple[Dict[str, Any], Dict[str, str]]]
 REGIONS = [
     ("SELECTION", "Selection", "The selected vertices"),
@@ -38,7 +38,7 @@ def length(name: str, description: str, default: float = 0.0) -> Any:
 
 
 class SurfaceOperator(EngineOperator):
-    """Mixin: `step` is a generator whose value says what is done to the mesh of the active object."""
+    """Mixin. `step` is a generator whose value is the step for the active object's mesh."""
 
     region: EnumProperty(items=REGIONS, name="Where")
     radius: FloatProperty(name="Radius", min=1e-6, default=0.5, subtype="DISTANCE",
@@ -95,7 +95,7 @@ class SurfaceOperator(EngineOperator):
 
 
 def other_object(context: bpy.types.Context, name: str, what: str) -> bpy.types.Object:
-    """The object of this name, or the one selected beside the active."""
+    """Returns the object of this name, or the other selected object."""
     if name:
         other = bpy.data.objects.get(name)
         if other is None or other.type != "MESH":

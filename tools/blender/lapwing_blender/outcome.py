@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an operation of the engine gives back."""
+"""The result of an operation of the engine."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ class Outcome:
     warnings: List[str] = field(default_factory=list)
 
 
-#: The file or step, and the place in it, that the engine's messages begin with. A recipe that was
-#: written for one call says nothing to whoever pressed a button.
+#: The file or step, and the place in it, at the beginning of the engine's messages. A user who
+#: pressed a button does not know the recipe.
 _PLACE = re.compile(r"^(note: )?((\w+\.json|recipe|Deformer|deform|peel|step \d+): )*(/[\w/]*: )?")
 
 
 def in_words(message: str) -> str:
-    """A message of the engine as one sentence for Blender's report."""
+    """Returns a message of the engine as one sentence for Blender's report."""
     words = _PLACE.sub("", " ".join(message.split()))
     return words[:1].upper() + words[1:]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Binary PLY files, by which meshes go to the engine and come back with their materials."""
+"""Binary PLY files, for exchanging meshes and their materials with the engine."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def write_ply(path: str, mesh: MeshArrays) -> None:
         f"element face {len(mesh.sizes)}\n"
         "property list uint uint vertex_indices\nproperty uint material\nend_header\n"
     )
-    # Of 32-bit numbers throughout, a face is its size, its corners, its material.
+    # All numbers have 32 bits. A face is its size, its corners and its material.
     starts = mesh.starts
     words = np.insert(mesh.corners.astype("<u4"), starts, mesh.sizes)
     ends = starts + mesh.sizes + np.arange(1, len(mesh.sizes) + 1)
@@ -59,7 +59,7 @@ def _rows(properties: List[str]) -> np.dtype:
 
 
 def read_ply(path: str, vertices_only: bool = False) -> MeshArrays:
-    """What the engine wrote of a mesh that `write_ply` wrote."""
+    """Reads the engine's result for a mesh from `write_ply`."""
     with open(path, "rb") as file:
         data = file.read()
     end = data.find(b"end_header\n")
@@ -88,7 +88,7 @@ def _faces(
     before, after = _rows(properties[:place]), _rows(properties[place + 1:])
     raw = np.frombuffer(data, np.uint8, offset=at)
 
-    # Where each face begins depends on the sizes of all before it.
+    # The start of each face depends on the sizes of all faces before it.
     starts = np.empty(count, np.int64)
     sizes = np.empty(count, np.int32)
     fixed = before.itemsize + size_type.itemsize + after.itemsize
@@ -114,6 +114,6 @@ def _faces(
 
 
 def _gather(raw: np.ndarray, places: np.ndarray, kind: np.dtype) -> np.ndarray:
-    """Numbers of type `kind` that begin at these bytes."""
+    """Returns the numbers of type `kind` that begin at these bytes."""
     picked = raw[places[:, np.newaxis] + np.arange(kind.itemsize)]
     return np.ascontiguousarray(picked).view(kind).ravel()

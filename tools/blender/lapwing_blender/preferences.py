@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the engine is, when it is not where Python or the system would find it."""
+"""Preferences: the path of the engine, if Python or the system cannot find it."""
 
 from typing import Any
 
@@ -36,7 +36,7 @@ class LapwingPreferences(bpy.types.AddonPreferences):
 
 
 def chosen_engine(context: bpy.types.Context) -> Any:
-    """The engine, or Refusal."""
+    """Returns the engine, or raises Refusal."""
     addon = context.preferences.addons.get(__package__)
     return engine.engine(addon.preferences.engine_path if addon is not None else "")
 

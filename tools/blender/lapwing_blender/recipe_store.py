@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The edits of an object, kept on it as recipes: to make again elsewhere, or by `lapwing run`."""
+"""Stores the edits of an object as recipes, for replaying elsewhere or for `lapwing run`."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from .arrays import similarity_scale, transformed
 from .errors import Refusal
 from .settings import settings_of
 
-#: The custom property: JSON, a list of what `add` writes.
+#: The custom property: a JSON list, to which `add` appends.
 PROPERTY = "lapwing_edits"
 
 
 def edits_of(obj: bpy.types.Object) -> List[Dict[str, Any]]:
-    """Not to be changed."""
+    """Returns the edits, which must not be changed."""
     return list(_read(obj.get(PROPERTY, "[]")))
 
 
 @lru_cache(maxsize=4)
 def _read(text: str) -> List[Dict[str, Any]]:
-    """A panel asks each time that it is drawn, and a region may have all vertices of a mesh."""
+    """Caches the parsed edits: a panel needs them at every redraw, and regions may be large."""
     return json.loads(text)
 
 
@@ -34,8 +34,8 @@ def add(
     obj: bpy.types.Object, steps: Sequence[Mapping[str, Any]], matrix: np.ndarray, key: str = "",
     objects: Mapping[str, str] | None = None,
 ) -> None:
-    """Keeps an edit that was made in the world with the object at `matrix`: in the mesh, or in the
-    shape key `key`. `objects` are the names of those whose meshes stand in the steps as files."""
+    """Stores an edit of the mesh or, if `key` is not empty, of that shape key. `matrix` was the
+    object's world matrix. `objects` maps the files in the steps to names of mesh objects."""
     edits = edits_of(obj)
     edits.append({
         "steps": list(steps), "matrix": matrix.ravel().tolist(), "key": key,
@@ -45,7 +45,7 @@ def add(
 
 
 def keeping_original(obj: bpy.types.Object, put: Callable[[], Any]) -> Any:
-    """What `put` returns, which writes into the mesh or refuses."""
+    """Calls `put`, which writes into the mesh or refuses, and returns its value."""
     had = settings_of(obj).original is not None
     keep_original(obj)
     try:
@@ -57,7 +57,7 @@ def keeping_original(obj: bpy.types.Object, put: Callable[[], Any]) -> Any:
 
 
 def keep_original(obj: bpy.types.Object) -> None:
-    """Before the first edit that goes into the mesh."""
+    """Copies the mesh before its first edit."""
     settings = settings_of(obj)
     if settings.original is None:
         settings.original = obj.data.copy()
@@ -78,7 +78,7 @@ def forget(obj: bpy.types.Object) -> None:
 
 
 def chain(obj: bpy.types.Object, last: int = -1) -> List[Dict[str, Any]]:
-    """The edits that lead to edit `last`: those that went into the mesh before it, and it."""
+    """Returns the edits that lead to edit `last`: earlier edits of the mesh itself, and `last`."""
     edits = edits_of(obj)
     if not edits:
         raise Refusal(f"'{obj.name}' has no recipe; make an edit on it first")
@@ -87,7 +87,7 @@ def chain(obj: bpy.types.Object, last: int = -1) -> List[Dict[str, Any]]:
 
 
 def start_mesh(obj: bpy.types.Object, matrix: np.ndarray) -> MeshArrays:
-    """What the chain begins with, at `matrix`."""
+    """Returns the mesh at the start of the chain, transformed by `matrix`."""
     mesh = settings_of(obj).original or obj.data
     return mesh_arrays(mesh, coordinates_of(rest_points(mesh)), matrix)
 
@@ -95,14 +95,14 @@ def start_mesh(obj: bpy.types.Object, matrix: np.ndarray) -> MeshArrays:
 def steps_at(
     edits: List[Dict[str, Any]], matrix: np.ndarray
 ) -> Tuple[List[Dict[str, Any]], Dict[str, str]]:
-    """The steps for an object at `matrix`, and the objects of the files that they name."""
+    """Returns the steps for an object at `matrix`, and the objects of the files that they name."""
     steps: List[Dict[str, Any]] = []
     objects: Dict[str, str] = {}
     for edit in edits:
         by = np.eye(4)
         if not np.array_equal(matrix_of_edit(edit), matrix):
             by = matrix @ np.linalg.inv(matrix_of_edit(edit))
-        # Each edit calls its files by the same names.
+        # All edits use the same file names, so rename them.
         files: Dict[str, str] = {}
         for file, name in edit["objects"].items():
             same = [known for known, other in objects.items() if other == name]
@@ -112,12 +112,12 @@ def steps_at(
     return steps, objects
 
 
-#: Keys behind which the name of a mesh's file stands.
+#: Keys whose values are mesh files.
 _FILES = ("source", "mesh")
 
 
 def with_files(value: Any, names: Mapping[str, str]) -> Any:
-    """A step with other names of files."""
+    """Returns a step with renamed files."""
     if isinstance(value, Mapping):
         return {
             key: names.get(each, each) if key in _FILES and isinstance(each, str)
@@ -130,8 +130,7 @@ def with_files(value: Any, names: Mapping[str, str]) -> Any:
 
 
 def other_meshes(objects: Mapping[str, str]) -> Generator[None, None, Dict[str, MeshArrays]]:
-    """Yields while it reads; its value is the meshes of the objects that a recipe names, as they are
-    now."""
+    """Yields while it reads. Its value is the current meshes of the objects that a recipe names."""
     meshes = {}
     for file, name in objects.items():
         other = bpy.data.objects.get(name)
@@ -146,7 +145,7 @@ def other_meshes(objects: Mapping[str, str]) -> Generator[None, None, Dict[str, 
 
 
 def moved_step(step: Mapping[str, Any], by: np.ndarray) -> Dict[str, Any]:
-    """A step for a mesh that lies elsewhere: moved by a matrix. Lengths on other meshes stay."""
+    """Returns a step for a mesh moved by a matrix. Lengths on other meshes do not change."""
     if np.array_equal(by, np.eye(4)):
         return dict(step)
     if step["op"] == "transplant" and "matrix" in step.get("place", {}):
@@ -155,11 +154,11 @@ def moved_step(step: Mapping[str, Any], by: np.ndarray) -> Dict[str, Any]:
         return {**moved, "place": {"matrix": place.ravel().tolist()}}
     moved = _moved(step, by)
     if step["op"] == "peel":
-        moved["detail_size"] *= similarity_scale(by)  # of the mesh itself, and not of a source
+        moved["detail_size"] *= similarity_scale(by)  # a length on the mesh itself, not on a source
     return moved
 
 
-#: Of the mesh that an operation takes detail from, which stays where it is.
+#: Keys for the mesh that provides the detail, which does not move.
 _OF_SOURCES = {"source_patch", "part"}
 _LENGTHS = {"radius", "width", "padding", "smooth_target"}
 
@@ -186,7 +185,7 @@ def _moved(value: Any, by: np.ndarray, key: str = "") -> Any:
 
 
 def _of_the_mesh_itself(source: Mapping[str, Any], by: np.ndarray) -> Dict[str, Any]:
-    """A source of a mix that is the mesh that is edited."""
+    """Moves a source of a mix that is the edited mesh itself."""
     return {**_moved(source, by), "detail_size": source["detail_size"] * similarity_scale(by)}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which vertices are meant: vertex groups, the selection, the sculpt mask, the 3D cursor."""
+"""Reads regions: vertex groups, the selection, the sculpt mask, the 3D cursor."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import numpy as np
 
 from .errors import Refusal
 
-#: A region as recipes have it, which takes a while to read.
+#: Yields while it reads. Its value is a region of a recipe.
 Region = Generator[None, None, Dict[str, Any]]
-#: Vertices whose groups are read in one go, some milliseconds; between two the window may redraw.
+#: Number of vertices whose groups are read in one slice of some milliseconds.
 _SLICE = 2_000
-#: From this value of the sculpt mask on a vertex belongs to the region.
+#: Least value of the sculpt mask for vertices of the region.
 _MASKED = 0.5
 
 
@@ -32,9 +32,9 @@ def group_index(obj: bpy.types.Object, name: str, what: str) -> int:
 
 
 def read_groups(obj: bpy.types.Object, indices: Sequence[int]) -> Iterator[Dict[int, np.ndarray]]:
-    """Weights of each vertex in each of these groups, -1 for none. Blender gives the groups of a
-    vertex one by one, which takes a second for some million vertices: this yields in between, and
-    what it yields is whole after the last time."""
+    """Reads the weight of each vertex in each of these groups, -1 for none. Blender provides the
+    groups vertex by vertex, which takes a second for some million vertices. Yields between slices;
+    only the last value is complete."""
     vertices = obj.data.vertices
     weights = {index: np.full(len(vertices), -1.0, np.float32) for index in set(indices)}
     for begin in range(0, len(vertices) if weights else 0, _SLICE):
@@ -47,7 +47,7 @@ def read_groups(obj: bpy.types.Object, indices: Sequence[int]) -> Iterator[Dict[
 
 
 def selected_vertices(obj: bpy.types.Object) -> np.ndarray:
-    """Of edit mode, or as it was left."""
+    """Returns the selection of edit mode, or the last one."""
     obj.update_from_editmode()
     chosen = np.empty(len(obj.data.vertices), bool)
     obj.data.vertices.foreach_get("select", chosen)
@@ -57,7 +57,7 @@ def selected_vertices(obj: bpy.types.Object) -> np.ndarray:
 def masked_vertices(obj: bpy.types.Object) -> np.ndarray:
     mesh = obj.data
     values = np.zeros(len(mesh.vertices), np.float32)
-    # Until 3.6 the mask has a place of its own, since then it is an attribute.
+    # Until 3.6 the mask has its own layer; since then it is an attribute.
     attribute = mesh.attributes.get(".sculpt_mask")
     if attribute is not None:
         attribute.data.foreach_get("value", values)
@@ -67,7 +67,7 @@ def masked_vertices(obj: bpy.types.Object) -> np.ndarray:
 
 
 def set_group(obj: bpy.types.Object, name: str, vertices: np.ndarray) -> str:
-    """The vertex group of this name, made where there is none, holds these vertices alone."""
+    """Creates or replaces the vertex group of this name, with only these vertices."""
     group = obj.vertex_groups.get(name)
     if group is not None:
         obj.vertex_groups.remove(group)
@@ -77,14 +77,14 @@ def set_group(obj: bpy.types.Object, name: str, vertices: np.ndarray) -> str:
 
 
 def region_of(vertices: np.ndarray, count: int) -> Dict[str, Any]:
-    """A region as recipes have it."""
+    """Returns a region of a recipe."""
     if len(vertices) == count:
         return {"all": True}
     return {"vertices": vertices.tolist()}
 
 
 def named_region(obj: bpy.types.Object, name: str, what: str) -> Region:
-    """Yields while it reads; its value is the vertices of a group, whatever their weight above 0."""
+    """Yields while it reads. Its value is the vertices with weights above 0 in a group."""
     index = group_index(obj, name, what)
     weights: Dict[int, np.ndarray] = {}
     for weights in read_groups(obj, [index]):
@@ -96,7 +96,7 @@ def named_region(obj: bpy.types.Object, name: str, what: str) -> Region:
 
 
 def cursor_region(cursor: Sequence[float], radius: float) -> Dict[str, Any]:
-    """What lies within a distance of the 3D cursor, measured along the surface."""
+    """Returns the region within a distance of the 3D cursor along the surface."""
     return {"disk": {"near": [float(x) for x in cursor], "radius": radius}}
 
 
@@ -104,7 +104,7 @@ def chosen_region(
     context: bpy.types.Context, obj: bpy.types.Object, source: str, radius: float, group: str,
     what: str,
 ) -> Region:
-    """By one of the items of `REGIONS` of the operators; yields while it reads."""
+    """Yields while it reads. Its value is the region for an item of the operators' `REGIONS`."""
     if source == "ALL":
         return {"all": True}
     if source == "CURSOR":

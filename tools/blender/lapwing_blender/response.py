@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the surface follows its handles linearly, as columns that a frame only has to add up.
+"""The linear response of the surface to its handles, as columns that a frame adds up.
 
 The engine's linear response is affine in the twelve numbers of a handle's matrix. With a column for
-each of them, it costs a frame one product of a thin matrix with a vector.
+each of them, a frame costs one product of a thin matrix with a vector.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from typing import Any, Dict, List, Mapping, Sequence
 import numpy as np
 
 PARAMETERS = 12
-#: Below this turn, growth and share of the region's size a handle has not been moved.
+#: Tolerance for a handle at rest: rotation, scaling, and translation relative to the region's size.
 _AT_REST = 2e-6
 
 
 class HandleFrame:
-    """The point about which a handle's motions are measured, and a length of the size of the edit,
-    which keeps the numbers of turns and translations alike."""
+    """The centre of a handle's motions, and the size of the edit, which brings rotations and
+    translations to the same scale."""
 
     def __init__(self, points: np.ndarray, length: float) -> None:
         self.centroid = points.mean(axis=0)
@@ -30,17 +30,17 @@ class HandleFrame:
         return np.column_stack([linear, shift / self.length]).ravel()
 
     def is_shift(self, motion: np.ndarray) -> bool:
-        """Whether nothing is turned or scaled, to Blender's single precision."""
+        """Returns whether the motion is a translation, to Blender's single precision."""
         linear = np.abs(motion[:3, :3] - np.eye(3)).max()
         return bool(linear < _AT_REST)
 
     def is_rest(self, motion: np.ndarray) -> bool:
-        """To Blender's single precision."""
+        """Returns whether the handle is at rest, to Blender's single precision."""
         far = 1.0 + np.abs(self.centroid).max() / self.length
         return bool(np.abs(self.parameters(motion)).max() < _AT_REST * far)
 
     def unit_motion(self, parameter: int) -> np.ndarray:
-        """The motion of which this parameter is 1 and the others are 0."""
+        """Returns the motion whose parameters are all 0 except for this one, which is 1."""
         row, column = divmod(parameter, 4)
         motion = np.eye(4)
         if column < 3:
@@ -52,8 +52,8 @@ class HandleFrame:
 
 
 def unit_motions(frames: Sequence[HandleFrame], handles: int) -> np.ndarray:
-    """(12 len(frames), handles, 4, 4): each number of each of the first handles, the others at
-    rest."""
+    """Returns unit motions of shape (12 len(frames), handles, 4, 4): one for each parameter of the
+    first handles, with all other handles at rest."""
     motions = np.tile(np.eye(4), (PARAMETERS * len(frames), handles, 1, 1))
     for k, frame in enumerate(frames):
         for p in range(PARAMETERS):
@@ -64,8 +64,8 @@ def unit_motions(frames: Sequence[HandleFrame], handles: int) -> np.ndarray:
 def columns_about(
     frames: Sequence[HandleFrame], columns: np.ndarray, centers: np.ndarray
 ) -> np.ndarray:
-    """(12 len(frames), n, 3), a column for each number of `frames`, of the module's `columns` of shape
-    (len(frames), 3, 4, n, 3) about its own `centers`."""
+    """Returns columns of shape (12 len(frames), n, 3), one for each parameter of `frames`. Converts
+    them from the module's `columns` of shape (len(frames), 3, 4, n, 3) about its own `centers`."""
     for k, frame in enumerate(frames):
         for b, offset in enumerate(centers[k] - frame.centroid):
             if offset != 0.0:
@@ -75,9 +75,9 @@ def columns_about(
 
 
 class Response:
-    """Coordinates of the whole mesh in the object's own space, for motions in the world's.
+    """Computes the coordinates of the whole mesh in the object's space from motions in the world.
 
-    `rest` (in the object's space), `rest_world` and `to_local` are those when the edit was prepared;
+    `rest` (in the object's space), `rest_world` and `to_local` are from the time of preparation.
     `columns` of shape (12 handles, n, 3) are displacements in the world.
     """
 
@@ -98,7 +98,7 @@ class Response:
         self.set_pose(None, None)
 
     def set_pose(self, motions: Sequence[np.ndarray] | None, world: np.ndarray | None) -> None:
-        """From here on frames begin at the surface `world`, settled for `motions`; None is rest."""
+        """Makes later frames start at the surface `world`, settled for `motions`; None is rest."""
         if motions is None or world is None:
             self._of_pose = np.zeros(PARAMETERS * len(self._frames))
             self._base = self._rest[self.moving].astype(np.float32)
@@ -106,7 +106,7 @@ class Response:
         self._of_pose = self._parameters(motions)
         moved = world[self.moving]
         points = moved @ self._to_local[:3, :3].T + self._to_local[:3, 3]
-        # What is at rest there keeps its bits, which two conversions would not.
+        # Points at rest keep their bits, which two conversions would change.
         still = (moved == self._rest_world[self.moving]).all(axis=1, keepdims=True)
         self._base = np.where(still, self._rest[self.moving], points).astype(np.float32)
 
@@ -116,7 +116,7 @@ class Response:
         )
 
     def coordinates(self, motions: Sequence[np.ndarray]) -> np.ndarray:
-        """(n, 3) float32, valid until the next call."""
+        """Returns the coordinates (n, 3), float32, valid until the next call."""
         change = (self._parameters(motions) - self._of_pose).astype(np.float32)
         moved = (self._columns @ change).reshape(-1, 3)
         moved += self._base
@@ -127,7 +127,8 @@ class Response:
 def moved_handles(
     handles: Sequence[Mapping[str, Any]], motions: Sequence[np.ndarray], free: Sequence[bool]
 ) -> List[Dict[str, Any]]:
-    """Handles of a step as recipes have them, moved, some of them with a free orientation."""
+    """Returns the handles of a recipe's step with their motions. Those in `free` get a free
+    orientation."""
     return [
         {
             **handle,

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Live edits: the surface follows the Empties by the linear response, and settles behind them.
+"""Live edits: the surface follows the Empties by the linear response, and settles on a thread.
 
-What is shown is a function of where the Empties are, so that Blender's undo, which puts these back,
-puts the surface back as well. Nothing here outlives the file; objects are found by name, since undo
-makes new ones.
+The surface is a function of the Empties' places, so that Blender's undo, which restores these, also
+restores the surface. Sessions end with the file. Objects are found by name, since undo creates new
+ones.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from .errors import Cancelled, Refusal
 from .response import PARAMETERS, Response
 from .settings import settings_of
 
-#: Between two looks at the Empties.
+#: Interval between two checks of the Empties.
 _TICK_SECONDS = 1.0 / 60.0
 
 _sessions: Dict[str, "Session"] = {}
-#: Why a live edit of an object ended by itself, for its panel.
+#: For the panel: why the live edit of an object ended by itself.
 _ends: Dict[str, str] = {}
 
 
@@ -41,7 +41,7 @@ class Session:
         self._pose_of: Optional[List[np.ndarray]] = None
         self._job: Optional[Job] = None
         self._failed_at: Optional[List[np.ndarray]] = None
-        #: What else wrote the mesh, as undo does, may have left another surface there.
+        #: Whether the mesh may show another surface, for example after undo.
         self.is_stale = False
 
     @property
@@ -49,7 +49,7 @@ class Session:
         return _same(self._pose_of, self._shown)
 
     def respond(self, obj: bpy.types.Object) -> bool:
-        """Shows the surface for where the Empties are now. False where that is shown already."""
+        """Shows the surface for the Empties' places. Returns False if it is shown already."""
         motions = self.request.motions(obj)
         if _same(motions, self._shown) and not self.is_stale:
             return False
@@ -59,7 +59,7 @@ class Session:
         return True
 
     def settle_step(self, obj: bpy.types.Object) -> None:
-        """Takes what the thread has settled, and gives it what there is to settle."""
+        """Takes the settled surface from the thread, and gives it the next one to settle."""
         if self._job is not None:
             if not self._job.is_done:
                 return
@@ -88,12 +88,12 @@ class Session:
         self.is_stale = True
 
     def take(self, obj: bpy.types.Object, settled: Any) -> None:
-        """Shows what `settling` has returned."""
+        """Shows the result of `settling`."""
         self._take(*settled)
         self.respond(obj)
 
     def coordinates(self) -> np.ndarray:
-        """In the object's own space, of what is shown."""
+        """Returns the coordinates of the shown surface in the object's space."""
         if self._shown is None:
             return self.request.rest
         return self.response.coordinates(self._shown)
@@ -113,7 +113,7 @@ def _same(a: Optional[List[np.ndarray]], b: Optional[List[np.ndarray]]) -> bool:
 
 
 def preparing(engine: Any, request: EditRequest) -> Work:
-    """The work that makes a Session."""
+    """Returns the work that creates a Session."""
 
     def work(progress: Progress) -> Session:
         columns, edit = engine.prepare(request.mesh, request.step, request.frames, progress)
@@ -168,9 +168,9 @@ def _tick() -> Optional[float]:
     for name, session in list(_sessions.items()):
         obj = bpy.data.objects.get(name)
         if obj is None or obj.type != "MESH" or not settings_of(obj).is_live:
-            stop(name)  # undone, renamed or deleted
+            stop(name)  # the object was undone, renamed or deleted
             continue
-        if obj.mode == "EDIT":  # the mesh is Blender's to write
+        if obj.mode == "EDIT":  # Blender owns the mesh in edit mode
             session.is_stale = True
             continue
         try:
@@ -181,7 +181,7 @@ def _tick() -> Optional[float]:
 
 
 def advance(obj: bpy.types.Object, session: Session) -> None:
-    """What a tick does for one live edit."""
+    """Updates one live edit in a tick."""
     if len(obj.data.vertices) != len(session.request.rest) or not live_mesh.is_begun(obj):
         stop(obj.name)
         settings_of(obj).is_live = False
@@ -215,7 +215,7 @@ def _after_load(_scene: Any, *_: Any) -> None:
 
 
 def local_result(request: EditRequest, world: np.ndarray) -> np.ndarray:
-    """Vertices that did not move keep their bits."""
+    """Returns `world` in the object's space. Vertices that did not move keep their bits."""
     local = to_local(request.matrix, world)
     still = (world == request.mesh.vertices).all(axis=1)
     local[still] = request.rest[still]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an object keeps of its edit; saved with the file, and undone by Blender."""
+"""The settings of an object's edit. Blender saves them with the file and includes them in undo."""
 
 import bpy
 import numpy as np
@@ -27,7 +27,7 @@ def _is_empty(_self: bpy.types.PropertyGroup, obj: bpy.types.Object) -> bool:
 
 
 def put_at_rest(obj: bpy.types.Object, handle: "LapwingHandle") -> None:
-    """The Empty's place is its rest from now on."""
+    """Makes the Empty's current place its rest."""
     seen = np.linalg.inv(matrix_of(obj.matrix_world)) @ matrix_of(handle.empty.matrix_world)
     handle.rest = seen.ravel().tolist()
 
@@ -38,7 +38,7 @@ def _another_empty(handle: "LapwingHandle", _context: bpy.types.Context) -> None
 
 
 class LapwingHandle(bpy.types.PropertyGroup):
-    """Vertices that go where an Empty goes. `name` is Blender's own key of a collection."""
+    """Vertices that follow an Empty. `name` is Blender's own key of a collection."""
 
     empty: PointerProperty(
         type=bpy.types.Object, poll=_is_empty, update=_another_empty, name="Empty",
@@ -87,7 +87,7 @@ class LapwingSettings(bpy.types.PropertyGroup):
         name="Hold Exactly", description="Belt and handles are held exactly, not in the least squares",
     )
     is_live: BoolProperty(name="Live", description="The surface follows the handles", options={"HIDDEN"})
-    #: A copy of the mesh before the first edit that went into it, which recipes begin with.
+    #: A copy of the mesh before its first edit, with which recipes begin.
     original: PointerProperty(type=bpy.types.Mesh, options={"HIDDEN"})
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes what the engine made into an object: positions alone where the faces are the same."""
+"""Writes the engine's results into an object: only positions if the faces are the same."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _REBUILT = "the result has other faces than before"
 
 
 def put(obj: bpy.types.Object, before: MeshArrays, made: MeshArrays, matrix: np.ndarray) -> List[str]:
-    """Replaces the mesh of `obj`, which was `before` in the world of `matrix`. Says what could not
-    be kept."""
+    """Replaces the mesh of `obj`, which was `before` in the world of `matrix`. Returns notes on
+    what could not be kept."""
     if made.has_faces_of(before):
         local = to_local(matrix, made.vertices)
         still = (made.vertices == before.vertices).all(axis=1)
@@ -40,14 +40,14 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
     mesh.polygons.foreach_get("use_smooth", smooth)
     is_smooth = bool(smooth.mean() > 0.5)
 
-    mesh.clear_geometry()  # and the names of the vertex groups
+    mesh.clear_geometry()  # also removes the names of the vertex groups
     mesh.vertices.add(len(made.vertices))
     mesh.vertices.foreach_set("co", to_local(matrix, made.vertices).ravel())
     mesh.loops.add(len(made.corners))
     mesh.loops.foreach_set("vertex_index", made.corners.astype(np.uint32))
     mesh.polygons.add(len(made.sizes))
     mesh.polygons.foreach_set("loop_start", made.starts.astype(np.int32))
-    # In newer versions it follows from the starts.
+    # In newer versions `loop_total` follows from the starts.
     if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
         mesh.polygons.foreach_set("loop_total", made.sizes)
     last_slot = max(len(mesh.materials) - 1, 0)
@@ -62,7 +62,7 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
 
 
 def _donor(obj: bpy.types.Object) -> bpy.types.Object:
-    """The object as it was, without modifiers, to take weights and UV maps from."""
+    """Returns a copy of the object without modifiers, to take weights and UV maps from."""
     donor = bpy.data.objects.new(f"{obj.name} before", obj.data.copy())
     donor.matrix_world = obj.matrix_world
     for group in obj.vertex_groups:
@@ -73,7 +73,7 @@ def _donor(obj: bpy.types.Object) -> bpy.types.Object:
 
 
 def _bring_layers(obj: bpy.types.Object, donor: bpy.types.Object) -> List[str]:
-    """Weights and UV maps by Blender's own Data Transfer, from the nearest place."""
+    """Copies weights and UV maps with Blender's Data Transfer, from the nearest place."""
     kinds = []
     if len(donor.vertex_groups):
         kinds.append(("VGROUP_WEIGHTS", {"vert_mapping": "POLYINTERP_NEAREST"}))

@@ -39,7 +39,7 @@ py::array as_array(const py::object& object, const std::string& name) {
   return array;
 }
 
-// Real numbers, row by row.
+// Returns real numbers in row-major order.
 py::array_t<double, py::array::c_style | py::array::forcecast> as_numbers(const py::array& array,
                                                                           const std::string& name) {
   if (!is_real(array)) {
@@ -63,7 +63,7 @@ Positions read_positions(const py::object& vertices) {
   return positions;
 }
 
-// Collects polygons, each vertex of which must be one of the mesh.
+// Collects polygons and checks that all their vertices exist.
 class FaceReader {
  public:
   FaceReader(Faces& faces, std::size_t vertex_count) : faces_(faces), count_(vertex_count) {}
@@ -98,7 +98,7 @@ class FaceReader {
  private:
   using Signed = py::array_t<long long, py::array::c_style | py::array::forcecast>;
 
-  // A number too large for its type comes out negative, and so is refused as well.
+  // A number too large for the type becomes negative, which `add` refuses.
   static Signed signed_numbers(const py::array& array) { return array; }
 
   void add(std::span<const long long> polygon) {

@@ -14,23 +14,23 @@ namespace lapwing::python {
 
 namespace py = pybind11;
 
-/// The mesh of `vertices`, numbers of shape (n, 3), and `faces`: whole numbers of shape (m, k), any
-/// k from 3, or a list of polygons. Any type of number and order in memory. Throws InputError, with
-/// the place and the vertices, for another shape or type and for a face that names a vertex that is
-/// not there.
+/// Returns the mesh of `vertices`, numbers of shape (n, 3), and `faces`, integers of shape (m, k),
+/// k >= 3, or a list of polygons. Accepts any numeric type and memory order. Throws InputError,
+/// with the place and the vertices, for another shape or type and for a face with an invalid
+/// vertex.
 Mesh mesh_of(const py::object& vertices, const py::object& faces);
 
-/// Positions of another pose: shape (n, 3) for the `count` vertices of a mesh.
+/// Returns the positions of another pose: shape (n, 3), where n must equal `count`.
 Positions positions_of(const py::object& vertices, std::size_t count);
 
-/// Shape (n, 3), a copy.
+/// Returns a copy of shape (n, 3).
 py::array_t<double> array_of(std::span<const Eigen::Vector3d> vectors);
 py::array_t<Index> array_of(std::span<const Index> numbers);
-/// Shape (m, k) where all polygons have k corners, else a list of arrays.
+/// Returns an array of shape (m, k) if all polygons have k corners, and otherwise a list of arrays.
 py::object faces_of(const Mesh& mesh);
 
-/// The one of `choices` that is called `chosen`. Throws InputError, naming `place` and all of them,
-/// where none is.
+/// Returns the value of the choice named `chosen`. Throws InputError, naming `place` and all
+/// choices, if there is none.
 template <class Value>
 Value one_of(const std::string& place, const std::string& chosen,
              std::initializer_list<std::pair<const char*, Value>> choices) {
@@ -42,9 +42,10 @@ Value one_of(const std::string& place, const std::string& chosen,
   throw InputError(place + ": expected one of " + known + ", got \"" + chosen + "\"");
 }
 
-/// `count` moves for each of `handles` handles: numbers of shape (count, handles, 4, 4) or (count,
-/// handles, 3, 4), row by row, acting on column vectors. Throws InputError, naming the place, for
-/// another shape, a number that is not finite or a last row other than 0 0 0 1.
+/// `count` moves of each of `handles` handles, from an array of shape (count, handles, 4, 4) or
+/// (count, handles, 3, 4). The matrices are row by row and act on column vectors. Throws
+/// InputError, naming the place, for another shape, a number that is not finite, or a last row
+/// other than 0 0 0 1.
 class Motions {
  public:
   Motions(const py::object& array, std::size_t handles);

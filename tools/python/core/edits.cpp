@@ -28,7 +28,7 @@ void put(const NamedMeshes& meshes, MeshShelf& shelf) {
   for (const auto& [name, mesh] : meshes) shelf.put(name, mesh);
 }
 
-// One step, as JSON that `name` stands for in messages, on `mesh`.
+// Runs one step on `mesh`, from JSON that messages call `name`.
 Result carry_out(const Mesh& mesh, const std::string& step_json, const std::string& name,
                  const NamedMeshes& meshes, const std::string& device, const py::object& heard) {
   return Interruptible(heard).call([&](const Progress& progress) {
@@ -64,7 +64,7 @@ Result run(const std::string& recipe_json, const std::filesystem::path& folder,
   });
 }
 
-// A deform that is prepared once. Threads take turns.
+// A deform that is prepared once. Calls from several threads take turns.
 class Edit {
  public:
   Edit(const Mesh& mesh, const std::string& step_json, const py::object& heard) {
@@ -76,13 +76,13 @@ class Edit {
 
   Edit(const Edit&) = delete;
   Edit& operator=(const Edit&) = delete;
-  // A large factor takes a while to free.
+  // Freeing a large factor takes a while, so the lock is released.
   ~Edit() {
     const py::gil_scoped_release unlocked;
     prepared_.reset();
   }
 
-  // `free` is None for the orientations of the step.
+  // If `free` is None, the orientations are those of the step.
   Result solve(const py::object& motions, const std::optional<std::vector<bool>>& free,
                const py::object& heard) {
     const Motions matrices(motions, handle_count());
@@ -97,7 +97,7 @@ class Edit {
     });
   }
 
-  // (vertices of shape (k, n, 3), certificates).
+  // Returns (vertices of shape (k, n, 3), certificates).
   template <class Number>
   py::tuple solve_many(const py::object& motions, unsigned threads, const py::object& heard) {
     const Motions matrices(motions, handle_count());
@@ -123,7 +123,8 @@ class Edit {
     return py::make_tuple(std::move(vertices), std::move(certificates));
   }
 
-  // (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3), why the system is not exact).
+  // Returns (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3), why the system is not
+  // exact).
   py::tuple response(const std::vector<std::size_t>& handles, const py::object& heard) {
     const SurfaceResponse response = Interruptible(heard).call([&](const Progress& progress) {
       const std::lock_guard lock(mutex_);
@@ -134,7 +135,7 @@ class Edit {
     py::array_t<double> columns({count, py::ssize_t{3}, py::ssize_t{4}, rows, py::ssize_t{3}});
     double* to = columns.mutable_data();
     {
-      const py::gil_scoped_release unlocked;  // it is much
+      const py::gil_scoped_release unlocked;  // the copy is large
       for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
     }
     return py::make_tuple(std::move(columns), array_of(response.centers), response.why_not_exact);

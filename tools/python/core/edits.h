@@ -4,16 +4,16 @@
 
 namespace lapwing::python {
 
-/// `run_step`, `run` and `Edit`: the operations of recipes.
+/// Adds `run_step`, `run` and `Edit`: the operations of recipes.
 void add_edits(pybind11::module_& module);
 
-/// `peel`, `remesh`, `parameterize`, `check` and `fix`.
+/// Adds `peel`, `remesh`, `parameterize`, `check` and `fix`.
 void add_mesh_operations(pybind11::module_& module);
 
-/// `Mesh`, `read` and `write`.
+/// Adds `Mesh`, `read` and `write`.
 void add_mesh(pybind11::module_& module);
 
-/// `render`.
+/// Adds `render`.
 void add_render(pybind11::module_& module);
 
 }  // namespace lapwing::python

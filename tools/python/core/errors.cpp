@@ -8,7 +8,7 @@
 namespace lapwing::python {
 namespace {
 
-// The classes live as long as the process does, as their module.
+// The classes live as long as the process, like their module.
 struct Classes {
   py::handle error;
   py::handle input;
@@ -38,7 +38,7 @@ void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Cancelled&) {
-    // What stopped it, KeyboardInterrupt say, is set already where Python did.
+    // If Python stopped it, its exception, such as KeyboardInterrupt, is already set.
     if (PyErr_Occurred() == nullptr) raise(classes.error, "cancelled");
   } catch (const InputError& error) {
     raise(classes.input, error.what(), error.vertices());

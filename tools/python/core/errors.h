@@ -4,8 +4,8 @@
 
 namespace lapwing::python {
 
-/// Adds the exceptions to `module`, each with an attribute `vertices`, and has the engine's errors
-/// come out as them.
+/// Adds the exceptions to `module`, each with an attribute `vertices`, and translates the engine's
+/// errors to them.
 void add_errors(pybind11::module_& module);
 
 }  // namespace lapwing::python

@@ -50,7 +50,7 @@ py::object vertex_or_none(Index v) {
   return v == kNoIndex ? py::object(py::none()) : py::object(py::int_(v));
 }
 
-// A vertex of a certificate, None where there is none.
+// Returns a vertex of a certificate, or None.
 template <Index Certificate::*Member>
 py::object vertex(const Certificate& c) {
   return vertex_or_none(c.*Member);

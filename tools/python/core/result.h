@@ -11,7 +11,7 @@
 
 namespace lapwing::python {
 
-/// What an edit leaves, as Python sees it. What is not asked for is not computed.
+/// The result of an edit, as Python sees it. Its properties are computed when they are read.
 struct Result {
   Mesh mesh;
   Positions rest;     ///< per vertex of `mesh`, before the edit
@@ -19,7 +19,7 @@ struct Result {
   RunReport report;
 };
 
-/// Class `Result`, and `Certificate`.
+/// Adds the classes `Result` and `Certificate`.
 void add_result(pybind11::module_& module);
 
 }  // namespace lapwing::python

@@ -2,8 +2,8 @@
 
     coat.py SOURCE TARGET COATED [--picture PNG]
 
-Both patches are the largest disks around the vertex that is named, by default the one farthest from
-the middle of its mesh.
+Both patches are the largest disks around a given vertex, by default the one farthest from the
+centre of its mesh.
 """
 
 import argparse
@@ -14,7 +14,7 @@ import lapwing
 
 
 def patch_around(mesh: lapwing.Mesh, vertex: int, share: float) -> dict:
-    """A disk of a radius of `share` of the mesh's size."""
+    """Returns the largest disk around `vertex` within `share` of the mesh's size."""
     size = np.linalg.norm(np.ptp(mesh.vertices, axis=0))
     return {"disk_in": {"disk": {"center": vertex, "radius": share * size}}}
 

@@ -2,9 +2,9 @@
 
     data_set.py MESH OUT.npz --center VERTEX --radius R [--count 1000] [--seed 0]
 
-The region is the geodesic disk of radius R around VERTEX, its handle the inner third of it, which
-each variant moves and turns at random. OUT.npz has `vertices` (n, 3), `faces`, `motions` (count, 1,
-4, 4), `displacements` (count, n, 3) as float32, and per variant `detail_error` and `settled`.
+The region is the geodesic disk of radius R around VERTEX. Its inner third is the handle, which each
+variant translates and rotates at random. OUT.npz has `vertices` (n, 3), `faces`, `motions` (count,
+1, 4, 4), `displacements` (count, n, 3) as float32, and per variant `detail_error` and `settled`.
 """
 
 import argparse
@@ -16,7 +16,8 @@ import lapwing
 
 
 def random_motions(rng: np.random.Generator, center: np.ndarray, size: float, count: int):
-    """Turns of up to 60 degrees about random axes through `center`, and shifts of up to `size`."""
+    """Returns random rotations of up to 60 degrees about axes through `center`, with translations
+    of up to `size`."""
     axes = rng.normal(size=(count, 3))
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     angles = np.radians(rng.uniform(0.0, 60.0, size=count))

@@ -2,9 +2,9 @@
 
     landmarks.py TEMPLATE LANDMARKS.csv FITTED
 
-A row of LANDMARKS.csv is a vertex of the template and the place x, y, z that it belongs at, as an
-anatomist marks them on a scan. The fitted mesh keeps the template's vertices and faces, so that all
-meshes fitted so correspond vertex by vertex.
+A row of LANDMARKS.csv is a vertex of the template and its position x, y, z, as an anatomist marks
+it on a scan. The fitted mesh keeps the template's vertices and faces, so that all fitted meshes
+correspond vertex by vertex.
 """
 
 import argparse
@@ -15,8 +15,8 @@ import lapwing
 
 
 def best_similarity(points: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """The rotation, scale and translation, as a matrix of shape (4, 4), that bring `points` nearest
-    to `places` in the least squares (Umeyama 1991)."""
+    """Returns the rotation, scale and translation, as a matrix of shape (4, 4), that bring `points`
+    nearest to `places` in the least-squares sense (Umeyama 1991)."""
     p, q = points - points.mean(0), places - places.mean(0)
     u, sizes, vt = np.linalg.svd(q.T @ p)
     keep = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])

@@ -1,4 +1,4 @@
-"""A session as in a notebook: each part between `# %%` is a cell of Jupyter or an editor.
+"""A notebook session: each part between `# %%` is a cell in Jupyter or an editor.
 
     notebook.py [MESH VERTEX RADIUS] [OUT.png]
 
@@ -26,11 +26,11 @@ else:
     height = mesh.vertices[:, 2]
     roi, hand, belt = "all", height > np.quantile(height, 0.95), height < np.quantile(height, 0.05)
 
-# %% What the mesh is like
+# %% Check the mesh
 found = lapwing.check(mesh)
 print(mesh, "genus", found.statistics["genus"], "and", len(found.defects), "kinds of defects")
 
-# %% Bend it, prepared once, to three angles
+# %% Prepare once, and bend the mesh to three angles
 deformer = lapwing.Deformer(mesh, roi=roi, belt=belt, handles=[hand])
 center = mesh.vertices[deformer.roi].mean(0)
 motions = np.tile(np.eye(4), (3, 1, 1, 1))
@@ -40,7 +40,7 @@ for motion, degrees in zip(motions[:, 0], (20, 45, 70)):
     motion[:3, 3] = center - motion[:3, :3] @ center
 many = deformer.solve_many(motions)
 
-# %% Look at how far each place has turned
+# %% Show the rotation of each vertex
 figure, axes = plt.subplots(1, 4, figsize=(16, 4))
 axes[0].imshow(lapwing.render(mesh, size=(400, 400)))
 for axis, motion, vertices in zip(axes[1:], motions, many.vertices):

@@ -7,9 +7,9 @@
                             handles=[(hand, {"translate": [-5, 13, 2]})])
     lapwing.write("raised.obj", raised)
 
-Arrays come as the field has them: vertices (n, 3), faces (m, 3), (m, 4) or a list of polygons, of
-any type of number and order in memory. Results own their memory. Nothing here opens a display, and
-only `render` and `device="auto"` ask for Vulkan.
+Vertices have shape (n, 3). Faces have shape (m, 3) or (m, 4), or are a list of polygons. Any
+numeric type and memory order works. Results own their memory. No function opens a display, and only
+`render` and `device="auto"` need Vulkan.
 """
 
 from ._core import (

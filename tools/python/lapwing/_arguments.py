@@ -1,4 +1,4 @@
-"""Turns what is given in Python into what the engine reads: meshes, and JSON of recipes."""
+"""Converts Python arguments to what the engine reads: meshes, and JSON of recipes."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from . import _core
 
 Array = NDArray[Any]
 
-#: Keys behind which a region stands, in any depth.
+#: Keys whose values are regions, at any depth.
 _REGION_KEYS = frozenset(
     ["roi", "region", "source_patch", "target_patch", "patch", "target_region", "distance_to"]
 )
-#: Keys behind which a handle's motion stands.
+#: Keys whose values are moves.
 _MOVE_KEYS = frozenset(["move", "place"])
 
 
 def mesh_of(mesh: Any, faces: Any = None, name: str = "mesh") -> _core.Mesh:
-    """The mesh that arrays, or an object with arrays for attributes, stand for.
+    """Returns the mesh of arrays, or of an object with arrays as attributes.
 
     Accepts a `lapwing.Mesh`, a `lapwing.Result`, (n, 3) vertices with their faces, a pair of both,
-    an object with `vertices` and `faces` (trimesh) or `triangles` (Open3D), and Open3D's meshes of
-    tensors.
+    an object with `vertices` and `faces` (trimesh) or `triangles` (Open3D), and Open3D's tensor
+    meshes.
     """
     if faces is not None:
         return _core.Mesh(mesh, faces)
@@ -60,8 +60,8 @@ def _numpy(tensor: Any) -> Array:
 
 
 def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
-    """A region as recipes have it, of "all", a mask, vertex numbers, or what is one already. The
-    length of a mask is checked where the mesh's `vertex_count` is known."""
+    """Converts "all", a mask, vertex numbers or a recipe's region to a recipe's region. Checks the
+    length of a mask if `vertex_count` is known."""
     if isinstance(region, str):
         if region != "all":
             raise _core.InputError(
@@ -89,7 +89,7 @@ def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
 
 
 def vertices_of(vertices: Any, where: str) -> List[int]:
-    """Numbers of vertices, in their order."""
+    """Returns vertex numbers, in their order."""
     numbers = np.asarray(vertices)
     if numbers.size == 0:
         return []
@@ -107,7 +107,7 @@ def vertices_of(vertices: Any, where: str) -> List[int]:
 
 
 def move_of(move: Any, vertex_count: Optional[int], where: str) -> Any:
-    """A motion as recipes have it, of a matrix of shape (4, 4) or (3, 4), or of what is one."""
+    """Converts a matrix of shape (4, 4) or (3, 4), or a recipe's move, to a recipe's move."""
     if isinstance(move, Mapping):
         return plain(move, vertex_count, where)
     matrix = np.asarray(move)
@@ -120,7 +120,7 @@ def move_of(move: Any, vertex_count: Optional[int], where: str) -> Any:
 
 
 def handles_of(handles: Any, vertex_count: Optional[int], where: str) -> List[Any]:
-    """Handles as recipes have them: dicts, or pairs of a region and its move."""
+    """Converts handles, dicts or pairs (region, move), to a recipe's handles."""
     written = []
     for k, handle in enumerate(handles):
         place = f"{where}[{k}]"
@@ -142,7 +142,7 @@ def handles_of(handles: Any, vertex_count: Optional[int], where: str) -> List[An
 
 
 def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
-    """`value` of dicts, lists, text and numbers that are finite, as JSON has them."""
+    """Converts `value` to JSON types: dicts, lists, text and finite numbers."""
     if value is None or isinstance(value, (str, bool, int)):
         return value
     if isinstance(value, Mapping):
@@ -170,7 +170,7 @@ def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
     if isinstance(value, (Sequence, set, frozenset, range)):
         kinds = set(map(type, value))
         if kinds <= {int} or (kinds <= {float} and all(map(math.isfinite, value))):
-            return list(value)  # one by one they would take Python's lock for long
+            return list(value)  # converting each element would hold the GIL for long
         return [plain(each, vertex_count, f"{where}[{k}]") for k, each in enumerate(value)]
     if hasattr(value, "__array__"):
         return plain(np.asarray(value), vertex_count, where)
@@ -194,14 +194,14 @@ def _plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str)
 
 
 def belt_of(belt: Any, vertex_count: Optional[int], where: str) -> Any:
-    """A belt as recipes have it; a number is the outer fraction of the region."""
+    """Converts a belt to a recipe's belt. A number is the outer fraction of the region."""
     if isinstance(belt, (int, float)) and not isinstance(belt, bool):
         return {"fraction": plain(belt, vertex_count, where)}
     return region_of(belt, vertex_count, where)
 
 
 def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
-    """Landmarks as recipes have them: an array of rows, or a dict from vertices to places."""
+    """Converts landmarks, rows or a dict from vertices to positions, to a recipe's targets."""
     if isinstance(targets, Mapping):
         if not targets or any(isinstance(key, str) for key in targets):
             return plain(targets, vertex_count, where)
@@ -213,6 +213,6 @@ def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
 
 
 def step_json(op: str, keys: Mapping[str, Any]) -> str:
-    """The step of a recipe; keys that are None keep their defaults."""
+    """Returns the JSON of a step. Keys that are None keep their defaults."""
     given = {key: value for key, value in keys.items() if value is not None}
     return json.dumps({"op": op, **given})

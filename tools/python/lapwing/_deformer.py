@@ -13,29 +13,29 @@ from ._operations import Progress, deform_step
 
 
 class Many(NamedTuple):
-    """What `Deformer.solve_many` returns."""
+    """Result of `Deformer.solve_many`."""
 
-    #: (k, n, 3), float64 or float32 as asked.
+    #: (k, n, 3), float64 or float32 as requested.
     vertices: Array
     #: One for each motion.
     certificates: List[_core.Certificate]
 
 
 class Response(NamedTuple):
-    """How the surface follows handles to first order, as `Deformer.response` returns it."""
+    """Linear response of the surface to handles, returned by `Deformer.response`."""
 
-    #: (k, 3, 4, n, 3): the displacement of every vertex where entry (a, b) of a handle's motion, seen
-    #: from its centre, is one more than at rest. [:, :, :3] are lengths of the mesh, [:, :, 3] are
-    #: displacements per length and have no unit.
+    #: (k, 3, 4, n, 3): displacement of every vertex when entry (a, b) of a handle's motion, about
+    #: its centre, is one more than at rest. [:, :, :3] has the unit of the mesh; [:, :, 3] is a
+    #: displacement per length and has no unit.
     columns: Array
-    #: (k, 3), in the mesh's coordinates: the centroid of each handle's vertices.
+    #: (k, 3): centroid of each handle's vertices, in the mesh's coordinates.
     centers: Array
-    #: Why details do not turn: what the exact system would need, and may take. Empty where they do.
+    #: Why details do not rotate: the memory that the exact system needs and may use; else empty.
     why_not_exact: str = ""
 
     def displacements(self, motions: Any) -> Array:
-        """(n, 3), what is to be added to the vertices at rest, for one motion for each of the k
-        handles: matrices of shape (k, 4, 4) or (k, 3, 4), as those of `Deformer.solve`."""
+        """Returns the displacements (n, 3) from rest for one motion of each of the k handles:
+        matrices of shape (k, 4, 4) or (k, 3, 4), as for `Deformer.solve`."""
         given = np.asarray(motions, np.float64)
         count = len(self.centers)
         if given.ndim != 3 or given.shape[0] != count or given.shape[1:] not in ((3, 4), (4, 4)):
@@ -48,17 +48,17 @@ class Response(NamedTuple):
 
 
 class Deformer:
-    """A region and its handles, prepared once, for as many motions as wanted.
+    """A region and its handles, prepared once for any number of motions.
 
         d = lapwing.Deformer(V, F, roi=roi, belt=0.1, handles=[hand])
         raised = d.solve([matrix])              # one motion per handle
         many = d.solve_many(matrices)           # shape (k, handles, 4, 4), on all threads
 
-    `handles` are regions (or dicts with "region" and how firmly it holds: "weight", "falloff");
-    everything else is as in `lapwing.deform`, and so are the results, bit for bit. Preparing takes
-    tens of milliseconds for ten thousand vertices and about 8 kB of memory a vertex. Threads may
-    share one: their calls take turns. It can be pickled; whoever unpickles it prepares anew, so
-    that a cluster's workers get one each.
+    `handles` are regions, or dicts with "region" and "weight" or "falloff". All other arguments
+    are as in `lapwing.deform`, and the results have the same bits. Preparing takes tens of
+    milliseconds for ten thousand vertices, and about 8 kB of memory per vertex. Threads can share
+    a Deformer; their calls take turns. A pickled Deformer prepares itself again when it is
+    unpickled, for example on a worker of a cluster.
     """
 
     def __init__(
@@ -107,7 +107,7 @@ class Deformer:
 
     @property
     def belt(self) -> Array:
-        """Those of them that stay."""
+        """The vertices of `roi` that stay."""
         return self._edit.belt
 
     @property
@@ -118,10 +118,10 @@ class Deformer:
     def solve(
         self, motions: Any, *, free: Optional[Sequence[bool]] = None, progress: Progress = None
     ) -> _core.Result:
-        """The settled surface for one motion per handle: matrices of shape (handles, 4, 4) or
-        (handles, 3, 4) that act on column vectors at rest. With one handle a single matrix will
-        do. `free` says for each handle whether its orientation is free; by default that is what the
-        handles say."""
+        """Returns the settled surface for one motion per handle: matrices of shape (handles, 4, 4)
+        or (handles, 3, 4) that act on column vectors at rest. With one handle, a single matrix is
+        enough. `free` says for each handle whether its orientation is free; the default is that of
+        the handles."""
         matrices = np.asarray(motions)
         if matrices.ndim == 2 and self._edit.handle_count == 1:
             matrices = matrices[np.newaxis]
@@ -135,11 +135,11 @@ class Deformer:
         dtype: Any = np.float64,
         progress: Progress = None,
     ) -> Many:
-        """The settled surfaces for `motions` of shape (k, handles, 4, 4): `vertices` of shape
-        (k, n, 3), of type `dtype`, float64 or float32, and a certificate each.
+        """Returns the settled surfaces for `motions` of shape (k, handles, 4, 4): `vertices` of
+        shape (k, n, 3) and type `dtype`, float64 or float32, and a certificate for each motion.
 
-        Runs on `threads` threads, by default all; each but the first prepares for itself, with
-        memory of its own. The bits do not depend on how many there are.
+        Runs on `threads` threads, by default all. Each thread except the first prepares again, in
+        its own memory. The bits do not depend on the number of threads.
         """
         count = 0 if threads is None else int(threads)
         if count < 0:
@@ -154,19 +154,19 @@ class Deformer:
     def response(
         self, handles: Optional[Sequence[int]] = None, *, progress: Progress = None
     ) -> Response:
-        """How the surface follows `handles`, by default all, linearly: 12 columns each, to be added
-        up for every frame of a drag, in microseconds a thousand vertices.
+        """Returns the linear response to `handles`, by default all: 12 columns per handle. Adding
+        them up for a frame of a drag takes microseconds per thousand vertices.
 
             linear = d.response()
             shown = V + linear.displacements([matrix])
 
-        `handles` are numbers from 0. The columns come from what is prepared, by 12 right-hand sides
-        a handle, and take 288 bytes a vertex and handle. What a Deformer with `settle=False` solves
-        is V + `displacements` to 1e-6 of the diagonal, but for loose parts, which turn here to first
-        order alone; targets are left out, and images of mirrored handles go along. A region that is
-        too large for the exact system (`why_not_exact` says so) follows with its details unturned.
-        The first call with settling factors that system. Raises InputError for a handle that there is not,
-        SolverError where there is not the memory, and what `progress` raises.
+        `handles` are numbers from 0. The columns cost 12 right-hand sides per handle and take 288
+        bytes per vertex and handle. V + `displacements` equals the result of a Deformer with
+        `settle=False` to 1e-6 of the diagonal, except for loose parts, which rotate here only to
+        first order. Targets are left out, and images of mirrored handles move along. If the region
+        is too large for the exact system (see `why_not_exact`), its details do not rotate. With
+        settling, the first call factorizes that system. Raises InputError for a handle that does
+        not exist, SolverError if there is not enough memory, and what `progress` raises.
         """
         count = self._edit.handle_count
         chosen = range(count) if handles is None else [operator.index(h) for h in handles]

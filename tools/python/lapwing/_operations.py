@@ -1,4 +1,4 @@
-"""The operations on meshes in memory, each a function of meshes and keys."""
+"""Operations on meshes in memory. Each is a function of meshes and keys."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Progress = Optional[Callable[[str, float], Optional[bool]]]
 
 
 def deform_step(count: int, name: str, keys: Mapping[str, Any]) -> str:
-    """The JSON of a deform of a mesh of `count` vertices."""
+    """Returns the JSON of a deform step for a mesh of `count` vertices."""
     written = {key: plain(value, count, f"{name}: {key}") for key, value in keys.items()
                if key not in ("roi", "belt", "handles", "targets")}
     written["roi"] = region_of(keys["roi"], count, f"{name}: roi")
@@ -69,23 +69,23 @@ def deform(
         The part of the ROI that stays: a number from 0 to 1 for the outer fraction of it (0.1 by
         default), or a region.
     handles
-        What is placed: pairs (region, move), or dicts with both. A move is a matrix of shape
+        The parts to place: pairs (region, move), or dicts with both. A move is a matrix of shape
         (4, 4) or (3, 4) that acts on column vectors in the mesh's units, or a dict with
         "translate", "rotate": {"axis", "degrees"}, "scale" (a number, or three for x, y and z) and
-        "pivot". A dict may also have "orientation": "free", for a handle that turns as the surface
-        wants, and "path", the moves that it went through before.
+        "pivot". A dict may also have "orientation": "free", if the surface determines the rotation
+        of the handle, and "path", the moves that the handle made before.
     targets
-        Landmarks, beside handles or in their place: an array whose rows are vertex, x, y, z (a
-        weight may follow) or px, py, pz, x, y, z; a dict from vertices to places; or {"rows": ROWS,
-        "hard": True}, which reaches them exactly.
+        Landmarks, beside handles or instead of them: an array whose rows are vertex, x, y, z (a
+        weight may follow) or px, py, pz, x, y, z; a dict from vertices to positions; or
+        {"rows": ROWS, "hard": True}, which reaches them exactly.
     mirror
-        "auto", {"plane": "x"} or {"point", "normal"}: all of it on both sides of that plane.
+        "auto", {"plane": "x"} or {"point", "normal"}: makes the edit on both sides of that plane.
     hard, detail_length, constraint_weight, settle, weights, response, commit_every, loose, seams
         As in recipes (`lapwing keys deform`).
     device
         "cpu" (double precision, no Vulkan needed), "auto" or a part of a device's name.
     progress
-        Called as progress(stage, fraction) every 30 ms at most; False cancels.
+        Called as progress(stage, fraction), at most every 30 ms; returning False cancels.
 
     Returns
     -------
@@ -95,7 +95,7 @@ def deform(
     Raises
     ------
     InputError
-        Something does not fit; `vertices` of the error are those concerned.
+        An argument is invalid; `vertices` of the error are the vertices concerned.
     SolverError
         The system cannot be solved.
     """
@@ -131,11 +131,10 @@ def coat(
 ) -> _core.Result:
     """Puts the fine detail of a patch of `source` on a patch of `target`.
 
-    Meshes are pairs (vertices, faces) or objects with both; without a `source` it is the target
+    Meshes are pairs (vertices, faces) or objects with both; the default `source` is the target
     itself. Patches are regions as in `deform`, and must be disks: {"disk_in": REGION} finds one.
-    `detail_size` is a length on the source: what is smaller is its coating. The others are those
-    of recipes (`lapwing keys coat`). Where the patch has to be made finer the result has faces of
-    its own.
+    `detail_size` is a length on the source: smaller features are its coating. The others are keys
+    of recipes (`lapwing keys coat`). If the patch has to be refined, the result has new faces.
     """
     chosen = mesh_of(target, None, "coat: target")
     count = chosen.vertex_count
@@ -174,10 +173,10 @@ def mix(
 ) -> _core.Result:
     """Puts a blend of two surfaces on a patch of `target`.
 
-    `sources` are two dicts with "mesh" (without it, the target itself), "patch", "detail_size" and
-    the other keys of a recipe's sources. `weight` is the second one's share: an array of n values
-    from 0 to 1, {"distance_to": REGION, "width": a} or {"domain_v": [a, b]}. The others are those
-    of recipes (`lapwing keys mix`).
+    `sources` are two dicts with "mesh" (by default the target itself), "patch", "detail_size" and
+    the other keys of a recipe's sources. `weight` is the share of the second source: an array of n
+    values from 0 to 1, {"distance_to": REGION, "width": a} or {"domain_v": [a, b]}. The others are
+    keys of recipes (`lapwing keys mix`).
     """
     chosen = mesh_of(target, None, "mix: target")
     count = chosen.vertex_count
@@ -225,13 +224,13 @@ def transplant(
     device: str = "cpu",
     progress: Progress = None,
 ) -> _core.Result:
-    """Puts `part` in the place of a region of `host`.
+    """Replaces a region of `host` by `part`.
 
-    Meshes are pairs (vertices, faces) or objects with both. `part_region` is what is cut from the
-    part's mesh; without a `part` that is the host itself. `place` is a matrix of shape (4, 4) or
-    a move as in `deform`, or {"auto": {...}}, the default, which fits the part's loop to the hole.
-    The others are those of recipes (`lapwing keys transplant`). The result has the host's vertices
-    and faces first, in their order.
+    Meshes are pairs (vertices, faces) or objects with both. `part_region` is the region to cut from
+    `part`, by default from the host itself. `place` is a matrix of shape (4, 4), a move as in
+    `deform`, or {"auto": {...}}, the default, which fits the part's loop to the hole. The others
+    are keys of recipes (`lapwing keys transplant`). The result has the host's vertices and faces
+    first, in their order.
     """
     chosen = mesh_of(host, None, "transplant: host")
     count = chosen.vertex_count
@@ -267,12 +266,12 @@ def run(
     device: str = "cpu",
     progress: Progress = None,
 ) -> _core.Result:
-    """Carries out a recipe.
+    """Runs a recipe.
 
-    `recipe` is a dict, or the path of a recipe's file. `meshes` stand for files that it names, by
-    the names that it has for them; whatever else it names is read from `folder`, by default that of
-    the recipe's file or the working directory. The result is written only with `save=True`, to
-    where the recipe's "save" says.
+    `recipe` is a dict, or the path of a recipe file. `meshes` replaces files by meshes in memory,
+    by their names in the recipe. Other files are read from `folder`, by default the folder of the
+    recipe file or the working directory. The result is written to the recipe's "save" only with
+    `save=True`.
     """
     if isinstance(recipe, Mapping):
         text = json.dumps(plain(recipe, None, "recipe"))

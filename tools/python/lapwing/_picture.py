@@ -27,13 +27,12 @@ def render(
     flat: bool = False,
     device: str = "auto",
 ) -> Array:
-    """A picture of a mesh, (height, width, 4) uint8, as `matplotlib.pyplot.imshow` shows it.
+    """Returns a picture of a mesh, (height, width, 4) uint8, for `matplotlib.pyplot.imshow`.
 
-    `values`, one per vertex, colour it beside a legend that goes over `limits`, by default from the
-    least value to the largest; NaN has no colour. `view` is
-    "three-quarter", "front", "back", "left", "right", "top" or "bottom"; `from_` is a direction to
-    the eye in its place. Needs Vulkan, for which Mesa's software device will do: DeviceError says
-    what to install.
+    `values`, one per vertex, colour the mesh, with a legend over `limits`, by default from the
+    smallest to the largest value; NaN has no colour. `view` is "three-quarter", "front", "back",
+    "left", "right", "top" or "bottom"; `from_`, a direction to the eye, replaces it. Needs Vulkan;
+    Mesa's software device is enough. DeviceError says what to install.
     """
     chosen = mesh_of(mesh, faces, "render: mesh")
     picture = dict(

@@ -1,4 +1,4 @@
-"""What is measured of a mesh, or made of it without an edit."""
+"""Checks, repairs and other operations without an edit."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._operations import Progress
 
 @dataclass(frozen=True)
 class Defect:
-    """One kind of defect of a mesh, and where it is."""
+    """One kind of defect of a mesh, and its places."""
 
     kind: str  #: "unwelded_seam"
     name: str  #: "unwelded seam edges"
@@ -23,12 +23,12 @@ class Defect:
     next_step: str
     element: str  #: what `first` names: "vertex", "face", "edge", "component", "mesh"
     first: Array  #: the first of them, ascending; an edge is two vertices
-    fixable: bool  #: `fix` leaves none of it
+    fixable: bool  #: `fix` repairs all of them
 
 
 @dataclass(frozen=True)
 class Check:
-    """What `check` found."""
+    """Result of `check`."""
 
     defects: List[Defect]
     statistics: Dict[str, Any]
@@ -51,15 +51,15 @@ class _Made:
 
 @dataclass(frozen=True)
 class Fixed(_Made):
-    """What `fix` made: `mesh`, `vertices`, `faces`."""
+    """Result of `fix`: `mesh`, `vertices`, `faces`."""
 
-    repairs: Dict[str, int]  #: what was done, and how often
+    repairs: Dict[str, int]  #: number of repairs of each kind
     vertex_sources: Array  #: the old number of each vertex
 
 
 @dataclass(frozen=True)
 class Peeled(_Made):
-    """What `peel` made: a `mesh` that is smooth, its `vertices` and `faces`."""
+    """Result of `peel`: the smooth `mesh`, its `vertices` and `faces`."""
 
     coating: Array  #: (n, 3), from the smooth surface to the one given
     moved: Array  #: the vertices that may have moved
@@ -70,10 +70,10 @@ class Peeled(_Made):
 
 @dataclass(frozen=True)
 class Remeshed(_Made):
-    """What `remesh` made: `mesh`, `vertices`, `faces`."""
+    """Result of `remesh`: `mesh`, `vertices`, `faces`."""
 
-    kept: Array  #: the old number of each vertex that was kept, 2**32 - 1 of a new one
-    region: Array  #: the vertices of the region, as it is now
+    kept: Array  #: the old number of each kept vertex, 2**32 - 1 for a new one
+    region: Array  #: the vertices of the remeshed region
     mean_edge: float
     smallest_angle_degrees: float
     warnings: List[str]
@@ -81,12 +81,11 @@ class Remeshed(_Made):
 
 @dataclass(frozen=True)
 class Parameterized(_Made):
-    """What `parameterize` made: the `mesh` given with texture coordinates, and where these are."""
+    """Result of `parameterize`: the given `mesh` with texture coordinates, and the map."""
 
-    #: (p, 2), in the disk or square: of the patch's vertices, then of the midpoints of edges that
-    #: had to be halved
+    #: (p, 2), in the disk or square: the patch's vertices, then the midpoints of split edges
     points: Array
-    patch_vertices: Array  #: the vertex of the mesh that each is, without the midpoints
+    patch_vertices: Array  #: the mesh vertex of each point, without the midpoints
     patch_faces: Array  #: (t, 3), into the points
     pins: Array
     flipped: Array  #: triangles of the patch
@@ -102,15 +101,15 @@ def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
 def check(
     mesh: Any, faces: Any = None, *, self_intersections: bool = False, most_listed: int = 8
 ) -> Check:
-    """What is wrong with a mesh, and what that means for an edit. Looking for faces that cut
-    through others takes several times as long as all else."""
+    """Returns the defects of a mesh, and what they mean for an edit. Checking for
+    `self_intersections` takes several times as long as everything else."""
     found = _core.check(mesh_of(mesh, faces, "check: mesh"), self_intersections, most_listed)
     found["defects"] = [Defect(**defect) for defect in found["defects"]]
     return Check(**found)
 
 
 def fix(mesh: Any, faces: Any = None) -> Fixed:
-    """Repairs what has one sensible repair. Positions do not change."""
+    """Repairs defects that have one sensible repair. Positions do not change."""
     return Fixed(**_core.fix(mesh_of(mesh, faces, "fix: mesh")))
 
 
@@ -122,7 +121,7 @@ def peel(
     region: Any = "all",
     weights: str = "cotangent",
 ) -> Peeled:
-    """Takes the fine detail off a region: features smaller than the length `detail_size`."""
+    """Removes the fine detail of a region: features smaller than the length `detail_size`."""
     chosen = mesh_of(mesh, faces, "peel: mesh")
     return Peeled(
         **_core.peel(chosen, _region_json(region, chosen, "peel: region"), detail_size, weights)
@@ -140,8 +139,8 @@ def remesh(
     feature_degrees: float = 45.0,
     progress: Progress = None,
 ) -> Remeshed:
-    """Gives a region nearly equilateral triangles of one size on the same surface: with edges of
-    `length`, or of `scale` times the region's mean one. Edges between faces that meet at
+    """Remeshes a region with nearly equilateral triangles of one size on the same surface. Edges
+    have `length`, or `scale` times the region's mean edge length. Edges between faces that meet at
     `feature_degrees` or more are kept."""
     chosen = mesh_of(mesh, faces, "remesh: mesh")
     return Remeshed(
@@ -165,8 +164,8 @@ def parameterize(
     domain: str = "disk",
     pins: Sequence[int] = (),
 ) -> Parameterized:
-    """Lays a region that is a disk into the unit disk or square by mean value coordinates. `pins`
-    are the boundary vertex for the disk's rightmost point, or four for the square's corners,
+    """Maps a region that is a disk to the unit disk or square by mean value coordinates. `pins` are
+    the boundary vertex for the disk's rightmost point, or four for the square's corners,
     counterclockwise from the lower left."""
     chosen = mesh_of(mesh, faces, "parameterize: mesh")
     return Parameterized(

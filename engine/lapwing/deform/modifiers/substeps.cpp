@@ -64,6 +64,7 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
     }
     certificate.settle_iterations += part.settle_iterations;
     certificate.settled = certificate.settled && part.settled;
+    certificate.lacks_hessian = certificate.lacks_hessian || part.lacks_hessian;
     certificate.settle_last_step = std::max(certificate.settle_last_step, part.settle_last_step);
   }
   const EditRegion& region = bound.region;

@@ -24,8 +24,8 @@ void free_block(std::byte* memory, std::size_t alignment) {
   ::operator delete(memory, std::align_val_t(alignment));
 }
 
-// Blocks on huge pages that nobody uses. The system clears the pages of a new one, which for an
-// edit of 10,000 vertices takes a tenth of its preparation; a block of the edit before has them.
+// Unused blocks on huge pages. Reuse saves the time in which the system clears the pages of a new
+// block: a tenth of the preparation of an edit of 10,000 vertices.
 class SpareBlocks {
  public:
   struct Block {
@@ -35,7 +35,7 @@ class SpareBlocks {
 
   SpareBlocks() { blocks_.reserve(kMostSpareBytes / kHugePage); }
 
-  // The smallest that has room for `bytes` and is not much larger; none where there is none.
+  // Returns the smallest block that has room for `bytes` and is at most twice as large, or none.
   Block take(std::size_t bytes) {
     const std::scoped_lock lock(mutex_);
     auto best = blocks_.end();
@@ -50,7 +50,7 @@ class SpareBlocks {
     return taken;
   }
 
-  // Frees what has been spare for longest where that makes more than kMostSpareBytes.
+  // Keeps `block`, and frees the oldest ones if there would be more than kMostSpareBytes.
   void keep(const Block& block) noexcept {
     const std::scoped_lock lock(mutex_);
     if (block.bytes > kMostSpareBytes || blocks_.size() == blocks_.capacity()) {
@@ -62,7 +62,7 @@ class SpareBlocks {
     bytes_ += block.bytes;
   }
 
-  // False where there is nothing to free.
+  // Returns false if there is nothing to free.
   bool free_all() noexcept {
     const std::scoped_lock lock(mutex_);
     const bool any = !blocks_.empty();
@@ -78,18 +78,18 @@ class SpareBlocks {
   }
 
   std::mutex mutex_;
-  std::vector<Block> blocks_;  // the oldest first; has room for all that may be kept
+  std::vector<Block> blocks_;  // oldest first; reserved, so that `keep` does not allocate
   std::size_t bytes_ = 0;
 };
 
-// Lives until the program has ended: solvers may end after any other static object.
+// Never destroyed, because solvers may outlive any other static object.
 SpareBlocks& spare_blocks() {
   static auto* const blocks = new SpareBlocks;
   return *blocks;
 }
 
-// What is taken for a block of `bytes` that may be kept: rounded up by a quarter at most, so that
-// the block of one edit also serves the next, which seldom needs as much to the page.
+// Rounds up the size of a block that may be kept, by at most a quarter. The block of one edit then
+// also serves the next one, which seldom needs the same number of pages.
 std::size_t with_room(std::size_t bytes) {
   if (bytes > kMostSpareBytes) return bytes;
   const std::size_t unit = std::max(kHugePage, std::bit_floor(bytes) / 4);

@@ -7,16 +7,16 @@
 
 namespace lapwing::cholesky {
 
-/// A block of memory that only grows, aligned for vectors, on huge pages where the system has
-/// them (touching 4 KiB pages one by one takes longer than factoring what lies in them). Its
-/// contents are undefined after `reserve` has grown it. Large ones are not cleared: pages are
-/// first touched by the thread that needs them, and kept for the next block, up to
-/// kMostSpareBytes in the whole program.
+/// A block of memory that only grows, aligned for vectors, on huge pages if the system has them
+/// (touching 4 KiB pages one by one takes longer than the factorization in them). Its contents are
+/// undefined after `reserve` has grown it. Large blocks are not cleared, so that the thread that
+/// needs a page touches it first. Freed blocks are kept for later ones, up to kMostSpareBytes in
+/// the whole program.
 class ArenaBlock {
  public:
   /// Throws std::bad_alloc; the block is then empty.
   void reserve(std::size_t wanted_bytes);
-  /// Has the system clear its pages now, in place of when they are first used. Throws Cancelled.
+  /// Lets the system clear all pages now instead of at their first use. Throws Cancelled.
   void touch();
   std::byte* data() const { return data_.get(); }
   std::size_t bytes() const { return data_ ? data_.get_deleter().bytes : 0; }
@@ -33,17 +33,17 @@ class ArenaBlock {
   std::unique_ptr<std::byte[], Release> data_;
 };
 
-/// What `reserve` of a block takes from the system.
+/// Returns the bytes that a block of `bytes` takes from the system.
 std::size_t arena_block_bytes(std::size_t bytes);
 
-/// What an arena of `count` numbers takes from the system.
+/// Returns the bytes that an arena of `count` numbers takes from the system.
 template <typename Real>
 std::size_t arena_bytes(std::size_t count) {
   if (count > std::numeric_limits<std::size_t>::max() / sizeof(Real)) throw std::bad_alloc();
   return arena_block_bytes(count * sizeof(Real));
 }
 
-/// Numbers in such a block.
+/// An array of numbers in an ArenaBlock.
 template <typename Real>
 class Arena {
  public:
@@ -57,9 +57,9 @@ class Arena {
   ArenaBlock block_;
 };
 
-/// What all arenas of the program together keep when they end.
+/// Most memory that freed arenas keep for later ones, in the whole program.
 inline constexpr std::size_t kMostSpareBytes = std::size_t{256} << 20;
-/// Gives it back to the system.
+/// Returns that memory to the system.
 void free_spare_memory();
 
 }  // namespace lapwing::cholesky

@@ -42,7 +42,7 @@ std::size_t table_bytes(const Symbolic& symbolic) {
          bytes_of(symbolic.pieces) + bytes_of(symbolic.entries);
 }
 
-// The blocks that hang together with those of `front`: the pivots of its tree.
+// Returns the blocks of the connected component of `front`: the pivots of its tree.
 std::vector<int> component_of(const Symbolic& symbolic, int front) {
   std::vector<int> root(symbolic.fronts.size());
   for (int f = symbolic.front_count() - 1; f >= 0; --f) {
@@ -63,7 +63,7 @@ struct Analysis final : SolverAnalysis {
   const BlockPattern* pattern = nullptr;
 };
 
-// The numeric work of a precision.
+// The numeric work in one precision.
 class Factorization {
  public:
   virtual ~Factorization() = default;
@@ -201,7 +201,7 @@ class BlockCholesky::Implementation {
     if (factored_) {
       kept.assign(symbolic().upward.size(), 1);
       for (const Index block : changed) kept[symbolic().node_of_front(front_of(block))] = 0;
-      // Nodes are numbered children first.
+      // Children are numbered before their parents.
       for (int node = 0; node < symbolic().upward.size(); ++node) {
         if (kept[node]) continue;
         const WorkGraph& graph = symbolic().upward;
@@ -222,7 +222,7 @@ class BlockCholesky::Implementation {
 
   const SolverStatistics& statistics() const { return statistics_; }
 
-  // Calls `step`, and says how much memory was asked for when there is not enough.
+  // Calls `step`. If memory runs out, throws a SolverError that says how much is needed.
   template <typename Step>
   void guard(Step step) {
     try {
@@ -259,10 +259,10 @@ class BlockCholesky::Implementation {
     }
   }
 
-  // Systems in 3 x 3 blocks are the large ones, and whoever makes one can do without it where it
-  // does not fit: it asks before.
+  // Throws if the factor does not fit into memory. Systems in 3 x 3 blocks are exempt: they are the
+  // large ones, and their callers check before and can do without.
   void require_memory_for_factor() const {
-    constexpr std::size_t kWorthAsking = 64'000'000;  // less is there, or nothing is
+    constexpr std::size_t kWorthAsking = 64'000'000;  // smaller amounts are not worth a check
     const std::size_t bytes = statistics_.peak_bytes - table_bytes(symbolic());
     if (symbolic().block_size == 3 || bytes < kWorthAsking) return;
     require_memory(bytes, "the factorization of " + std::to_string(symbolic().blocks) + " blocks",

@@ -9,9 +9,9 @@
 
 namespace lapwing::cholesky {
 
-/// For as long as it lives, denormal numbers are 0 on the calling thread, as operands and as
-/// results. What a factor fills in far from a coupling decays until floats, whose range is short,
-/// hold it in denormals, and those take processors a hundred times as long: the factorization of
+/// While one lives, denormal numbers are 0 on the calling thread, as operands and as results. The
+/// entries of a factor decay away from a coupling, and floats, whose range is short, soon hold them
+/// as denormals. Processors take a hundred times as long for those: the factorization of
 /// `blade.off` took three times as long with them.
 class FlushedDenormals {
  public:
@@ -45,7 +45,7 @@ class FlushedDenormals {
 #endif
 };
 
-/// That for floats, and nothing for doubles, which decay as far nowhere.
+/// FlushedDenormals for floats, and nothing for doubles, in which entries do not decay that far.
 template <typename Real>
 class DenormalsFor {
   std::conditional_t<std::is_same_v<Real, float>, FlushedDenormals, std::monostate> flushed_;

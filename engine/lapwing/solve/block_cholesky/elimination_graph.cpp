@@ -10,7 +10,7 @@
 namespace lapwing::cholesky {
 namespace {
 
-// Calls visit(first, later, block) for every block beside the diagonal.
+// Calls visit(first, later, block) for every off-diagonal block.
 template <typename Visit>
 void for_each_block(const BlockPattern& pattern, const std::vector<int>& places, Visit visit) {
   CancelCheck check;

@@ -14,7 +14,7 @@ std::vector<int> inverse_of(const std::vector<int>& order) {
   return inverse;
 }
 
-// Whom each column meets of those before it.
+// The earlier columns that each column is coupled with.
 struct EarlierColumns {
   std::vector<int> starts;
   std::vector<int> columns;
@@ -53,7 +53,7 @@ std::vector<int> parents_of(const EliminationGraph& graph) {
   return parent;
 }
 
-// The postorder of a forest, children in ascending order.
+// Returns the postorder of a forest, children in ascending order.
 std::vector<int> postorder_of(const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
   std::vector<int> first_child(n, -1);
@@ -82,7 +82,7 @@ std::vector<int> postorder_of(const std::vector<int>& parent) {
   return postorder;
 }
 
-// Root of the set of `node`, with path compression.
+// Returns the root of the set of `node`, and compresses the path to it.
 int find_root(std::vector<int>& ancestor, int node) {
   int root = node;
   while (root != ancestor[root]) root = ancestor[root];
@@ -90,8 +90,9 @@ int find_root(std::vector<int>& ancestor, int node) {
   return root;
 }
 
-// Row i of the factor is a subtree of the elimination tree. Its leaves add one to the counts below
-// the root, the meeting points of neighbouring leaves take one back.
+// Row i of the factor is a subtree of the elimination tree. Each of its leaves adds 1, and the
+// least common ancestor of two consecutive leaves subtracts 1. A count is the sum over a node's
+// descendants.
 std::vector<int> column_counts(const EliminationGraph& graph, const EliminationTree& tree,
                                const std::vector<int>& node_of_column) {
   const int n = graph.size();

@@ -1,7 +1,7 @@
-// The factorization's inner loops. Included by kernels_*.cpp inside an unnamed namespace, after Real
-// (what numbers are held in), kLanes (numbers per vector register), kTileStrips and kTileColumns
-// (the tile of the result that the registers hold) are defined. Calls nothing that has external
-// linkage: see front_layout.h.
+// The factorization's inner loops. kernels_*.cpp include this file inside an unnamed namespace,
+// after they define Real (the number type), kLanes (numbers per vector register), kTileStrips and
+// kTileColumns (the tile of the result that the registers hold). It calls nothing with external
+// linkage (see front_layout.h).
 
 using View = FrontView<Real>;
 
@@ -19,7 +19,7 @@ constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
 #define LAPWING_UNROLL _Pragma("GCC unroll 12")
 #endif
 
-// Where numbers may lie anywhere: copies, which cost nothing, tell every compiler so.
+// Loads from an unaligned address. Every compiler understands the copy and drops it.
 LAPWING_INLINE Vector unaligned_at(const Real* p) {
   Vector vector;
   __builtin_memcpy(&vector, p, sizeof vector);
@@ -39,7 +39,7 @@ struct Tile {
   Vector c[M][N][kParts];
 };
 
-// `columns` of the N are stored in memory; the rest start at 0 and are not written.
+// Only `columns` of the N columns are in memory. The others start at 0 and are not written.
 template <int M, int N, bool kAll>
 LAPWING_INLINE void load(Tile<M, N>& tile, Real* const* from, int columns) {
   LAPWING_UNROLL for (int m = 0; m < M; ++m) {
@@ -88,8 +88,8 @@ LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const Real* c
   }
 }
 
-// The columns [column, column + columns) of the factor in M strips. `pivots` is the pivot strip
-// that holds these columns' diagonal, in lanes `lane` onwards.
+// Computes the columns [column, column + columns) of the factor in M strips. `pivots` is the pivot
+// strip that holds the diagonal of these columns, from lane `lane` on.
 template <int M, bool kAll>
 LAPWING_INLINE void solve_tile(Real* const* strips, const Real* pivots, int column, int lane,
                                int columns) {
@@ -149,7 +149,7 @@ void solve_rows(const View& front, int first, int last, int first_column, int la
   if (s < last) solve_strips<1>(front, s, first_column, last_column);
 }
 
-// Cholesky factorization of one diagonal tile of `width` columns; its inverse diagonal replaces the
+// Factorizes one diagonal tile of `width` columns. The inverse of the diagonal replaces the
 // diagonal. Returns the first refused pivot or -1.
 int factor_tile(Real* tile, int width, const Real* floor) {
   for (int j = 0; j < width; ++j) {
@@ -194,7 +194,7 @@ int factor_pivots(const View& front, int first, int last, const Real* floor) {
   return -1;
 }
 
-// -A B' for M strips and the strip `b`, to column `column` of the strips `target`.
+// Writes -A B' for M strips and the strip `b` to the strips `target`, from column `column` on.
 template <int M>
 LAPWING_INLINE void product(int pivots, const Real* const* a, const Real* b,
                             Real* const* target, int column) {
@@ -234,7 +234,7 @@ void update(const View& front, Real* matrix, int first, int last) {
   if (s < last) update_strips<1>(front, matrix, s);
 }
 
-// All ones in the lanes [first, last) of part `part` of a strip's column.
+// Returns a mask of the lanes [first, last) of part `part` of a strip's column.
 LAPWING_INLINE Bits lanes_between(int first, int last, int part) {
   Bits lane;
   LAPWING_UNROLL for (int i = 0; i < kLanes; ++i) lane[i] = kLanes * part + i;
@@ -251,7 +251,7 @@ LAPWING_INLINE void add_lanes(Real* target, const Real* source, int shift, const
 }
 
 // Adds the lower-triangle part of `piece` in the child's columns [first, last). `strip` is where
-// the parent's strip would have its column 0.
+// column 0 of the parent's strip would be.
 LAPWING_INLINE void add_piece(const ChildUpdate<Real>& child, const Piece& piece, Real* strip,
                               int first, int last) {
   const int row = kStrip * piece.source;

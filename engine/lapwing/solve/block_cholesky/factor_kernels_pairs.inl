@@ -1,10 +1,10 @@
-// The factorization's inner loops where a register holds a column of two strips, which lie apart in
-// memory: twice the numbers of an operation for the price of bringing the halves together. Included
-// after factor_kernels.inl, whose solve_strips and update_strips compute the strip that is left
-// over. Every number is computed by the same operations as there.
+// The factorization's inner loops for registers that hold a column of two strips. An operation
+// computes twice as many numbers, but the halves must be combined, because the strips lie apart in
+// memory. Included after factor_kernels.inl, whose solve_strips and update_strips compute a
+// remaining single strip. Every number is computed by the same operations as there.
 
 struct StripPairs {
-  static constexpr int kPairs = 3;  // of a tile: 24 registers of the result, 3 of rows, 1 factor
+  static constexpr int kPairs = 3;  // per tile: 24 registers for the result, 3 for rows, 1 factor
   static constexpr int kColumns = kStrip;
 
   typedef Real PairVector __attribute__((vector_size(2 * sizeof(Real) * kStrip), may_alias));
@@ -20,7 +20,7 @@ struct StripPairs {
     vector_at(to) = __builtin_shufflevector(pair, pair, 8, 9, 10, 11, 12, 13, 14, 15);
   }
 
-  // P pairs of strips by the columns of one.
+  // P pairs of strips by 8 columns of the result, in registers.
   template <int P>
   struct PairTile {
     PairVector c[P][kColumns];
@@ -42,7 +42,7 @@ struct StripPairs {
     }
   }
 
-  // The columns of pivot strip `s` of the factor in the strips strips[0..2 P).
+  // Computes the factor's columns of pivot strip `s` in the strips strips[0..2 P).
   template <int P>
   LAPWING_INLINE void solve_pairs_in(const View& front, Real* const* strips, int s) {
     const Real* pivots = strip_at(front, s);
@@ -90,8 +90,8 @@ struct StripPairs {
     if (s < last) solve_strips<1>(front, s, first_column, last_column);
   }
 
-  // -A B' for P pairs and the strip `b`, to column `column` of the strips `target`; the first of
-  // which has no such column where `is_short`.
+  // Writes -A B' for P pairs and the strip `b` to the strips `target`, from column `column` on. If
+  // `is_short`, the first of them has no such columns and is skipped.
   template <int P, bool is_short>
   LAPWING_INLINE void product_of_pairs(int pivots, const Real* const* a, const Real* b,
                                        Real* const* target, int column) {
@@ -105,7 +105,8 @@ struct StripPairs {
     }
   }
 
-  // The columns in which the first of P pairs ends.
+  // Computes the columns at the diagonal of P pairs of strips, where one strip after the other
+  // ends.
   template <int P>
   LAPWING_INLINE void last_products(int pivots, const Real* const* a, Real* const* target,
                                     int first) {

@@ -6,27 +6,28 @@
 namespace lapwing::cholesky {
 
 // The functions of this header have internal linkage on purpose: the kernels are compiled once per
-// instruction set, and the linker must not take one of those copies for the whole program.
+// instruction set, and the linker must not use one of those copies in the whole program.
 
-/// Rows of a strip. A strip holds 8 matrix rows, column after column, so that a column of it is one
-/// AVX-512 register, two AVX2 ones, and so on. Row counts are padded to whole strips with zero
-/// rows.
+/// Number of rows in a strip. A strip stores its rows column after column, so that a column of
+/// doubles is one AVX-512 register or two AVX2 registers. Row counts are padded to whole strips
+/// with zero rows.
 inline constexpr int kStrip = 8;
 
-/// Strips that hold `rows` rows.
+/// Returns the number of strips that hold `rows` rows.
 static inline int strips_of(int rows) {
   return (rows + kStrip - 1) / kStrip;
 }
 
-/// Where strip s begins in a lower triangle of strips: strip s has 8 (s + 1) columns.
+/// Returns the offset of strip s in a lower triangle of strips, in which strip s has 8 (s + 1)
+/// columns.
 static inline std::size_t triangle_offset(int s) {
   return static_cast<std::size_t>(s) * (static_cast<std::size_t>(s) + 1) * (kStrip * kStrip / 2);
 }
 
-/// The part of the factor that one front computes: `pivots` columns, of which the rows are first
-/// the pivots themselves (a lower triangle of strips, the last one `pivots` columns wide), then the
-/// update rows (strips of `pivots` columns). Pivot and update rows are padded separately.
-/// Diagonal entries hold 1 / l_jj; what lies above the diagonal inside a tile is 0.
+/// The part of the factor that one front computes, with `pivots` columns. First come the pivot rows
+/// (a lower triangle of strips, the last one `pivots` columns wide), then the update rows (strips
+/// of `pivots` columns). Both are padded separately. Diagonal entries hold 1 / l_jj. Entries above
+/// the diagonal inside a tile are 0.
 template <typename Real>
 struct FrontView {
   Real* panel = nullptr;
@@ -40,7 +41,7 @@ static inline std::size_t pivot_part_size(int pivots, int pivot_strips) {
   return triangle_offset(pivot_strips - 1) + static_cast<std::size_t>(kStrip) * pivots;
 }
 
-/// First number of strip s, counted over pivot and update strips.
+/// Returns the first number of strip s, counted over pivot and update strips.
 template <typename Real>
 static inline Real* strip_at(const FrontView<Real>& front, int s) {
   if (s < front.pivot_strips) return front.panel + triangle_offset(s);
@@ -58,12 +59,12 @@ struct Piece {
   std::int8_t shift = 0;
 };
 
-/// A child's update matrix, a lower triangle of strips, on its way into the parent.
+/// A child's update matrix (a lower triangle of strips), to be added to its parent.
 template <typename Real>
 struct ChildUpdate {
   const Real* matrix = nullptr;
   const int* position = nullptr;  ///< parent's padded row of each update row
-  int pivot_columns = 0;          ///< so many leading rows are pivots of the parent
+  int pivot_columns = 0;          ///< number of leading rows that are pivots of the parent
   int updates = 0;
   const Piece* pieces_begin = nullptr;
   const Piece* pieces_end = nullptr;  ///< ascending in both source and target

@@ -7,7 +7,7 @@
 namespace lapwing::cholesky {
 namespace {
 
-// Fills the parts of a Symbolic front after front.
+// Fills the lists of a Symbolic, front after front.
 class StructureBuilder {
  public:
   StructureBuilder(const BlockPattern& pattern, const EliminationGraph& graph, Symbolic& symbolic)
@@ -70,12 +70,12 @@ class StructureBuilder {
     symbolic_.factor_size = panel;
   }
 
-  // The update rows of a front: what its columns and its children reach beyond its pivots.
+  // Finds the update rows of a front: those of its columns and its children beyond its pivots.
   void find_rows(int f) {
     const Front& front = symbolic_.fronts[f];
     const int end = front.first_block + front.pivot_blocks;
     int* next = found_.data();
-    // Without branches, which would be guessed wrongly half of the time.
+    // Branch-free, because half of the branches would be predicted wrongly.
     const auto add = [&](int row) {
       *next = row;
       next += static_cast<int>(row >= end) & static_cast<int>(mark_[row] != f);
@@ -95,7 +95,7 @@ class StructureBuilder {
     std::copy(found_.data(), next, symbolic_.rows.data() + front.rows_at);
   }
 
-  // The padded row of every block of a front.
+  // Sets the padded row of every block of a front.
   void place_rows(int f) {
     const Front& front = symbolic_.fronts[f];
     const int b = symbolic_.block_size;
@@ -141,7 +141,7 @@ class StructureBuilder {
     }
   }
 
-  // The blocks of the matrix whose first column is a pivot here.
+  // Lists the matrix blocks whose first column in the order is a pivot of this front.
   void place_entries(Front& front) {
     front.entries_begin = placed_;
     MatrixEntry* next = symbolic_.entries.data() + placed_;
@@ -151,7 +151,7 @@ class StructureBuilder {
       *next++ = {pattern_.starts[column], pivot, pivot};
       for (int e = graph_.starts[columns_[j]]; e < graph_.starts[columns_[j] + 1]; ++e) {
         const int later = number_[graph_.later[e]];
-        // The pattern has it below the diagonal, in the column of the smaller number.
+        // The pattern stores a block below the diagonal, in the column of the smaller number.
         const bool is_column = column < symbolic_.order[later];
         next->source = static_cast<std::size_t>(graph_.blocks[e]);
         next->row = is_column ? place_[later] : pivot;
@@ -166,12 +166,12 @@ class StructureBuilder {
   const BlockPattern& pattern_;
   const EliminationGraph& graph_;
   Symbolic& symbolic_;
-  std::vector<int> columns_;  // of the graph, by number in the factor
+  std::vector<int> columns_;  // column of the graph, by number in the factor
   std::vector<int> number_;   // the inverse
-  std::vector<int> found_;    // rows of the front at hand, and the one that is looked at
-  std::size_t placed_ = 0;    // entries
+  std::vector<int> found_;    // rows of the current front, with room for one more
+  std::size_t placed_ = 0;    // number of entries placed so far
   std::vector<int> mark_;     // last front that listed the block as a row
-  std::vector<int> place_;    // padded row of the block in the front at hand
+  std::vector<int> place_;    // padded row of the block in the current front
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace lapwing::cholesky {
 
-/// The kernels for an instruction set; for `automatic` the fastest this processor has. Throws
-/// SolverError when the processor, or this build, lacks it.
+/// Returns the kernels of an instruction set; for `automatic`, of the fastest one of this
+/// processor. Throws SolverError if the processor or this build lacks the set.
 const KernelTables& kernels_for(InstructionSet set);
 
 }  // namespace lapwing::cholesky

@@ -7,12 +7,12 @@
 
 namespace lapwing::cholesky {
 
-/// Right-hand sides that a solve handles at once, from widest to narrowest table.
+/// Numbers of right-hand sides that a solve can take at once, ascending.
 inline constexpr int kSolveWidths[] = {1, 4, 8, 12};
 inline constexpr int kWidestSolve = 12;
 
 /// Triangular solves with one front for a fixed number R of right-hand sides. Vectors hold R
-/// numbers a row; y has a row for each padded pivot row, w for each padded update row; padding is
+/// numbers per row. y has a row for each padded pivot row, w for each padded update row. Padding is
 /// 0.
 template <typename Real>
 struct SolveKernels {
@@ -28,18 +28,18 @@ struct SolveKernels {
   void (*backward_pivots)(const FrontView<Real>& front, Real* y, Real* scratch);
 };
 
-/// An integer as large as a number, for masks.
+/// The integer type of the size of Real, for masks.
 template <typename Real>
 using Lane = std::conditional_t<sizeof(Real) == sizeof(long long), long long, int>;
 
-/// The inner loops, compiled once per instruction set and kind of number from factor_kernels.inl
-/// and solve_kernels.inl. The order of operations on every number is fixed by the front alone: how
-/// strips are divided between calls does not change a bit.
+/// The inner loops, compiled once per instruction set and number type from factor_kernels.inl and
+/// solve_kernels.inl. The front alone fixes the order of operations on every number: how strips are
+/// divided between calls does not change a bit.
 template <typename Real>
 struct KernelTable {
-  /// Factors the pivot strips [first, last) of a panel whose columns before them are done (in these
-  /// strips too). A pivot must be finite and above its `floor` (one number per pivot of the front);
-  /// returns the first pivot that is not, or -1.
+  /// Factorizes the pivot strips [first, last) of a panel whose columns before them are done (in
+  /// these strips too). A pivot must be finite and above its `floor` (one number per pivot of the
+  /// front). Returns the first pivot that is not, or -1.
   int (*factor_pivots)(const FrontView<Real>& front, int first, int last, const Real* floor);
   /// Computes the factor's rows of strips [first, last), which lie below pivot strip
   /// last_column - 1, in the columns of pivot strips [first_column, last_column).
@@ -51,7 +51,7 @@ struct KernelTable {
   void (*add_to_panel)(const ChildUpdate<Real>& child, const FrontView<Real>& front);
   /// Adds a child's pieces to the update matrix.
   void (*add_to_update)(const ChildUpdate<Real>& child, const FrontView<Real>& front, Real* matrix);
-  SolveKernels<Real> solve[4];  ///< by kSolveWidths
+  SolveKernels<Real> solve[4];  ///< for each of kSolveWidths
 };
 
 /// The kernels of one instruction set.

@@ -1,5 +1,5 @@
-// AVX-512: 32 registers of 8 doubles, or of 8 floats where a column of one strip is all there is
-// and 16 where there are two.
+// AVX-512: 32 registers of 8 doubles. With floats, a register holds a column of one strip (8) or of
+// two strips (16).
 
 #include "lapwing/solve/block_cholesky/kernels.h"
 

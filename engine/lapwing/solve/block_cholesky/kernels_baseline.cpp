@@ -1,4 +1,4 @@
-// What the compiler's default target offers: SSE2 on x86-64, NEON on 64-bit ARM.
+// The compiler's default target: SSE2 on x86-64, NEON on 64-bit ARM.
 
 #include "lapwing/solve/block_cholesky/kernels.h"
 

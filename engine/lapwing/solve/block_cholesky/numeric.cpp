@@ -9,21 +9,22 @@ namespace lapwing::cholesky {
 namespace {
 
 constexpr double kReportEveryMs = 2.0;
-// Of an update matrix, a multiple of the widest kernels' tile: about 20 ms of one thread's work in
-// the largest fronts of a million unknowns.
+// Strips of an update matrix, a multiple of the widest kernels' tile. One thread takes about 20 ms
+// for them in the largest fronts of a million unknowns.
 constexpr int kStripsBetweenPolls = 24;
-// Pivot strips that one thread factors while the others compute the rows below the last ones.
+// Pivot strips in a block. One thread factorizes a block while the others compute the rows below
+// the block before.
 constexpr int kBlockStrips = 6;
-// Strips of a chunk: one tile of the widest kernels.
+// Strips in a chunk: one tile of the widest kernels.
 template <typename Real>
 constexpr int kChunkStrips = sizeof(Real) == sizeof(double) ? 3 : 6;
-// A pivot d_j up to this share of a_jj is refused (FactorPrecision). Since d_j / a_jj is at least
-// the inverse of the condition number (with the diagonal scaled to 1), every matrix of condition up
-// to the inverse of this passes; the rounding that a singular matrix leaves in place of a pivot 0
-// is below it for millions of unknowns in double precision.
+// A pivot d_j up to this share of a_jj is refused (FactorPrecision). With the diagonal scaled to 1,
+// d_j / a_jj is at least the inverse of the condition number. So every matrix passes whose
+// condition number is less than the inverse of this share. A singular matrix leaves rounding errors
+// instead of a zero pivot. In double precision they are below this share for millions of unknowns.
 template <typename Real>
 constexpr Real kPivotTolerance = Real(sizeof(Real) == sizeof(double) ? 1e-13 : 1e-6);
-// Blocks of the matrix asked for ahead of use.
+// Number of matrix blocks that are prefetched ahead.
 constexpr std::size_t kPrefetch = 8;
 
 int blocks_of(const Front& front) {
@@ -34,13 +35,15 @@ int chunks_of(int strips) {
   return (strips + kChunkStrips<Real> - 1) / kChunkStrips<Real>;
 }
 
-// First pivot strip of block `block`, or the number of pivot strips after the last.
+// Returns the first pivot strip of block `block`; for the block after the last, the number of pivot
+// strips.
 int block_start(const Front& front, int block) {
   return std::min(block * kBlockStrips, front.pivot_strips);
 }
 
-// Phases of a top front: assemble; factor the first block of pivots; then for each block the rows
-// below it, where chunk 0 does those of the next block and factors it; then the update matrix.
+// Phases of a top front: assemble, factorize the first block of pivots, compute the rows below each
+// block (a phase per block), compute the update matrix. In a phase of rows, chunk 0 computes those
+// of the next block and factorizes it.
 enum Phase { kAssemble = 0, kFirstPivots = 1, kFirstRows = 2 };
 
 }  // namespace
@@ -160,7 +163,7 @@ void Numeric<Real>::run_top_chunk(int f, int phase, int chunk) {
   const Front& front = symbolic_.fronts[f];
   if (phase == kAssemble) {
     const int chunks = chunk_count(symbolic_.node_of_front(f), phase);
-    // Also in a refused front, so that the first bad number is found whoever comes first.
+    // A refused front is still assembled, so that the first bad number does not depend on timing.
     if (!abandoned(f - 1)) {
       assemble(f, front.strips() * chunk / chunks, front.strips() * (chunk + 1) / chunks, 0);
     }
@@ -185,7 +188,7 @@ void Numeric<Real>::run_top_chunk(int f, int phase, int chunk) {
                           column, next);
     }
   } else {
-    // The longest strips first.
+    // Starts with the longest strips.
     const int first = kChunkStrips<Real> * (chunks_of<Real>(front.update_strips) - 1 - chunk);
     update(f, first, std::min(first + kChunkStrips<Real>, front.update_strips), 0);
   }
@@ -219,7 +222,7 @@ void Numeric<Real>::add_matrix(int f, int first_strip, int last_strip) {
   const double* values = matrix_->values.data();
   for (std::size_t e = front.entries_begin; e < front.entries_end; ++e) {
     const MatrixEntry& entry = symbolic_.entries[e];
-    // The matrix is in the caller's order, so that the next block is seldom in a cache.
+    // The matrix is in the caller's order, so the next block is seldom in a cache.
     const MatrixEntry& ahead = symbolic_.entries[std::min(e + kPrefetch, front.entries_end - 1)];
     __builtin_prefetch(values + ahead.source * (kBlock * kBlock));
     const bool transposed = entry.row < entry.column;
@@ -227,7 +230,7 @@ void Numeric<Real>::add_matrix(int f, int first_strip, int last_strip) {
     const int block_column = std::min(entry.row, entry.column);
     if (block_row >= last_row || block_row + kBlock <= first_row) continue;
     const double* block = values + entry.source * (kBlock * kBlock);
-    double not_finite = 0.0;  // becomes NaN
+    double not_finite = 0.0;  // becomes NaN if a number is not finite
     for (int k = 0; k < kBlock * kBlock; ++k) not_finite += block[k] * 0.0;
     if (not_finite != 0.0) refuse({Refusal::Reason::not_finite, f, entry.source});
     const int row_stride = transposed ? kBlock : 1;
@@ -305,7 +308,7 @@ void Numeric<Real>::refuse(const Refusal& refusal) {
 
 template <typename Real>
 void Numeric<Real>::node_done(int node) {
-  if (node < symbolic_.task_count()) return;  // counted front by front
+  if (node < symbolic_.task_count()) return;  // tasks count front by front
   const Front& front = symbolic_.fronts[symbolic_.first_top() + node - symbolic_.task_count()];
   flops_done_.fetch_add(front.flops, std::memory_order_relaxed);
 }

@@ -18,30 +18,30 @@ namespace lapwing::cholesky {
 struct Refusal {
   enum class Reason { none, pivot, not_finite } reason = Reason::none;
   int front = std::numeric_limits<int>::max();
-  /// Pivot: scalar column of the front. Not finite: number of the block in the pattern.
+  /// For a pivot, its scalar column in the front; else the number of the block in the pattern.
   std::size_t where = 0;
 };
 
-/// The numeric factorization, of doubles or floats: the factor and the update matrices that outlive
-/// their front.
+/// The numeric factorization in doubles or floats. Owns the factor and the update matrices that
+/// outlive their fronts.
 template <typename Real>
 class Numeric final : private NodeWork {
  public:
   Numeric(const Symbolic& symbolic, const KernelTable<Real>& kernels, WorkerPool& pool);
 
-  /// Arena::touch for all that `factor` needs.
+  /// Calls Arena::touch for all memory that `factor` needs.
   void touch();
 
-  /// Bytes that `factor` takes with `threads` threads.
+  /// Returns the bytes that `factor` takes with `threads` threads.
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
 
-  /// Factors `matrix`. `skipped` marks the nodes of the upward graph whose results of the last call
-  /// still hold. Returns the refusal of the earliest front, the same for every number of threads.
-  /// Throws Cancelled, and what `progress` throws.
+  /// Factorizes `matrix`. `skipped` marks the nodes of the upward graph whose results of the last
+  /// call are still valid. Returns the refusal of the earliest front, the same for every number of
+  /// threads. Throws Cancelled, and what `progress` throws.
   Refusal factor(const BlockMatrix& matrix, const Progress& progress,
                  const std::vector<char>& skipped);
 
-  /// The factor's part that `front` computed.
+  /// Returns the part of the factor that `front` computed.
   FrontView<Real> view(const Front& front) const;
 
  private:
@@ -70,11 +70,11 @@ class Numeric final : private NodeWork {
   SharedWork shared_;
   Arena<Real> factor_;
   Arena<Real> kept_;
-  std::vector<Arena<Real>> stacks_;  // one a thread
-  std::vector<Real> floors_;         // smallest pivot accepted, by scalar column
+  std::vector<Arena<Real>> stacks_;  // one per thread
+  std::vector<Real> floors_;         // a pivot must be larger; by scalar column
 
   const BlockMatrix* matrix_ = nullptr;
-  // Fronts from this one on need not be computed: one of them, or an earlier one, was refused.
+  // Fronts from this one on need not be computed: it was refused, or the call was interrupted.
   std::atomic<int> stop_at_{0};
   std::mutex refusal_mutex_;
   Refusal refusal_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kChunkBits = 24;
 constexpr std::uint64_t kChunkMask = (std::uint64_t{1} << kChunkBits) - 1;
-// Waiting this many looks is shorter than what giving up the processor takes.
+// Number of looks for work before a waiting thread yields. They take less time than a yield.
 constexpr int kLooksBeforeYield = 200;
 
 std::uint64_t make_ticket(int phase, int chunks) {

@@ -10,23 +10,23 @@
 
 namespace lapwing::cholesky {
 
-/// What the nodes of a WorkGraph do. A node is worked off in phases, a phase in chunks that any
-/// threads may run at the same time; a phase begins when all chunks of the one before are done.
+/// The work at the nodes of a WorkGraph. A node has phases, and a phase has chunks that any threads
+/// may run at the same time. A phase begins when all chunks of the previous one are done.
 class NodeWork {
  public:
   virtual ~NodeWork() = default;
 
-  /// Chunks of a phase, at least 1 in phase 0. 0 says that the node was done with the last phase.
+  /// Returns the number of chunks of a phase, at least 1 in phase 0. Returns 0 if the node is done.
   virtual int chunk_count(int node, int phase) const = 0;
   virtual void run_chunk(int node, int phase, int chunk, int thread) = 0;
   /// Called once a node is done, before the nodes that wait for it begin.
   virtual void node_done(int /*node*/) {}
-  /// Called on the calling thread between chunks and while it waits.
+  /// Called on the thread that called `run`, between chunks and while it waits.
   virtual void poll() {}
 };
 
-/// Work that stops when `check_cancelled` says so: `run_chunk` looks at `is_stopped` now and then,
-/// and whoever ran it calls `rethrow`.
+/// Work that stops if `check_cancelled` throws. `run_chunk` must check `is_stopped` now and then,
+/// and the caller of SharedWork::run must call `rethrow` afterwards.
 class CancellableWork : public NodeWork {
  public:
   void poll() override;
@@ -38,14 +38,14 @@ class CancellableWork : public NodeWork {
   std::atomic<bool> stopped_ = false;
 };
 
-/// Runs all nodes of a graph on a pool, each after its predecessors. Threads take chunks where
-/// they find them: the earliest node first, several nodes at once, never a fixed share, so that a
-/// thread held up by a busy neighbour on its processor costs one chunk.
+/// Runs all nodes of a graph on a pool, each after its predecessors. A thread takes chunks of its
+/// last node, then of the earliest node that has any, never a fixed share. So a thread that loses
+/// its processor for a while delays only one chunk.
 class SharedWork {
  public:
   explicit SharedWork(const WorkGraph& graph) : graph_(graph), nodes_(graph.size()) {}
 
-  /// `skipped` marks nodes that count as done already; empty for none.
+  /// Runs all nodes except those that `skipped` marks as already done; empty for none.
   void run(WorkerPool& pool, NodeWork& work, const std::vector<char>& skipped);
 
  private:

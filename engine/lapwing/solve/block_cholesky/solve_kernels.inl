@@ -2,14 +2,14 @@
 
 // ---- One right-hand side: registers run along the rows of a strip.
 
-// Independent sums, so that the processor need not wait for the last addition.
+// Number of independent sums, so that the processor need not wait for the last addition.
 constexpr int kChains = kParts == 1 ? 4 : 2;
 
 struct StripSum {
   Vector part[kParts];
 };
 
-// The 8 numbers at `from`, minus the strip times y over `count` columns.
+// Returns the 8 numbers at `from`, minus the strip times y over `count` columns.
 LAPWING_INLINE StripSum subtract_strip(const Real* strip, int count, const Real* y,
                                        const Real* from) {
   Vector sums[kChains][kParts] = {};
@@ -66,13 +66,13 @@ void forward_updates_1(const View& front, const Real* y, Real* w, int first, int
   }
 }
 
-// The sum of 8 numbers, in the same order for every register width.
+// Returns the sum of 8 numbers, in the same order for every register width.
 LAPWING_INLINE Real sum_of_strip(const Real* v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
 void backward_updates_1(const View& front, const Real* w, Real* y, int first, int last) {
-  constexpr int kColumns = 64;  // sums stay in the first cache, loads run along a page
+  constexpr int kColumns = 64;  // sums fit into the L1 cache, loads run along a page
   alignas(64) Real sums[kColumns * kStrip];
   for (int begin = first; begin < last; begin += kColumns) {
     const int columns = smaller(kColumns, last - begin);
@@ -128,7 +128,7 @@ LAPWING_INLINE const RowVector& row_vector_at(const Real* p) {
   return *reinterpret_cast<const RowVector*>(p);
 }
 
-// How many rows of sums the registers hold, beside a row to multiply by.
+// Returns how many rows of sums fit into the registers, beside a row to multiply by.
 constexpr int rows_at_once(int row_registers) {
   int rows = kStrip;
   while (rows > 2 && (rows + 1) * row_registers >= kRegisters) rows /= 2;
@@ -138,7 +138,7 @@ constexpr int rows_at_once(int row_registers) {
 // The kernels for `kWidth` right-hand sides.
 template <int kWidth>
 struct Rows {
-  static constexpr int kRowRegisters = kWidth / kRowLanes;  // of a row
+  static constexpr int kRowRegisters = kWidth / kRowLanes;  // registers per row
   static constexpr int kSolveRows = rows_at_once(kRowRegisters);
 
   // target rows -= strip times y over `count` columns.
@@ -194,7 +194,7 @@ struct Rows {
     }
   }
 
-  // Solves with a diagonal tile of `width` pivots, for a register of right-hand sides.
+  // Solves with a diagonal tile of `width` pivots, for one register of right-hand sides.
   LAPWING_INLINE void forward_tile(const Real* tile, int width, Real* rows) {
     RowVector row[kStrip];
     LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
@@ -263,7 +263,7 @@ struct Rows {
   }
 };
 
-// `four` is what solves four right-hand sides.
+// `four` are the kernels for four right-hand sides.
 constexpr KernelTable<Real> kernel_table(const SolveKernels<Real>& four) {
   return {factor_pivots,
           solve_rows,

@@ -1,14 +1,14 @@
-// The triangular solves' inner loops for four right-hand sides where a register holds a column of a
-// strip: registers run along the strip, so that each number of the factor is loaded once. Included
+// The triangular solves' inner loops for four right-hand sides, if a register holds a column of a
+// strip. Registers run along the strip, so that each number of the factor is loaded once. Included
 // after solve_kernels.inl.
 
 struct FourColumns {
   static constexpr int kWidth = 4;
-  static constexpr int kPairs = kStrip / 2;  // registers for the rows of a strip, two in each
+  static constexpr int kPairs = kStrip / 2;  // registers for the rows of a strip, two rows in each
   static constexpr int kStripRows = kWidth * kStrip;
-  static constexpr int kBlockStrips = 32;  // 8 KB of update rows, turned once for all pivots
+  static constexpr int kBlockStrips = 32;  // 8 KB of update rows, transposed once for all pivots
 
-  // The rows of a strip, turned: register r holds right-hand side r of all 8.
+  // The 8 rows of a strip, transposed: register r holds right-hand side r of all rows.
   struct Turned {
     Vector side[kWidth];
   };
@@ -18,7 +18,7 @@ struct FourColumns {
     __builtin_memcpy(p, &left, sizeof left);
   }
 
-  // Entry l is number lane[l] of a and then b.
+  // Entry l of the result is number lane[l] of a followed by b.
   template <int... lane>
   LAPWING_INLINE Vector shuffled(Vector a, Vector b) {
     return __builtin_shufflevector(a, b, lane...);
@@ -35,7 +35,7 @@ struct FourColumns {
             shuffled<0, 1, 2, 3, 8, 9, 10, 11>(c, d), shuffled<4, 5, 6, 7, 12, 13, 14, 15>(c, d)};
   }
 
-  // rows -= the turned ones.
+  // rows -= `turned`, transposed back.
   LAPWING_INLINE void subtract_turned(const Turned& turned, Real* rows) {
     const auto& s = turned.side;
     const Vector a = shuffled<0, 8, 1, 9, 2, 10, 3, 11>(s[0], s[1]);
@@ -48,7 +48,7 @@ struct FourColumns {
     subtract_at(rows + 6 * kWidth, shuffled<4, 5, 12, 13, 6, 7, 14, 15>(b, d));
   }
 
-  // Each side's sum over the 8 rows.
+  // Returns the sum over the 8 rows, for each right-hand side.
   LAPWING_INLINE RowVector sum_of_rows(const Turned& turned) {
     const auto& s = turned.side;
     const Vector a = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(s[0], s[1]) +
@@ -76,8 +76,8 @@ struct FourColumns {
     LAPWING_UNROLL for (int m = 0; m < M; ++m) subtract_turned(sum[m], rows + kStripRows * m);
   }
 
-  // Strips that follow each other, the first `stride` numbers long, each `growth` longer than the
-  // one before.
+  // Strips that are consecutive in memory. The first is `stride` numbers long, and each is `growth`
+  // longer than the one before.
   struct Strips {
     const Real* first;
     std::size_t stride;
@@ -85,7 +85,7 @@ struct FourColumns {
     int count;
   };
 
-  // N rows of y -= N columns of the transposed strips times the turned rows at `x`.
+  // N rows of y -= N columns of the transposed strips times the transposed rows at `x`.
   template <int N>
   LAPWING_INLINE void subtract_columns(const Strips& strips, const Real* x, Real* y) {
     Turned sum[N] = {};

@@ -8,7 +8,7 @@
 namespace lapwing::cholesky {
 namespace {
 
-// Supernodes while they are merged. `owner` leads from a merged one to the one it became part of.
+// Supernodes during the merging. The `owner` of a merged one is the supernode it became part of.
 struct Merging {
   std::vector<int> starts;  // fundamental supernode s is columns [starts[s], starts[s+1])
   std::vector<int> parent;
@@ -20,7 +20,7 @@ struct Merging {
   int size() const { return static_cast<int>(parent.size()); }
 };
 
-// Column j continues the supernode of j - 1 when j - 1 is its only child and has the same rows.
+// Column j continues the supernode of j - 1 if j - 1 is its only child and has the same rows.
 Merging fundamental_supernodes(const EliminationTree& tree) {
   const int n = static_cast<int>(tree.parent.size());
   std::vector<int> child_counts(n, 0);
@@ -51,8 +51,8 @@ Merging fundamental_supernodes(const EliminationTree& tree) {
   return nodes;
 }
 
-// Each child is tried once, those with most rows (fewest new zeros) first; the children of a merged
-// one are tried after it. One pass keeps a node with very many children linear.
+// Tries each child once, those with the most rows (fewest new zeros) first, and the children of a
+// merged child after it. The single pass keeps the time linear for a node with very many children.
 void merge_children(Merging& nodes, int block_size) {
   const auto cost = [&](int pivots, int updates) {
     return front_cost(static_cast<double>(block_size) * pivots,
@@ -84,7 +84,7 @@ void merge_children(Merging& nodes, int block_size) {
   }
 }
 
-// The supernodes that were not merged away, numbered anew.
+// Returns the supernodes that remain after merging, with new numbers.
 Supernodes collect(const Merging& nodes, int block_size) {
   std::vector<int> owner(nodes.size());
   std::vector<int> number(nodes.size(), -1);

@@ -13,14 +13,14 @@
 namespace lapwing::cholesky {
 namespace {
 
-// The heaviest subtrees are cut until each is at most this share of the whole: small enough for
-// sixteen threads to share and for a local change to leave most of them alone, few enough that the
+// The heaviest subtrees are cut until each is at most this share of the whole. Sixteen threads can
+// then share them, and a local change leaves most of them alone. They are still few enough that the
 // fronts above them, whose update matrices are kept, stay cheap.
 constexpr double kLargestTaskShare = 1.0 / 48;
-// Less than this (ns) is not worth a thread's attention.
+// Smallest task that is worth a thread, in ns.
 constexpr double kSmallestTask = 100'000;
 
-// Which supernodes are above the cut, and the roots of the subtrees below it, heaviest first.
+// The supernodes above the cut, and the roots of the subtrees below it, heaviest first.
 struct Cut {
   std::vector<char> is_top;
   std::vector<int> roots;
@@ -56,7 +56,7 @@ Cut cut_forest(const Supernodes& nodes) {
   return cut;
 }
 
-// Numbers the fronts: supernodes in the order in which they are worked off.
+// Numbers the fronts, that is, the supernodes in the order in which they are computed.
 class FrontNumbering {
  public:
   FrontNumbering(const Supernodes& nodes, const Cut& cut, Symbolic& symbolic)
@@ -86,7 +86,7 @@ class FrontNumbering {
   }
 
  private:
-  // Appends the subtree of `root` in postorder; of a top one only its top part.
+  // Appends the subtree of `root` in postorder; if `top`, only its top part.
   void visit_subtree(int root, bool top) {
     std::vector<std::pair<int, std::size_t>> path{{root, 0}};
     while (!path.empty()) {
@@ -143,8 +143,9 @@ class FrontNumbering {
   std::vector<int> kept_;
 };
 
-// Places what each front hands to its parent: kept ones side by side, the others on two stacks by
-// parity of depth. When a front is done its children are on top of the other parity's stack.
+// Assigns memory to what each front passes to its parent: kept results side by side, the others on
+// two stacks by the parity of their depth. When a front is done, the results of its children are on
+// top of the other stack.
 template <typename SizeOf>
 HandOverPlan plan_hand_over(Symbolic& symbolic, std::size_t Front::*place, SizeOf size_of) {
   HandOverPlan plan;

@@ -9,9 +9,9 @@
 
 namespace lapwing::cholesky {
 
-/// One dense step of the multifrontal method (Duff, Reid 1983): its pivot columns are eliminated,
-/// and what they subtract from the update rows goes to the parent. Sizes are in scalars unless they
-/// say blocks; offsets count numbers of the array they name.
+/// One dense step of the multifrontal method (Duff, Reid 1983). It eliminates its pivot columns and
+/// passes what they subtract from the update rows to its parent. Sizes are in scalars unless their
+/// names say blocks. Offsets count numbers of the array they name.
 struct Front {
   int first_block = 0;  ///< first pivot block, in the factor's numbering
   int pivot_blocks = 0;
@@ -23,8 +23,8 @@ struct Front {
   int parent = -1;  ///< a later front, -1 at the roots
   int children_begin = 0;
   int children_end = 0;       ///< in Symbolic::children
-  int parent_pivots = 0;      ///< so many leading update rows are pivots of the parent
-  bool keeps_update = false;  ///< its update matrix lives on after its parent is done
+  int parent_pivots = 0;      ///< number of leading update rows that are pivots of the parent
+  bool keeps_update = false;  ///< its update matrix is kept after its parent is done
   int depth_parity = 0;       ///< which of the two stacks holds its update otherwise
   std::size_t panel_at = 0;   ///< in the factor
   std::size_t update_at = 0;  ///< its update matrix, in the kept store or its stack
@@ -35,26 +35,26 @@ struct Front {
   std::size_t pieces_end = 0;
   std::size_t entries_begin = 0;
   std::size_t entries_end = 0;
-  double flops = 0;  ///< those that its exact columns need, padding and merging left out
+  double flops = 0;  ///< operations of its exact columns, without padding and merging
 
   int strips() const { return pivot_strips + update_strips; }
 };
 
-/// Where a block of the matrix goes in its front. Row and column are padded places in the front;
-/// a block with row < column is in the upper triangle there and goes in transposed.
+/// The place of a matrix block in its front. Row and column are padded. A block with row < column
+/// is in the upper triangle of the front and is added transposed.
 struct MatrixEntry {
   std::size_t source = 0;  ///< block number in the pattern
   int row = 0;
   int column = 0;
 };
 
-/// Sizes of the memory for what fronts hand to their parents, in numbers.
+/// Memory for what fronts pass to their parents, in numbers.
 struct HandOverPlan {
   std::size_t kept = 0;
   std::size_t stacks[2] = {0, 0};  ///< per thread, one stack for each parity of depth
 };
 
-/// Nodes and the nodes that wait for them.
+/// A dependency graph: the nodes and their successors, which wait for them.
 struct WorkGraph {
   std::vector<int> successor_starts{0};
   std::vector<int> successors;
@@ -65,9 +65,10 @@ struct WorkGraph {
 
 /// Everything about a factorization that depends on the pattern alone.
 ///
-/// The forest of fronts is cut into tasks, each one or more whole subtrees that one thread works
-/// off, and the top fronts above them, which threads share. The cut does not depend on the number
-/// of threads. Fronts are numbered task after task, then the top ones, children before parents.
+/// The forest of fronts is cut into tasks and the top fronts above them. A task is one or more
+/// whole subtrees and runs on one thread; threads share the top fronts. The cut does not depend on
+/// the number of threads. Fronts are numbered task after task, then the top ones, children before
+/// parents.
 struct Symbolic {
   int block_size = 3;
   int blocks = 0;
@@ -92,14 +93,14 @@ struct Symbolic {
   int first_top() const { return task_starts.back(); }
   int front_count() const { return static_cast<int>(fronts.size()); }
   int node_of_front(int front) const;
-  /// The top front of a node, null for a task.
+  /// Returns the top front of a node, null for a task.
   const Front* top_front(int node) const {
     return node < task_count() ? nullptr : &fronts[first_top() + node - task_count()];
   }
 };
 
-/// Symbolic factorization of `pattern` under `order` (new to old). Almost linear time in the size
-/// of the factor's block structure.
+/// Computes the symbolic factorization of `pattern` under `order` (new to old). Almost linear time
+/// in the size of the factor's block structure.
 Symbolic analyze_pattern(const BlockPattern& pattern, int block_size, std::span<const int> order);
 
 }  // namespace lapwing::cholesky

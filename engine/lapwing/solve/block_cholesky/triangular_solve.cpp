@@ -11,19 +11,19 @@
 namespace lapwing::cholesky {
 namespace {
 
-// Less of the factor than this (numbers) is not worth a chunk of its own.
+// Smallest part of the factor that is worth a chunk, in numbers.
 constexpr std::size_t kSmallestChunk = 8192;
 
 // Whether a right-hand side may be too large or too small for Real.
 template <typename Real>
 constexpr bool kIsScaled = sizeof(Real) < sizeof(double);
 
-// The power of two that brings the largest number of a right-hand side to about 1.
+// Returns the power of two that scales the largest number of a right-hand side to about 1.
 double scale_of(std::span<const double> column) {
   double largest = 0.0;
   for (const double number : column) largest = std::max(largest, std::abs(number));
   if (!(largest >= std::numeric_limits<double>::min()) || !std::isfinite(largest)) return 1.0;
-  return std::ldexp(1.0, -std::min(std::ilogb(largest), 1000));  // not denormal, which is 0 here
+  return std::ldexp(1.0, -std::min(std::ilogb(largest), 1000));  // a denormal would be flushed to 0
 }
 
 struct Sizes {
@@ -45,7 +45,7 @@ std::size_t padded_updates(const Front& front) {
   return static_cast<std::size_t>(kStrip) * front.update_strips;
 }
 
-// Calls `body` with the width as a constant: rows are then moved by registers, not by calls.
+// Calls `body` with the width as a constant, so that rows are moved in registers, not by calls.
 template <typename Body>
 void with_width(int width, const Body& body) {
   static_assert(std::size(kSolveWidths) == 4);
@@ -301,8 +301,8 @@ Real* TriangularSolve<Real>::own_rows(const Front& front) const {
          static_cast<std::size_t>(front.first_block) * symbolic_.block_size * width_;
 }
 
-// Calls body(row, place, size) for each pivot block: its first row in the front, the first of its
-// rows in the columns, and how many there are, a constant where that is 1.
+// Calls body(row, place, size) for each pivot block, with its first row in the front, its first row
+// in B and X, and its number of rows, which is a constant if it is 1.
 template <typename Real>
 template <typename Body>
 void TriangularSolve<Real>::for_pivot_blocks(const Front& front, const Body& body) const {

@@ -10,20 +10,21 @@
 
 namespace lapwing::cholesky {
 
-/// Forward and backward substitution with a factor, front by front: what a front subtracts from
-/// its update rows goes to its parent, as in the factorization, so that no two threads write one
-/// number. Right-hand sides and solutions are doubles whatever the factor holds.
+/// Forward and backward substitution with a factor, front by front. As in the factorization, a
+/// front passes what it subtracts from its update rows to its parent, so that no two threads write
+/// the same number. Right-hand sides and solutions are doubles in either precision.
 template <typename Real>
 class TriangularSolve {
  public:
   TriangularSolve(const Symbolic& symbolic, const Numeric<Real>& numeric,
                   const KernelTable<Real>& kernels, WorkerPool& pool);
 
-  /// Bytes that solves of the greatest width take with `threads` threads.
+  /// Returns the bytes that solves of the greatest width take with `threads` threads.
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
 
   /// Solves A X = B for `columns` right-hand sides stored one after the other. B and X may be the
-  /// same memory. Block b is block places[b] of them; block b where `places` is empty.
+  /// same memory. Block b of the matrix is block places[b] of B and X, or block b if `places` is
+  /// empty.
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
              std::span<const Index> places);
 
@@ -37,7 +38,7 @@ class TriangularSolve {
     double* X = nullptr;
     int count = 0;
     std::span<const Index> places;
-    std::array<double, kWidestSolve> scales = {};  // what each is multiplied by; for floats
+    std::array<double, kWidestSolve> scales = {};  // factor of each column; for floats
   };
 
   void solve_columns(Columns columns);
@@ -56,16 +57,16 @@ class TriangularSolve {
   WorkerPool& pool_;
   SharedWork upward_;
   SharedWork downward_;
-  std::size_t most_pivots_ = 0;  // padded, of any front
+  std::size_t most_pivots_ = 0;  // padded, largest of all fronts
   std::size_t most_updates_ = 0;
-  int width_ = 0;  // right-hand sides a row holds
+  int width_ = 0;  // right-hand sides per row
   const SolveKernels<Real>* solve_ = nullptr;
   Columns columns_;
   Arena<Real> solution_;             // all rows, in the factor's order
   Arena<Real> kept_;                 // update rows of the fronts that keep them
-  std::vector<Arena<Real>> stacks_;  // update rows of the others, one a thread
+  std::vector<Arena<Real>> stacks_;  // update rows of the others; one per thread
   std::vector<Arena<Real>>
-      scratch_;  // pivot rows, update rows, and 8 numbers a pivot; one a thread
+      scratch_;  // pivot rows, update rows, and 8 numbers per pivot; one per thread
 };
 
 }  // namespace lapwing::cholesky

@@ -9,9 +9,9 @@
 namespace lapwing::dissection {
 namespace {
 
-// On so few nodes several cuts are tried.
+// Size of the graph on which several cuts are tried, in nodes.
 constexpr int kSearched = 4000;
-// So few are swept.
+// Size of the graph that is swept, in nodes.
 constexpr int kCoarsest = 60;
 
 }  // namespace

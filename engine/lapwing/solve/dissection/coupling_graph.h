@@ -4,11 +4,11 @@
 
 namespace lapwing {
 
-/// What couples the unknowns of M'M, from the rows of M: node r is a row, and its row holds it and
-/// its neighbours. Two unknowns meet in M'M when they are neighbours or have one in common, be that
-/// an unknown or not.
+/// How the rows of M couple the unknowns of M'M. Node r is a row of M, which holds r and its
+/// neighbours. Two unknowns are coupled in M'M if they are neighbours or share a neighbour, unknown
+/// or not.
 struct CouplingGraph {
-  std::vector<int> starts{0};  ///< in compressed rows: every edge stands in both of its rows
+  std::vector<int> starts{0};  ///< compressed rows; both rows of an edge hold it
   std::vector<int> neighbours;
   int unknowns = 0;  ///< nodes [0, unknowns); the others only couple
 

@@ -7,14 +7,14 @@
 
 namespace lapwing::dissection {
 
-/// What it takes to eliminate s unknowns that fill among themselves and with b others, which come
-/// later.
+/// Returns the operations to eliminate s unknowns that fill in among themselves and with b later
+/// ones.
 inline double front_operations(double s, double b) {
   return s * (s * s / 3.0 + s * b + b * b);
 }
 
-/// The same for n unknowns on a surface with a border of b others: the sum over the fronts of a
-/// dissection whose first separator holds `kSeparator` sqrt(n). Each cut halves unknowns and
+/// Returns the same for n unknowns on a surface with a border of b others. Sums over the fronts of
+/// a dissection whose first separator holds `kSeparator` sqrt(n). Each cut halves unknowns and
 /// border, and adds its separator to the borders of both halves.
 inline double patch_operations(double n, double b) {
   constexpr double kSeparator = 3.0;
@@ -22,10 +22,10 @@ inline double patch_operations(double n, double b) {
   return s * (30.37 * s * s + 6.375 * s * b + 1.547 * b * b);
 }
 
-/// What both sides of a cut hold, in unknowns.
+/// Sizes of both sides of a cut, in unknowns.
 struct SideWeights {
   int of[2] = {0, 0};
-  int borders[2] = {0, 0};  ///< that come later in the order, and fill as these are eliminated
+  int borders[2] = {0, 0};  ///< later unknowns that fill in as each side is eliminated
 
   int total() const { return of[0] + of[1]; }
   void add(int weight, int border, int to) {
@@ -37,21 +37,21 @@ struct SideWeights {
     add(weight, border, 1 - from);
   }
   int heavier() const { return std::max(of[0], of[1]); }
-  /// What one side may weigh. Beyond it what a cut costs is not estimated well.
+  /// Returns the largest weight of a side. Beyond it, the cost of a cut is estimated badly.
   int limit() const { return total() - total() / 4; }
-  /// Whether a node may leave side `from`: the other stays within the limit, or the sides become
-  /// more equal.
+  /// Returns true if a node may leave side `from`: the other side stays within the limit, or the
+  /// sides become more equal.
   bool allows(int weight, int from) const {
     const int to = of[1 - from] + weight;
     return to <= limit() || to < of[from];
   }
 };
 
-/// How good a cut is: the smaller the better, first by what a side weighs over its limit, then by
-/// the operations that both sides and the separator between them will take.
+/// The quality of a cut; smaller is better. Compares first how far a side exceeds its limit, then
+/// the operations for both sides and the separator.
 class CutScore {
  public:
-  /// Of no cut: worse than that of any.
+  /// The score of no cut, worse than that of any.
   CutScore() : over_(std::numeric_limits<int>::max()) {}
   CutScore(const SideWeights& sides, int separator)
       : over_(std::max(0, sides.heavier() - sides.limit())) {

@@ -54,7 +54,7 @@ class CutEdges {
 
   const WeightedGraph& graph_;
   Sides& sides_;
-  std::vector<int> outside_;  // of each node's edges, those to the other side
+  std::vector<int> outside_;  // weight of each node's edges to the other side
   std::vector<int> inside_;
   int value_ = 0;
 };

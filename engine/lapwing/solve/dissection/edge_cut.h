@@ -10,14 +10,13 @@ namespace lapwing::dissection {
 /// Each node's side, 0 or 1.
 using Sides = std::vector<unsigned char>;
 
-/// A graph in two, and how good that is with the weight of the edges between the sides for a
-/// separator.
+/// A cut of a graph in two. For its score, the weight of the cut edges stands for the separator.
 struct EdgeCut {
   CutScore score;
   Sides sides;
 };
 
-/// The cut of `graph` into `sides`, improved by one pass of moves across it.
+/// Returns the cut of `graph` into `sides`, improved by one pass of moves.
 EdgeCut improved_cut(const WeightedGraph& graph, Sides sides);
 
 }  // namespace lapwing::dissection

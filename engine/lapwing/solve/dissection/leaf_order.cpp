@@ -10,7 +10,7 @@
 namespace lapwing::dissection {
 namespace {
 
-// A set of the nodes of a leaf and around it.
+// A set of nodes of a leaf and its surroundings.
 class NodeSet {
  public:
   static constexpr int kMost = 256;
@@ -21,7 +21,7 @@ class NodeSet {
     for (std::size_t w = 0; w < words_.size(); ++w) words_[w] |= other.words_[w];
   }
   int size() const {
-    // By hand, all words at once: without an instruction for it std::popcount is a call.
+    // Counts all words at once: without a popcount instruction, std::popcount is a call.
     constexpr std::uint64_t kPairs = 0x5555555555555555;
     constexpr std::uint64_t kFours = 0x3333333333333333;
     constexpr std::uint64_t kBytes = 0x0f0f0f0f0f0f0f0f;
@@ -48,7 +48,7 @@ class NodeSet {
   std::array<std::uint64_t, kMost / 64> words_{};
 };
 
-// Of this size a leaf and what is around it fit into a NodeSet.
+// Largest leaf that is ordered with NodeSets. Surrounding unknowns that do not fit in are ignored.
 constexpr std::size_t kMostExact = 160;
 
 template <typename Visit>
@@ -60,7 +60,7 @@ void for_coupled(const CouplingGraph& graph, int v, Visit visit) {
   }
 }
 
-// Leaves that could not be cut any smaller, such as a fan of thousands of triangles.
+// Orders a leaf that could not be cut any smaller, such as a fan of thousands of triangles.
 std::vector<int> large_leaf(const CouplingGraph& graph, std::span<const int> unknowns,
                             const std::vector<int>& place) {
   BlockGraph coupled;

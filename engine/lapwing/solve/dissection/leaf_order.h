@@ -7,19 +7,19 @@
 
 namespace lapwing::dissection {
 
-/// Orders unknowns that are eliminated before all that they are coupled with: by minimum degree,
-/// where those others count towards the degree (Pellegrini, Roman, Amestoy 2000, "halo"). Keeps
-/// memory from call to call.
+/// Orders unknowns that are eliminated before all others they are coupled with. Uses minimum
+/// degree, and those others count towards the degree ("halo"; Pellegrini, Roman, Amestoy 2000).
+/// Reuses its memory between calls.
 class LeafOrder {
  public:
   explicit LeafOrder(const CouplingGraph& graph);
 
-  /// Brings `unknowns` into order.
+  /// Sorts `unknowns` into the order of elimination.
   void sort(std::span<int> unknowns);
 
  private:
   const CouplingGraph& graph_;
-  std::vector<int> place_;  // by node: its number in the leaf, or -1
+  std::vector<int> place_;  // number of each node in the leaf, or -1
 };
 
 }  // namespace lapwing::dissection

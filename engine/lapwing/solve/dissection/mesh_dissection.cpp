@@ -22,15 +22,15 @@ namespace {
 using namespace dissection;
 
 constexpr int kLeaf = 90;
-// A set of so many unknowns is worth a thread's attention.
+// Sets of at least this many unknowns are offered to other threads.
 constexpr int kSmallestShared = 500;
-// Of all attempts at a cut, those that are followed to the nodes.
+// Number of attempts at a cut that are refined to the nodes.
 constexpr std::size_t kFinalists = 3;
-// Passes that make each of them smoother, and then the best one.
+// Passes that smooth each of them, and then the best one.
 constexpr int kFirstPasses = 1;
 constexpr int kPasses = 3;
 
-// How many cuts to choose from. The first separators make the largest fronts, and are few.
+// Returns how many cuts to try. The first separators are few and make the largest fronts.
 std::size_t attempts(int unknowns) {
   return static_cast<std::size_t>(std::clamp(unknowns / 200, 1, 8));
 }
@@ -65,7 +65,7 @@ class Dissection final {
   }
 
  private:
-  // Until nothing is left, here or with another thread.
+  // Orders sets until none is left on any thread.
   void work() {
     LeafOrder leaf(graph_);
     while (!stopped_ && unfinished_ > 0) {
@@ -95,7 +95,7 @@ class Dissection final {
     waiting_.push_back(std::move(part));
   }
 
-  // Gives away what is large enough for others, and orders the rest.
+  // Orders `part`, and offers its large sides to other threads.
   void order(Part part, LeafOrder& leaf) {
     std::vector<Part> mine;
     mine.push_back(std::move(part));
@@ -118,7 +118,7 @@ class Dissection final {
     }
   }
 
-  // The best of several; all threads may share in the search.
+  // Returns the best of several separators. All threads may share in the search.
   ThickSeparator best_separator(const Part& part) {
     const WeightedGraph coarse = contract_nodes(part.graph, part.groups);
     const Bisection bisection(coarse);
@@ -143,8 +143,8 @@ class Dissection final {
     return std::move(best);
   }
 
-  // Both sides, whose places and whose separator's in the order are settled; none for a set that
-  // no separator cuts well, which is ordered as it is.
+  // Puts the separator in its place in the order, and returns both sides with their places. If no
+  // separator cuts the set well, orders the set as a leaf and returns no sides.
   std::vector<Part> cut(const Part& part, LeafOrder& leaf) {
     const ThickSeparator separator = best_separator(part);
     std::vector<Part> sides;

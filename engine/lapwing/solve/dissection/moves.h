@@ -11,8 +11,9 @@
 
 namespace lapwing::dissection {
 
-/// Nodes by what moving them gains, the largest gain first, of equal gains the later node. A node
-/// whose gain changes is added again; whoever takes one compares it with the gain that holds.
+/// A priority queue of nodes by the gain of moving them; of equal gains, the later node comes
+/// first. If a gain changes, the node is added again, so the caller must compare the gain taken
+/// with the current one.
 class MoveQueue {
  public:
   struct Move {
@@ -41,16 +42,16 @@ class MoveQueue {
   std::vector<std::int64_t> heap_;  // gain and node in one number
 };
 
-/// Fiduccia's and Mattheyses' moves (1982): the node whose move gains most changes sides, be it at
-/// a loss, each at most once a pass; what came after the best state of the pass is taken back.
-/// `Cut` has
+/// Improves a cut by the moves of Fiduccia and Mattheyses (1982). A pass repeatedly moves the node
+/// with the largest gain to the other side, even at a loss, but each node only once. Then the moves
+/// after the best state of the pass are undone. `Cut` has
 ///
 ///     int size(), weight(v), border(v), side(v)
-///     int separator()                             its weight, or what grows with it
-///     bool on_border(v)                           only such nodes are moved
-///     int gain(v)                                 how much lighter the cut becomes by moving v
+///     int separator()                             its weight, or a number that grows with it
+///     bool on_border(v)                           only nodes on the border are moved
+///     int gain(v)                                 by how much a move of v makes the cut lighter
 ///     void move(v)
-///     void for_affected(v, f)                     f(u) for all that a move of v changes
+///     void for_affected(v, f)                     f(u) for all nodes u that a move of v affects
 template <typename Cut>
 class Improvement {
  public:
@@ -114,7 +115,7 @@ class Improvement {
   Cut& cut_;
   SideWeights sides_;
   int patience_;
-  std::vector<int> gains_;  // with which each was last added
+  std::vector<int> gains_;  // gain with which each node was last added
   std::vector<char> locked_;
   std::vector<int> moved_;
   MoveQueue queue_;

@@ -6,12 +6,12 @@
 namespace lapwing::dissection {
 namespace {
 
-// Nodes that are cut as one at first.
+// Most nodes in a group. The first cuts treat a group as one node.
 constexpr int kNodesInGroup = 6;
 
 class PartBuilder {
  public:
-  // Of at most so many nodes and edges.
+  // Reserves memory for this many nodes and edges.
   PartBuilder(std::size_t nodes, std::size_t edges) {
     for (auto* numbers : {&part_.groups.of_node, &part_.groups.nodes, &part_.nodes,
                           &part_.graph.weights, &part_.graph.borders}) {
@@ -22,7 +22,7 @@ class PartBuilder {
     part_.graph.neighbours.reserve(edges);
   }
 
-  // `group` is any number that its neighbours in the group have, too.
+  // Nodes of a group come one after the other, and share any number `group`.
   void add(int node, int weight, int border, int group) {
     Groups& groups = part_.groups;
     if (std::exchange(last_group_, group) != group) groups.starts.push_back(groups.starts.back());
@@ -34,8 +34,8 @@ class PartBuilder {
     part_.unknowns += weight;
   }
 
-  // For node after node: the edges of `node` in the graph it comes from, where they lead to nodes
-  // with a number here.
+  // Adds the edges of `node` in its graph of origin that lead to a node with a number here. Nodes
+  // come in the order of their numbers.
   void connect(const std::vector<int>& starts, const std::vector<int>& neighbours, int node,
                const std::vector<int>& number) {
     WeightedGraph& graph = part_.graph;
@@ -89,7 +89,8 @@ Part side_of(const Part& part, const ThickSeparator& separator, int side) {
     }
     if (!wanted) continue;
     number[v] = builder.part().graph.size();
-    // A separator is two nodes thick; the farther ones are not among these.
+    // A separator is two nodes thick. The farther ones are not in this part, so the others count
+    // twice.
     const int border = left ? 0 : std::max(2 * graph.weights[v], graph.borders[v]);
     builder.add(v, left ? 1 : 0, border, part.groups.of_node[v]);
   }

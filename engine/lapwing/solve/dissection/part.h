@@ -8,19 +8,20 @@
 
 namespace lapwing::dissection {
 
-/// A set of nodes that is to be ordered. Unknowns weigh 1; nodes that only couple, 0; edges have no
-/// weights.
+/// A set of nodes to be ordered. Unknowns weigh 1, nodes that only couple weigh 0, and edges have
+/// no weights.
 struct Part {
   WeightedGraph graph;
-  Groups groups;           ///< its nodes stand group by group
-  std::vector<int> nodes;  ///< in the whole graph
-  int first = 0;           ///< of its unknowns' places in the order
+  Groups groups;           ///< nodes are numbered group by group
+  std::vector<int> nodes;  ///< number of each node in the whole graph
+  int first = 0;           ///< place of its first unknown in the order
   int unknowns = 0;
 };
 
 Part whole_part(const CouplingGraph& graph);
 
-/// What is left on `side` without the separator, and whatever couples it. Its `first` is not set.
+/// Returns the part on `side` outside the separator, and the nodes that couple it. Leaves `first`
+/// unset.
 Part side_of(const Part& part, const ThickSeparator& separator, int side);
 
 }  // namespace lapwing::dissection

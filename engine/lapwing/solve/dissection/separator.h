@@ -9,11 +9,11 @@
 
 namespace lapwing::dissection {
 
-/// The separator that a cut makes where nodes two edges apart are coupled: the ends of all cut
-/// edges. Whoever is not one of them is three edges or more from the other side.
+/// The separator of a cut if nodes two edges apart are coupled: both ends of all cut edges. Other
+/// nodes on different sides are at least three edges apart.
 class ThickSeparator {
  public:
-  /// Of no graph: to be assigned to.
+  /// An empty separator, to be assigned to.
   ThickSeparator() = default;
   /// `graph` must outlive it.
   ThickSeparator(const WeightedGraph& graph, Sides sides);
@@ -22,18 +22,17 @@ class ThickSeparator {
   int weight(int v) const { return graph_->weights[v]; }
   int border(int v) const { return graph_->borders[v]; }
   int side(int v) const { return sides_[v]; }
-  /// What the separator weighs.
   int value() const { return value_; }
   bool contains(int v) const { return across_[v] > 0; }
 
-  /// Moves nodes from one side to the other where that makes a better cut, and says how good it is.
+  /// Moves nodes to the other side if that makes a better cut, and returns its score.
   CutScore smooth(int most_passes);
 
   int separator() const { return value_; }
   bool on_border(int v) const { return contains(v); }
   int gain(int v) const;
   void move(int v);
-  /// Calls visit(u) for v and whatever is at most two edges from it.
+  /// Calls visit(u) for v and every node at most two edges from it.
   template <typename Visit>
   void for_affected(int v, Visit visit) {
     ++visits_;
@@ -54,10 +53,10 @@ class ThickSeparator {
 
   const WeightedGraph* graph_ = nullptr;
   Sides sides_;
-  std::vector<int> across_;  // of each node: its neighbours on the other side
+  std::vector<int> across_;  // number of each node's neighbours on the other side
   int value_ = 0;
   int visits_ = 0;
-  std::vector<int> visited_;  // by node: the last of the visits
+  std::vector<int> visited_;  // last visit of each node
 };
 
 }  // namespace lapwing::dissection

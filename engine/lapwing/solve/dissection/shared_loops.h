@@ -9,14 +9,15 @@
 
 namespace lapwing::dissection {
 
-/// Loops of some threads, whose rounds others may take that have nothing else to do.
+/// Loops of several threads. Idle threads may take over some of their rounds.
 class SharedLoops {
  public:
   /// Calls round(0), ..., round(count - 1), in any order, here and on threads that call `help`.
-  /// Returns when all have returned; rethrows the first error of one, whoever called it.
+  /// Returns when all have returned. The first error on any thread skips the remaining rounds and
+  /// is rethrown here.
   void run(std::size_t count, const std::function<void(std::size_t)>& round);
 
-  /// Takes rounds of one loop until it has none left; false where no loop has any.
+  /// Takes rounds of one loop until it has none left. Returns false if no loop has any.
   bool help();
 
  private:
@@ -34,7 +35,7 @@ class SharedLoops {
   void take_rounds(Loop& loop, std::unique_lock<std::mutex>& lock);
 
   std::mutex mutex_;
-  std::condition_variable ended_;  // a round that another thread had taken
+  std::condition_variable ended_;  // no round of a loop is running any more
   std::vector<Loop*> loops_;
 };
 

@@ -7,10 +7,10 @@
 namespace lapwing::dissection {
 namespace {
 
-// Nodes far apart.
+// Number of nodes far apart that sweeps start from.
 constexpr std::size_t kTips = 4;
 
-// Steps from `from` to each node; nodes that cannot be reached are farthest of all.
+// Returns the number of edges from `from` to each node, or the graph's size if there is no path.
 std::vector<int> distances_from(const WeightedGraph& graph, int from) {
   std::vector<int> distance(graph.weights.size(), graph.size());
   std::vector<int> queue{from};
@@ -49,7 +49,7 @@ std::vector<std::vector<int>> distances_from_tips(const WeightedGraph& graph) {
   return tips;
 }
 
-// Cuts between nodes in the order of a key, and keeps the best one.
+// Tries every cut between nodes in the order of a key, and keeps the best one.
 class Sweeps {
  public:
   explicit Sweeps(const WeightedGraph& graph) : graph_(graph) {
@@ -58,7 +58,7 @@ class Sweeps {
 
   void sweep(const std::vector<int>& key) {
     sort_by(key);
-    // What each place in the order adds to the cut before it.
+    // How much each place in the order changes the cut before it.
     change_.assign(key.size() + 1, 0);
     for (int v = 0; v < graph_.size(); ++v) {
       for (int e = graph_.starts[v]; e < graph_.starts[v + 1]; ++e) {
@@ -75,7 +75,7 @@ class Sweeps {
       cut += change_[k];
       const int v = order_[k];
       weights.move(graph_.weights[v], graph_.borders[v], 0);
-      // A cut that the next node makes smaller is not worth a score.
+      // If the next node makes the cut smaller, this one is not worth a score.
       if (change_[k + 1] < 0) continue;
       if (const CutScore score(weights, cut); score < best_score_) {
         best_score_ = score;
@@ -105,7 +105,7 @@ class Sweeps {
   }
 
   const WeightedGraph& graph_;
-  SideWeights whole_;  // all on one side
+  SideWeights whole_;  // all nodes on one side
   std::vector<int> counts_;
   std::vector<int> order_;
   std::vector<int> place_;

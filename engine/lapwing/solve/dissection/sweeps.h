@@ -5,9 +5,9 @@
 
 namespace lapwing::dissection {
 
-/// A cut of a small graph: its nodes are swept in the order of their distances from nodes far
-/// apart, which on a body are the tips of its limbs, and of the differences of two such distances.
-/// The best of the cuts on the way, improved.
+/// Returns a cut of a small graph. Sweeps the nodes in the order of their distances from nodes far
+/// apart (on a body, the tips of its limbs), and of the differences of two such distances. Improves
+/// the best cut found.
 EdgeCut best_sweep(const WeightedGraph& graph);
 
 }  // namespace lapwing::dissection

@@ -11,7 +11,7 @@ namespace {
 constexpr int kNone = -1;
 // Larger groups make fewer levels and rougher borders.
 constexpr int kGroup = 4;
-// A node all of whose neighbours are in groups joins one of them, up to this size.
+// If all neighbours of a node are in groups, it joins one of them, up to this size.
 constexpr int kLargestGroup = 6;
 
 class Grouping {
@@ -34,11 +34,11 @@ class Grouping {
     }
   }
 
-  /// By group: its weight.
+  /// Weight of each group.
   std::vector<int> weights;
 
  private:
-  // With the free neighbours that hang on `v` by the heaviest edges.
+  // Begins a group of `v` and its free neighbours along the heaviest edges.
   void begin_group(int v) {
     const int group = static_cast<int>(weights.size());
     group_of_[v] = group;
@@ -59,7 +59,7 @@ class Grouping {
     }
   }
 
-  // Where no neighbour of `v` is free.
+  // Adds `v` to a neighbour's group. Returns false if a neighbour is free or no group has room.
   bool join_a_group(int v) {
     int best = kNone;
     int heaviest = 0;
@@ -108,20 +108,19 @@ Groups group_neighbours(const WeightedGraph& graph, int most_weight, std::size_t
 
 namespace {
 
-// Rows of the graph of groups, one after the other. `visit(g, v, other, e)` is called with every
-// edge e of a node v of group g that leads to another group: what it adds to the edge between the
-// two.
+// Builds the graph of groups row by row. `visit(g, v, other, e)` is called for every edge e from a
+// node v of group g to another group. It returns what e adds to the edge between the groups.
 template <typename Visit>
 WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Visit visit) {
   WeightedGraph graph;
   graph.starts.reserve(groups.starts.size());
   graph.weights.reserve(groups.starts.size());
   graph.borders.reserve(groups.starts.size());
-  // Room for all, so that what comes next is one number and not two vectors' ends in memory: 0.9 of
-  // the time of a whole order.
+  // Full size from the start, so that the next place is one number and not the ends of two vectors:
+  // a whole order takes 0.9 of the time.
   std::vector<int> neighbours(fine.neighbours.size());
   std::vector<int> edge_weights(fine.neighbours.size());
-  std::vector<int> place(groups.starts.size(), kNone);  // in the row at hand
+  std::vector<int> place(groups.starts.size(), kNone);  // of each group in the current row
   int end = 0;
   CancelCheck check;
   for (int g = 0; g < groups.size(); ++g) {
@@ -162,8 +161,8 @@ WeightedGraph contract(const WeightedGraph& fine, const Groups& groups) {
 }
 
 WeightedGraph contract_nodes(const WeightedGraph& fine, const Groups& groups) {
-  std::vector<int> counted_for(fine.weights.size(), kNone);  // the last group that counted it
-  std::vector<int> last_node(groups.starts.size(), kNone);   // that counted for each group
+  std::vector<int> counted_for(fine.weights.size(), kNone);  // last group that counted each node
+  std::vector<int> last_node(groups.starts.size(), kNone);   // last node counted for each group
   return contract_rows(fine, groups, [&](int g, int v, int other, int e) {
     const int u = fine.neighbours[e];
     int weight = 0;

@@ -5,13 +5,13 @@
 
 namespace lapwing::dissection {
 
-/// An undirected graph with weights, in compressed rows: every edge stands in both of its rows.
+/// An undirected graph with weights, in compressed rows. Both rows of an edge hold it.
 struct WeightedGraph {
   std::vector<int> starts{0};
   std::vector<int> neighbours;
-  std::vector<int> edge_weights;  ///< beside `neighbours`; empty where nobody asks for them
+  std::vector<int> edge_weights;  ///< per entry of `neighbours`; empty if not needed
   std::vector<int> weights;       ///< of the nodes
-  std::vector<int> borders;       ///< of the nodes: how many unknowns of a border, without weight
+  std::vector<int> borders;       ///< of the nodes: number of border unknowns, which have no weight
 
   int size() const { return static_cast<int>(weights.size()); }
 };
@@ -25,16 +25,16 @@ struct Groups {
   int size() const { return static_cast<int>(starts.size()) - 1; }
 };
 
-/// Groups nodes by four or so along their heaviest edges; no group weighs more than `most_weight`
-/// unless a single node does. `variant` numbers different ways to begin. Linear time; throws
-/// Cancelled.
+/// Groups about four nodes at a time along their heaviest edges. No group weighs more than
+/// `most_weight` unless a single node does. `variant` selects the first node and the direction.
+/// Linear time. Throws Cancelled.
 Groups group_neighbours(const WeightedGraph& graph, int most_weight, std::size_t variant);
 
-/// The graph of groups: an edge weighs as much as all edges between its two groups.
+/// Returns the graph of groups. An edge weighs as much as all edges between its two groups.
 WeightedGraph contract(const WeightedGraph& fine, const Groups& groups);
 
-/// The same, but an edge weighs as much as the nodes of its two groups that have a neighbour in the
-/// other one: what a separator between them would hold. Edge weights of `fine` are not used.
+/// The same, but an edge weighs as much as the nodes of its two groups with a neighbour in the
+/// other one, that is, a separator between them. Ignores the edge weights of `fine`.
 WeightedGraph contract_nodes(const WeightedGraph& fine, const Groups& groups);
 
 }  // namespace lapwing::dissection

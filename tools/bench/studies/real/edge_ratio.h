@@ -6,8 +6,8 @@
 
 namespace lapwing::bench {
 
-/// The largest length / length at rest of the ring edges of `rows`; 1 is kept, and what shrinks
-/// does not count. Edges without length at rest do not either. 0 where there are no edges.
+/// Returns the largest length over rest length of the ring edges of `rows`; 1 means no stretch.
+/// Ignores edges without length at rest. Returns 0 if there are no edges.
 double largest_edge_ratio(std::span<const Index> rows, const Topology& topology,
                           std::span<const Eigen::Vector3d> rest,
                           std::span<const Eigen::Vector3d> current);

@@ -10,13 +10,13 @@
 
 namespace lapwing::bench {
 
-/// What is done to a mesh that nobody has chosen a region of: one end is held, the other is moved.
+/// A test motion for a mesh without a chosen region: one end is held, the other moves.
 enum class EndsMotion {
-  /// The tenths of the vertices at both ends of the longest axis; the upper end is moved by a tenth
-  /// of the bounding box's diagonal along the next axis (x, y, z, x), and not turned.
+  /// Each end is a tenth of the vertices along the longest axis. The upper end moves by a tenth of
+  /// the bounding box's diagonal along the next axis (x, y, z, x) and does not turn.
   lift,
-  /// The twentieths at both ends of y; the upper end is moved by a fifth of the diagonal in x and
-  /// turned by -30 degrees about z around the mean of its vertices.
+  /// Each end is a twentieth of the vertices along y. The upper end moves by a fifth of the
+  /// diagonal in x and turns by -30 degrees about z around the mean of its vertices.
   lean,
 };
 inline constexpr std::array kEndsMotions{EndsMotion::lift, EndsMotion::lean};
@@ -30,8 +30,8 @@ struct MovedEnds {
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
 };
 
-/// At least three vertices at each end; of vertices at the same height, those of lower number are
-/// lower. Throws InputError when there are fewer than six vertices or one is not finite.
+/// Returns ends of at least three vertices each. Vertices at the same height are ordered by number.
+/// Throws InputError if there are fewer than six vertices or one is not finite.
 MovedEnds moved_ends(EndsMotion motion, std::span<const Eigen::Vector3d> positions);
 
 }  // namespace lapwing::bench

@@ -9,15 +9,15 @@
 
 namespace lapwing::bench {
 
-/// As much of a mesh as its two ends hold.
+/// The part of a mesh that its two ends hold.
 struct HeldRegion {
   EditRegion region;         ///< with one handle
-  std::size_t left_out = 0;  ///< vertices of the mesh that are not in it
+  std::size_t left_out = 0;  ///< number of the mesh's other vertices
 };
 
-/// The whole mesh, less loose vertices and components that `check_anchors` refuses: those of which
-/// belt and handle hold no three vertices off one line. Throws InputError when no vertex of the
-/// belt or none of the handle is left.
+/// Returns the whole mesh without loose vertices and without the components that `check_anchors`
+/// refuses: those in which belt and handle hold no three vertices off one line. Throws InputError
+/// if no vertex of the belt or none of the handle is left.
 HeldRegion held_region(const MovedEnds& ends, std::span<const Eigen::Vector3d> positions,
                        const Topology& topology);
 

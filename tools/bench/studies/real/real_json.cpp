@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 const char* const kRealFormat = "lapwing-bench real 2";
 
-// Names of files and messages need not be UTF-8.
+// Names of files and messages may contain invalid UTF-8.
 std::string in_one_line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

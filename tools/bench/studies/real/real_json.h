@@ -7,12 +7,12 @@
 
 namespace lapwing::bench {
 
-/// The report as JSON of format "lapwing-bench real 1", a run to a line, with the summary of its
-/// runs, which is not read back. Numbers have six digits that count.
+/// Writes the report as JSON of format "lapwing-bench real 2", one run per line, with the summary,
+/// which is not read back. Numbers have six significant digits.
 std::string to_json(const RealReport& report);
 
-/// Reads what to_json wrote; `name` stands in errors for the file. Throws InputError that names the
-/// place when it is no such report.
+/// Reads what to_json wrote; errors call the file `name`. Throws InputError, which names the place,
+/// if it is not such a report.
 RealReport parse_real_report(std::string_view json, const std::string& name);
 
 /// The same for one mesh, in one line.

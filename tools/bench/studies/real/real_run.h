@@ -6,15 +6,15 @@
 
 namespace lapwing::bench {
 
-/// What one way of deforming made of a run, by measures that are the same for all: of the whole
-/// region, but for `detail_error`, which is of its free vertices.
+/// The result of one method in a run, measured in the same way for all methods: over the whole
+/// region, except `detail_error`, which covers its free vertices.
 struct RealOutcome {
   bool measured = false;
-  std::string failure;  ///< why nothing was measured, in words
-  bool settled = true;  ///< false where the iterations ran out first
+  std::string failure;  ///< why nothing was measured
+  bool settled = true;  ///< false if the iterations ran out first
   int iterations = 0;
   std::size_t flipped_triangles = 0;
-  double largest_edge = 0.0;  ///< length over length at rest of the most stretched edge
+  double largest_edge = 0.0;  ///< length over rest length of the most stretched edge
   double detail_error = 0.0;
   double edge_stretch = 0.0;  ///< root mean square of the relative change of lengths
   double prepare_ms = 0.0;
@@ -23,11 +23,11 @@ struct RealOutcome {
 
 /// One motion of one mesh.
 struct RealRun {
-  std::string mesh;  ///< its file, below the folder that was asked for
+  std::string mesh;  ///< its file, relative to the given folder
   std::string motion;
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::size_t left_out = 0;  ///< vertices that nothing holds
+  std::size_t left_out = 0;  ///< number of vertices outside the held region
   std::string failure;       ///< why there was nothing to deform; empty otherwise
   RealOutcome ours;          ///< the recipe's defaults
   RealOutcome linear;        ///< the linear response alone
@@ -35,9 +35,9 @@ struct RealRun {
   RealOutcome smooth_arap;   ///< SmoothArap
 };
 
-/// What became of one file.
+/// The result of one file.
 struct RealMesh {
-  std::string passed_over;  ///< why it is no subject of the study; empty otherwise
+  std::string passed_over;  ///< why the study passes it over; empty otherwise
   std::vector<RealRun> runs;
 };
 
@@ -48,10 +48,10 @@ struct PassedOver {
 
 struct RealReport {
   std::string date;    ///< UTC, as in "2023-05-06T07:08:09Z"
-  std::string commit;  ///< that the program was built from
+  std::string commit;  ///< source revision of the program
   std::string processor;
   unsigned threads = 0;
-  double seconds = 0.0;  ///< that it took
+  double seconds = 0.0;  ///< duration of the study
   std::vector<RealRun> runs;
   std::vector<PassedOver> passed_over;
 };

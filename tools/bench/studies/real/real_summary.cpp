@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kLeastSettled = 0.98;
 constexpr double kLeastComparable = 0.95;
-// The longest edge may be so many times ARAP's.
+// Our longest edge may be so many times as long as ARAP's.
 constexpr double kEdgeAllowance = 1.3;
-// Of the linear response alone, which a drag shows.
+// Bounds for the linear response alone, which a drag shows.
 constexpr double kLargestDraggedEdge = 2.5;
 constexpr double kMostDraggedFlips = 0.02;
 // Detail errors closer than this are the same.
@@ -35,7 +35,7 @@ RealFigure at_most(double share, std::string name, std::string target) {
   return {std::move(name), 0, 0, false, share, std::move(target)};
 }
 
-// Counts one run; it is an exception where what is counted is not as it should be.
+// Counts one run. It is an exception if it counts against the target.
 void count(RealFigure& figure, const RealRun& run, bool holds, const std::string& values) {
   ++figure.of;
   if (holds) ++figure.count;
@@ -73,7 +73,7 @@ RealFigure flips_figure(const std::vector<RealRun>& runs) {
   return figure;
 }
 
-// One measure beside ARAP's: at most `factor` times that and `more`.
+// Counts runs in which our measure is at most `factor` times ARAP's plus `more`.
 RealFigure comparable_figure(const std::vector<RealRun>& runs, std::string name,
                              double RealOutcome::*measure, double factor, double more) {
   RealFigure figure = at_least(kLeastComparable, std::move(name), "at least 95%");
@@ -164,7 +164,7 @@ double RealFigure::share() const {
 }
 
 bool RealFigure::met() const {
-  // A share of runs, such as 0.95 of 20, need not come out whole.
+  // A share of runs, such as 0.95 of 20, need not be exact.
   constexpr double kRounding = 1e-9;
   const auto runs = static_cast<double>(count);
   return of > 0 && (is_floor ? runs >= bound - kRounding : runs <= bound + kRounding);

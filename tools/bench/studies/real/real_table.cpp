@@ -25,7 +25,7 @@ std::string iterations_of(const RealOutcome& outcome) {
   return std::to_string(outcome.iterations) + (outcome.settled ? "" : "*");
 }
 
-// Below 1 to four decimals, above with three digits.
+// Prints values below 1 with four decimals, others with three digits.
 std::string ratio_text(double value) {
   constexpr double kMostPrinted = 99'999.0;
   if (value > kMostPrinted) return ">99,999";
@@ -35,7 +35,7 @@ std::string ratio_text(double value) {
   return text.data();
 }
 
-// No runs at all neither meet nor miss it.
+// Without runs, a target is neither met nor missed.
 std::string verdict_of(const RealFigure& figure) {
   return figure.of == 0 ? "-" : figure.met() ? "met" : "NOT met";
 }
@@ -57,7 +57,7 @@ std::string linear_cells(const RealOutcome& outcome) {
   return outcome.measured ? shape_cells(outcome) : padded_left("-", kLinearGroup);
 }
 
-// Why what is not there is not there.
+// Returns the reasons for missing results.
 std::string reasons_of(const RealRun& run) {
   if (!run.failure.empty()) return run.failure;
   std::string text;
@@ -71,7 +71,7 @@ std::string reasons_of(const RealRun& run) {
   return text;
 }
 
-// The end of a path says more than its beginning.
+// Shortens a path in front, because its end says more.
 std::string clipped_in_front(const std::string& path) {
   if (character_count(path) < kMesh) return path;
   return "..." + path.substr(path.size() - (kMesh - 4));
@@ -106,7 +106,7 @@ std::string counted_runs(const RealSummary& summary) {
          std::to_string(summary.arap) + ", both " + std::to_string(summary.compared);
 }
 
-// By name, but for those that are passed over for the same reason as others: so many of them.
+// Names files whose reason is unique, and counts files that share one.
 std::string passed_over_lines(const std::vector<PassedOver>& files) {
   if (files.empty()) return "";
   std::map<std::string, std::vector<std::string>> by_reason;

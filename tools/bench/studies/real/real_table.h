@@ -7,17 +7,17 @@
 
 namespace lapwing::bench {
 
-/// Two lines above `line_of`'s.
+/// Returns the two heading lines of a table of `line_of`.
 std::string real_heading();
 
-/// One run in one line: our default result, the linear response alone, ARAP; at the end why one of
-/// them is not there. A star stands for iterations that ran out.
+/// Returns one run as one line: our default result, the linear response alone, ARAP, Smooth ARAP
+/// and the reasons for missing results. A star marks iterations that ran out.
 std::string line_of(const RealRun& run);
 
-/// The figures and what each does not hold for, what failed, what was passed over: for a terminal.
+/// Returns the summary for a terminal: figures with exceptions, failures and files passed over.
 std::string text_of(const RealReport& report);
 
-/// Figures and the table of all runs, in Markdown.
+/// Returns the figures and the table of all runs in Markdown.
 std::string markdown_of(const RealReport& report);
 
 }  // namespace lapwing::bench

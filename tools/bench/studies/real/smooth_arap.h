@@ -11,8 +11,8 @@
 
 namespace lapwing::bench {
 
-/// Smooth ARAP (Oehri, Herholz, Sorkine-Hornung 2025, arXiv 2501.10335) with hard constraints: belt
-/// and handles go exactly where they should. Minimizes
+/// Smooth ARAP (Oehri, Herholz, Sorkine-Hornung 2025, arXiv 2501.10335) with hard constraints for
+/// belt and handles. Minimizes
 ///
 ///     E = (1 - lambda) sum_i sum_j w_ij |p'_i - p'_j - R_i (p_i - p_j)|^2
 ///         + lambda sum_i |L p'_i - R_i L p_i|^2,     L p_i = sum_j w_ij (p_i - p_j)
@@ -24,7 +24,7 @@ namespace lapwing::bench {
 class SmoothArap {
  public:
   /// Computes the weights, assembles and factors. `mesh` and `region` must outlive it. Throws
-  /// SolverError when the factorization fails.
+  /// SolverError if the factorization fails.
   SmoothArap(const Mesh& mesh, const EditRegion& region, double lambda);
 
   /// Moves the handles from rest by `motions`. All other vertices start at rest.
@@ -50,7 +50,7 @@ class SmoothArap {
   std::vector<std::vector<Edge>> edges_;     ///< of the ROI's vertices
   std::vector<Eigen::Vector3d> laplacians_;  ///< at rest, of the ROI's vertices
   std::vector<Eigen::Matrix3d> rotations_;   ///< of the ROI's vertices
-  std::vector<Eigen::Index> unknown_;        ///< per vertex of the mesh; -1 where it is held
+  std::vector<Eigen::Index> unknown_;        ///< per vertex of the mesh; -1 if held
   Eigen::SparseMatrix<double> matrix_;       ///< a row per unknown, a column per vertex
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
   Positions positions_;
