@@ -85,7 +85,7 @@ TEST(Cancellation, WhatIsBeingWrittenIsFinished) {
   const AskAtEveryCheck asking;
   const ProgressScope scope(kNo);
   {
-    const Uncancelled whole;
+    const CancellationGuard whole;
     EXPECT_NO_THROW(check_cancelled());
   }
   EXPECT_THROW(check_cancelled(), Cancelled);

@@ -19,7 +19,7 @@ TEST(Limits, WhatIsBeyondIsRefusedWithBothNumbersAndTheWayOut) {
   EXPECT_NO_THROW(require_at_most(kFew, 1000, "this makes", "make fewer"));
   EXPECT_EQ(error_message<InputError>(
                 [] { require_at_most(kFew, 1'234'567, "this makes", "make fewer"); }),
-            "this makes 1,234,567 tests, more than the 1,000 that are allowed; make fewer, or set "
+            "this makes 1,234,567 tests, more than the limit of 1,000; make fewer, or set "
             "LAPWING_MOST_TESTS to a larger number");
 }
 
@@ -43,8 +43,8 @@ TEST(Limits, MemoryIsRefusedBeforeItIsTaken) {
   EXPECT_EQ(allowed_memory(123), 123U);
   EXPECT_NO_THROW(require_memory(5'000'000, "it", "wait"));
   EXPECT_EQ(error_message<SolverError>([] { require_memory(9'500'000, "it", "wait"); }),
-            "it needs 10 MB of memory, and may take 6 MB; wait, or set LAPWING_MOST_MEMORY to more "
-            "bytes");
+            "it needs 10 MB of memory, more than the limit of 6 MB; wait, or set "
+            "LAPWING_MOST_MEMORY to more bytes");
 }
 
 TEST(Limits, MemoryThatMayBeTakenIsLessThanThereIs) {

@@ -93,17 +93,17 @@ TEST_F(AJobFile, SaysWhatIsWrongWithALine) {
               AllOf(HasSubstr("jobs.jsonl:1:"), HasSubstr("syntax error")));
   EXPECT_THAT(jobs("{}\n[1]").jobs().at(1).error, HasSubstr("jobs.jsonl:2: expected an object"));
   EXPECT_THAT(error_of(R"({"sets": {}})"), HasSubstr("did you mean \"set\"?"));
-  EXPECT_THAT(error_of(R"({"id": null})"), HasSubstr("/id: expected a text"));
+  EXPECT_THAT(error_of(R"({"id": null})"), HasSubstr("/id: expected a string"));
   EXPECT_THAT(error_of(R"({"set": [1]})"), HasSubstr("/set: expected an object"));
   EXPECT_THAT(error_of(R"({"recipe": 5})"), HasSubstr("/recipe: expected a file"));
   EXPECT_THAT(error_of(R"({"recipe": "none.json"})"), HasSubstr("none.json"));
-  EXPECT_THAT(error_of("{\"id\": \"a\", \"id\": \"b\"}"), HasSubstr("stands twice"));
+  EXPECT_THAT(error_of("{\"id\": \"a\", \"id\": \"b\"}"), HasSubstr("appears twice"));
 }
 
 TEST_F(AJobFile, TakesNoIdThatIsNoNameOfAFile) {
   for (const char* const id : {"", ".", "..", "../a", "a/b", "/etc/passwd", "a\\u0000b", "a\\nb"}) {
     EXPECT_THAT(error_of(std::string(R"({"id": ")") + id + "\"}"),
-                HasSubstr("/id: it becomes the name"))
+                HasSubstr("/id: the id cannot be a file name"))
         << id;
   }
   EXPECT_THAT(error_of(R"({"id": ")" + std::string(201, 'a') + "\"}"), HasSubstr("longer"));
@@ -111,8 +111,9 @@ TEST_F(AJobFile, TakesNoIdThatIsNoNameOfAFile) {
 }
 
 TEST_F(AJobFile, RefusesTwoLinesWithOneId) {
-  EXPECT_THAT(error_message<InputError>([&] { jobs("{\"id\": \"a\"}\n{}\n{\"id\": \"a\"}"); }),
-              AllOf(HasSubstr("jobs.jsonl:3:"), HasSubstr("line 1 has the id \"a\"")));
+  EXPECT_THAT(
+      error_message<InputError>([&] { jobs("{\"id\": \"a\"}\n{}\n{\"id\": \"a\"}"); }),
+      AllOf(HasSubstr("jobs.jsonl:3:"), HasSubstr("the id \"a\" is already used in line 1")));
   EXPECT_THROW(jobs("{\"id\": \"2\"}\n{}"), InputError) << "one by its line's number, too";
 }
 

@@ -46,8 +46,8 @@ TEST(SetJson, SaysWhichPartOfAPointerIsNotThereAndWhatIs) {
   EXPECT_THAT(message(R"({"steps":[{"handles":[]}]})", "/steps/0/handels/0"),
               AllOf(StartsWith("jobs:1: /set: \"/steps/0/handels/0\": /steps/0 has no \"handels\""),
                     HasSubstr("did you mean \"handles\"")));
-  EXPECT_THAT(message(R"({"a":[1,2]})", "/a/2"), HasSubstr("it takes 0 to 1, or \"-\""));
-  EXPECT_THAT(message(R"({"a":[]})", "/a/0"), HasSubstr("it takes \"-\""));
+  EXPECT_THAT(message(R"({"a":[1,2]})", "/a/2"), HasSubstr("use 0 to 1, or \"-\""));
+  EXPECT_THAT(message(R"({"a":[]})", "/a/0"), HasSubstr("use \"-\""));
   for (const char* const pointer :
        {"/a/01", "/a/-1", "/a/x", "/a/", "/a/-/b", "/a/99999999999999999999"}) {
     EXPECT_THAT(message(R"({"a":[1,2]})", pointer), HasSubstr("is a list of 2")) << pointer;

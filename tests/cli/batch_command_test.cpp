@@ -121,7 +121,7 @@ TEST_F(BatchCommandLine, RefusesWhatItCannotBeginBeforeItBegins) {
   write("jobs.jsonl", "{\"id\": \"a\"}\n{\"id\": \"a\"}\n");
   const Outcome twice = lapwing(kBatch + std::string("out"));
   EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.output, HasSubstr("line 1 has the id \"a\""));
+  EXPECT_THAT(twice.output, HasSubstr("the id \"a\" is already used in line 1"));
   EXPECT_FALSE(fs::exists(file("out")));
 }
 

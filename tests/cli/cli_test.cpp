@@ -71,7 +71,7 @@ TEST_F(CommandLine, VertexMotionIsSavedAsPropertiesOfAPlyAlone) {
   EXPECT_THAT(read("a.ply"), HasSubstr("property double qw\nproperty double qx"));
   const Outcome refused = lapwing(lift + "--save a.obj");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.output, HasSubstr("a.obj has no place for it; --save a .ply"));
+  EXPECT_THAT(refused.output, HasSubstr("a.obj cannot store it; use --save with a .ply file"));
   EXPECT_FALSE(std::filesystem::exists(file("a.obj")));
   EXPECT_THAT(lapwing(lift + "--report a.json").output, HasSubstr("nothing is saved"));
 }
@@ -192,7 +192,7 @@ TEST_F(CommandLine, SplitVerticesComeBackWithTheirFacesAndTextureCoordinates) {
       "--device cpu --save ";
   const Outcome outcome = lapwing("deform charts.obj" + move + "a.obj --strict");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, HasSubstr("seam edges of the roi are edited as one surface"));
+  EXPECT_THAT(outcome.output, HasSubstr("seam edges of the ROI are joined"));
   const auto without_positions = [&](const std::string& name) {
     std::istringstream lines(read(name));
     std::string kept;
@@ -306,7 +306,7 @@ TEST_F(CommandLine, RegionIsLaidIntoThePlane) {
 TEST_F(CommandLine, WhatCannotBeLaidIntoThePlaneIsNamed) {
   const Outcome tube = lapwing("parameterize tube.obj");
   EXPECT_EQ(tube.exit_code, 3);
-  EXPECT_THAT(tube.output, AllOf(HasSubstr("--region: the region is no disk: it has 2 boundary"),
+  EXPECT_THAT(tube.output, AllOf(HasSubstr("--region: the region is not a disk: it has 2 boundary"),
                                  HasSubstr("{\"disk_in\": REGION}")));
   EXPECT_EQ(lapwing("parameterize tube.obj --region '{\"disk_in\": {\"all\": true}}'").exit_code,
             0);

@@ -153,7 +153,7 @@ TEST_F(CoatCommands, MixTakesItsWeightFromAPropertyOfTheMesh) {
             std::vector<double>(sheet.vertex_count(), 0.25));
   const Outcome missing = lapwing(std::string(kMix) + "--field shares --recipe a.json");
   EXPECT_EQ(missing.exit_code, 3);
-  EXPECT_THAT(missing.output, HasSubstr("has no vertex property \"shares\""));
+  EXPECT_THAT(missing.output, HasSubstr("has no scalar vertex property \"shares\""));
 }
 
 TEST_F(CoatCommands, MixNeedsAWeight) {
@@ -221,7 +221,7 @@ TEST_F(CoatCommands, WhatCannotBeCoatedIsNamed) {
                                 "--domain square --boundary-pair 0,0 "
                                 "--save a.ply");
   EXPECT_EQ(pairs.exit_code, 3);
-  EXPECT_THAT(pairs.output, HasSubstr("the square takes four pairs"));
+  EXPECT_THAT(pairs.output, HasSubstr("the square needs four pairs"));
   EXPECT_FALSE(std::filesystem::exists(file("a.ply")));
 }
 

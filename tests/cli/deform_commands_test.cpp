@@ -64,7 +64,7 @@ TEST_F(CommandLine, MirrorThatCannotBeIsAnErrorAndNothingIsWritten) {
   const std::string handle = "--handle near:0.5,0.05,2,0.2 ";
   EXPECT_THAT(refused(handle + "--mirror 9,0,0,1,0,0", 3),
               HasSubstr("does not pass through the mesh; give a point of the plane, or \"auto\""));
-  EXPECT_THAT(refused(handle + "--mirror 0,0,0,0,0,0", 3), HasSubstr("no length"));
+  EXPECT_THAT(refused(handle + "--mirror 0,0,0,0,0,0", 3), HasSubstr("normal is zero"));
   EXPECT_THAT(refused(handle + "--mirror sideways", 2),
               HasSubstr("auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z"));
   EXPECT_THAT(refused(handle + "--mirror 0,0,0,nan,0,0", 3), HasSubstr("normal"));
@@ -113,20 +113,20 @@ TEST_F(CommandLine, AHandleIsPaintedInAPropertyOfTheMesh) {
   const Outcome unknown = lapwing(lift + "--handle-field frim --save c.ply");
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_THAT(unknown.output,
-              HasSubstr("--handle-field: painted.ply has no vertex property \"frim\""));
+              HasSubstr("--handle-field: painted.ply has no scalar vertex property \"frim\""));
   EXPECT_EQ(lapwing(lift + "--handle-field firm --falloff 1 --save c.ply").exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(file("c.ply")));
 }
 
-TEST_F(CommandLine, AGradedHandleThatCannotBeIsAnErrorAndNothingIsWritten) {
-  const auto refused = [&](const std::string& grading) {
+TEST_F(CommandLine, AHandleWithFalloffThatCannotBeIsAnErrorAndNothingIsWritten) {
+  const auto refused = [&](const std::string& falloff) {
     write("a.json", R"({"lapwing": 1, "mesh": "tube.obj", "steps": [{"op": "deform",
         "roi": {"all": true}, "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.4]}},
         "handles": [{"region": {"vertices": [200]}, "move": {"translate": [0, 0, 1]}, )" +
-                        grading + R"(}]}], "save": "no.obj"})");
+                        falloff + R"(}]}], "save": "no.obj"})");
     const Outcome outcome = lapwing("run a.json --device cpu");
     EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
-    EXPECT_FALSE(std::filesystem::exists(file("no.obj"))) << grading;
+    EXPECT_FALSE(std::filesystem::exists(file("no.obj"))) << falloff;
     return outcome.output;
   };
   EXPECT_THAT(refused(R"("weight": {"field": [1, 0.5]})"),
@@ -200,7 +200,7 @@ TEST_F(CommandLine, CarriedFileThatCannotBeIsNamedAndNothingIsWritten) {
   write("hat.obj", "v 0 0 0\nv 0 nan 0\n");
   EXPECT_THAT(refused("hat.obj", 3), HasSubstr("hat.obj: the position of vertex 1 is not finite"));
   write("hat.obj", "# nothing\n");
-  EXPECT_THAT(refused("hat.obj", 3), HasSubstr("no vertex to carry"));
+  EXPECT_THAT(refused("hat.obj", 3), HasSubstr("no vertices to carry"));
 }
 
 }  // namespace

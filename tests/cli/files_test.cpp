@@ -52,9 +52,9 @@ TEST_F(FilesOfTheCommandLine, NoOutputGoesOverAnother) {
     fs::remove(file("sub"));
   }
   expect_refused("deform tube.obj" + kBend + "--report r.json --recipe r.json", 2,
-                 "r.json is where --report goes");
+                 "r.json is also written as --report");
   expect_refused("cut tube.obj --region box:-1,-1,1,1,1,4 -o x.obj --rest x.obj", 2,
-                 "x.obj is where --output goes");
+                 "x.obj is also written as --output");
   expect_refused("parameterize tube.obj --region disk:120,0.6 -o a.obj --picture a.obj", 2,
                  "end its name in .png");
 }
@@ -134,7 +134,7 @@ TEST_F(FilesOfTheCommandLine, NamesThatAreNotUtf8) {
   EXPECT_THAT(read("r.json"), HasSubstr("m\uFFFDwe.obj"));
   const Outcome recipe = lapwing("deform " + name + kBend + "--save a.obj --recipe a.json");
   EXPECT_EQ(recipe.exit_code, 3);
-  EXPECT_THAT(recipe.output, HasSubstr("is not UTF-8, which a recipe is written in"));
+  EXPECT_THAT(recipe.output, HasSubstr("is not UTF-8, but a recipe must be"));
   EXPECT_FALSE(fs::exists(file("a.obj"))) << "told before the work";
   EXPECT_THAT(lapwing("check none-\xE4.obj").output, HasSubstr("none-\\xE4.obj"));
   const Outcome coat = lapwing("coat tube.obj --source " + name +
@@ -217,7 +217,7 @@ TEST_F(FilesOfTheCommandLine, JobsOfABatchAreKeptInTheirFolder) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
   EXPECT_TRUE(fs::exists(file("done/in.ply")));
   EXPECT_THAT(read("done/failed.jsonl"),
-              AllOf(HasSubstr("bend.json is outside of box"), HasSubstr("reads box/../tube.obj")));
+              AllOf(HasSubstr("bend.json is outside box"), HasSubstr("reads box/../tube.obj")));
 }
 
 // A part's picture took the place of whatever was called so, also behind a link.
@@ -234,7 +234,7 @@ TEST_F(FilesOfTheCommandLine, ListingPartsKeepsPicturesOfOthers) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(read("shelf/sheet.png"), "a texture");
   EXPECT_EQ(read("precious.txt"), "mine");
-  EXPECT_THAT(outcome.output, HasSubstr("sheet.png is no picture that was made here"));
+  EXPECT_THAT(outcome.output, HasSubstr("sheet.png was not made by Lapwing"));
 }
 
 // Less and less memory: each run says so, or does its work.

@@ -21,7 +21,7 @@ class Numbers : public CommandLine {
 TEST_F(Numbers, MoveBeyondAllCoordinatesWritesNothing) {
   const Outcome outcome = bend("--translate=1e160,0,0");
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.output, HasSubstr("handle 0 is to go by 1e+160"));
+  EXPECT_THAT(outcome.output, HasSubstr("handle 0 moves 1e+160"));
   EXPECT_FALSE(std::filesystem::exists(file("bent.obj")));
 }
 

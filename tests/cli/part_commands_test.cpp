@@ -56,7 +56,7 @@ TEST_F(PartCommands, CutSaysWhatIsOddAboutAPart) {
 TEST_F(PartCommands, CutThatLeavesNothingWritesNothing) {
   const Outcome outcome = lapwing("cut ball.obj --region all -o part.obj --rest rest.obj");
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("--region"), HasSubstr("nothing is left")));
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("--region"), HasSubstr("nothing remains")));
   EXPECT_FALSE(std::filesystem::exists(file("part.obj")));
   EXPECT_EQ(lapwing("cut ball.obj -o part.obj").exit_code, 2) << "without a region";
 }

@@ -67,7 +67,7 @@ TEST_F(TransplantCommands, FitsByItselfUnlessToldWhereTo) {
   const Outcome two_sizes =
       lapwing(std::string(kFinger) + "--fit-scale 0.8 --keep-size --save b.ply");
   EXPECT_EQ(two_sizes.exit_code, 3);
-  EXPECT_THAT(two_sizes.output, HasSubstr("give one of them"));
+  EXPECT_THAT(two_sizes.output, HasSubstr("\"keep_size\" and \"scale\" exclude each other"));
   const Outcome both = lapwing(std::string(kFinger) + "--fit-rotate 30 --snap --save a.ply");
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_THAT(both.output, HasSubstr("--snap"));

@@ -114,10 +114,10 @@ TEST(Correspondence, TellsBoundaryPairsFromInnerOnes) {
   options.boundary_pairs = {{10, 0}};
   EXPECT_THAT(
       message_of(square, square, options),
-      testing::HasSubstr("vertex 10 lies inside the source patch, and a boundary pair needs "
-                         "a vertex of its border; the nearest is 1"));
+      testing::HasSubstr("vertex 10 lies inside the source patch, but a boundary pair needs "
+                         "a vertex on its boundary; the nearest is 1"));
   EXPECT_THAT(message_of(square, square, inner({{40, 3}})),
-              testing::HasSubstr("vertex 3 lies on the border of the target patch"));
+              testing::HasSubstr("vertex 3 lies on the boundary of the target patch"));
 }
 
 TEST(Correspondence, CountsTheBoundaryPairs) {
@@ -125,16 +125,17 @@ TEST(Correspondence, CountsTheBoundaryPairs) {
   CorrespondenceOptions options;
   options.domain = Domain::square;
   options.boundary_pairs = {{0, 0}};
-  EXPECT_THAT(message_of(square, square, options),
-              testing::HasSubstr("the square takes four pairs, in order around the border, got 1"));
+  EXPECT_THAT(
+      message_of(square, square, options),
+      testing::HasSubstr("the square needs four pairs in order around the boundary, got 1"));
 }
 
 TEST(Correspondence, NamesPairsThatContradictEachOther) {
   const PatchedMesh square(grid(12, 12));
   EXPECT_THAT(message_of(square, square, inner({{6 * 13 + 6, 80}, {6 * 13 + 6, 95}})),
-              testing::HasSubstr("vertex 84 of the source is in pair 0 too"));
+              testing::HasSubstr("vertex 84 of the source is also in pair 0"));
   EXPECT_THAT(message_of(square, square, inner({{5 * 13 + 5, 84}, {7 * 13 + 7, 84}})),
-              testing::AllOf(testing::HasSubstr("cannot be met together"),
+              testing::AllOf(testing::HasSubstr("cannot all be satisfied"),
                              testing::HasSubstr("[70, 84]"), testing::HasSubstr("[98, 84]")));
 }
 

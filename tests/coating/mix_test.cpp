@@ -122,7 +122,7 @@ TEST(Mix, NamesAHandleOffThePatch) {
                 Coater({.rest = target.mesh.positions, .held = held}, target.topology, target.patch,
                        {}, kernels);
               }),
-              testing::StartsWith("vertex 0 is to be held, but is not in the target patch"));
+              testing::StartsWith("vertex 0 is held, but it is outside the target patch"));
 }
 
 TEST(MixWeight, GoesFromNoneToAllAlongTheDomainsV) {
@@ -154,7 +154,7 @@ TEST(MixWeight, NamesWhatDoesNotFit) {
     return error_message<InputError>([&] { weights_of(weight, target, domain); });
   };
   EXPECT_THAT(message({DomainRamp{}}, Domain::disk),
-              testing::StartsWith("weight/domain_v: only the square domain has a v"));
+              testing::StartsWith("weight/domain_v: only the square domain has a coordinate v"));
   EXPECT_THAT(message({DomainRamp{0.5, 0.5}}, Domain::square),
               testing::StartsWith("weight/domain_v: the ramp has no extent"));
   EXPECT_THAT(message({PaintedWeight{{0.0, 1.0}}}, Domain::disk),
@@ -163,7 +163,7 @@ TEST(MixWeight, NamesWhatDoesNotFit) {
   PaintedWeight outside{std::vector<double>(49, 0.5)};
   outside.field[7] = 2.0;
   EXPECT_THAT(message({outside}, Domain::disk),
-              testing::StartsWith("weight/field/7: expected 0 to 1, got 2"));
+              testing::StartsWith("weight/field/7: expected a number from 0 to 1, got 2"));
 }
 
 }  // namespace

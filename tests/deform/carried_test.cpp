@@ -186,7 +186,7 @@ TEST_F(Carried, KnownSharesCarryToTheSameBits) {
   for (const double degrees : {0.0, 20.0, 50.0}) {
     bend_.rotate.degrees = degrees;
     const Deformed bent = moved(bend_);
-    const CarriedPoints carried = SurfaceCarrier(contacts, bent).carry(points, shares);
+    const CarriedPoints carried = AttachmentDeformer(contacts, bent).carry(points, shares);
     EXPECT_EQ(carried.positions, carry_points(points, tube_.positions, bent).positions);
   }
   EXPECT_FALSE(contacts->find_all(points, shares.values.size() - 1));
@@ -198,7 +198,7 @@ TEST_F(Carried, FilesAreNoBusinessOfADeformInMemory) {
   request.handles = {{between(2.6, 4.0), bend_}};
   request.carry = {{"hat.obj"}};
   EXPECT_THAT(error_message<InputError>([&] { deform(tube_, request); }),
-              HasSubstr("hat.obj is not carried here"));
+              HasSubstr("hat.obj cannot be carried by this function"));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(Certificate, WarnsOfWhatIsNotSettledFlippedOrFarTooLong) {
   EXPECT_THAT(warnings_of(c),
               ::testing::ElementsAre(HasSubstr("not settled after 200 iterations"),
                                      HasSubstr("2 triangles are flipped, the first 7"),
-                                     HasSubstr("from vertex 3 to 8 became 3.5 times as long")));
+                                     HasSubstr("from vertex 3 to 8 is now 3.5 times as long")));
   EXPECT_THAT(warnings_of(c)[0], HasSubstr("Raise \"max_iterations\""));
   c.lacks_hessian = true;
   EXPECT_THAT(warnings_of(c)[0], HasSubstr("memory"));

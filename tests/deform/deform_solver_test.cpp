@@ -240,7 +240,7 @@ TEST(DeformSolver, WithoutMemoryForTheExactSystemItsDragsAreThePreviewsAndItSett
   const DeformSolver deformer(mesh.positions, topology, region, options, kernels);
   EXPECT_THAT(deformer.response()->why_not_exact(),
               ::testing::AllOf(::testing::HasSubstr("240 vertices needs"),
-                               ::testing::EndsWith("may take 1 MB")));
+                               ::testing::EndsWith("limit of 1 MB")));
 
   const std::array motions{bend()};
   const DragPreview preview(mesh.positions, topology, region, options);
@@ -271,7 +271,7 @@ TEST(DeformSolver, WithoutMemoryAndSettlingItSaysWhatItNeeds) {
     const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
     FAIL() << "took more than it may";
   } catch (const SolverError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("may take 1 MB; choose a smaller region"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("limit of 1 MB; choose a smaller region"));
   }
 }
 

@@ -155,7 +155,7 @@ TEST(FreeHandles, NeedASurfaceThatSettlesAndSoftConstraints) {
                                 kernels);
     EXPECT_THAT(error_message<InputError>(
                     [&] { static_cast<void>(deformer.solve(freely(shift(0.1, 0.0, 0.0)))); }),
-                ::testing::HasSubstr("set its orientation"));
+                ::testing::HasSubstr("keep its orientation"));
   }
 }
 

@@ -82,9 +82,8 @@ TEST_F(ALoosePart, RidesAlongRigidlyAndStaysWhereItTouches) {
   const Index v = first_of_ball();
   EXPECT_GT((deformed.mesh.positions[v] - mesh_.positions[v]).norm(), 0.1);
   ASSERT_FALSE(deformed.notes.empty());
-  EXPECT_EQ(deformed.notes[0], "deform: 1 loose part of 42 vertices (from vertex " +
-                                   std::to_string(v) +
-                                   " on): carried along with the surface nearest to them");
+  EXPECT_EQ(deformed.notes[0], "deform: 1 loose component with 42 vertices, starting at vertex " +
+                                   std::to_string(v) + ": carried along with the nearest surface");
 }
 
 TEST_F(ALoosePart, LeavesTheSurfaceAsItIsWithoutThePart) {
@@ -156,7 +155,7 @@ TEST_F(ALoosePart, StaysOrIsRefusedWhereThatIsAsked) {
   for (std::size_t v = first_of_ball(); v < mesh_.vertex_count(); ++v) {
     EXPECT_EQ(left.mesh.positions[v], mesh_.positions[v]);
   }
-  EXPECT_THAT(left.notes, ::testing::Contains(HasSubstr("left where they are")));
+  EXPECT_THAT(left.notes, ::testing::Contains(HasSubstr("left in place")));
   request_.parameters.loose = LoosePolicy::refuse;
   EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, request_); }),
               HasSubstr("has no anchor"));
@@ -177,7 +176,7 @@ TEST(ASurfaceHeldOnOneLine, TurnsAsLittleAsItCan) {
   up.translate = {0.1, 0.0, 0.0};
   request.handles = {{{ListedVertices{{6}}}, up}};
   const Deformed deformed = deform(sheet, request);
-  EXPECT_THAT(deformed.notes, ::testing::Contains(HasSubstr("hold the surface on one line")));
+  EXPECT_THAT(deformed.notes, ::testing::Contains(HasSubstr("belt and handles lie on one line")));
   EXPECT_TRUE(deformed.certificate.settled);
   // What is stretched in its plane stays there.
   for (const Vector3d& p : deformed.mesh.positions) EXPECT_NEAR(p.z(), 0.0, 1e-6);

@@ -64,7 +64,7 @@ constexpr MirrorCase kMirrorCases[] = {
      }},
     {"ABeltByFraction",
      [](const MirrorScene& s, DeformRequest& r) {
-       r.belt = BorderBelt{0.2, "belt"};
+       r.belt = BoundaryAnchors{0.2, "belt"};
        r.handles = {lifted(s, s.side), lifted(s, s.across)};
      }},
     {"TargetsOffThePlane",
@@ -93,13 +93,13 @@ constexpr MirrorCase kMirrorCases[] = {
     {"AFalloffThatMeetsItsImage",
      [](const MirrorScene& s, DeformRequest& r) {
        r.handles = {lifted(s, s.side)};
-       r.handles[0].grading.falloff = Transition{0.4 * s.diagonal()};
+       r.handles[0].falloff.transition = Transition{0.4 * s.diagonal()};
      }},
     {"AFalloffOfHardHandles",
      [](const MirrorScene& s, DeformRequest& r) {
        r.parameters.hard = true;
        r.handles = {lifted(s, s.side), lifted(s, s.across)};
-       r.handles[0].grading = r.handles[1].grading = {
+       r.handles[0].falloff = r.handles[1].falloff = {
            2.0, Transition{0.1 * s.diagonal(), Transition::Profile::linear}};
      }},
     {"APaintedFieldOverAll",
@@ -108,7 +108,7 @@ constexpr MirrorCase kMirrorCases[] = {
        r.handles = {lifted(s, {DifferenceRegion{{s.roi, s.belt}}})};
        for (const Vector3d& p : s.mesh.positions) {
          const double d = (p - s.mesh.positions[s.side_vertex]).norm() / s.diagonal();
-         r.handles[0].grading.field.push_back(std::clamp(1.1 - 2.0 * d, 0.0, 1.0));
+         r.handles[0].falloff.field.push_back(std::clamp(1.1 - 2.0 * d, 0.0, 1.0));
        }
      }},
     {"APaintedFieldAcrossThePlane",
@@ -116,7 +116,7 @@ constexpr MirrorCase kMirrorCases[] = {
        r.handles = {lifted(s, {DifferenceRegion{{s.roi, s.belt}}})};
        for (const Vector3d& p : s.mesh.positions) {
          const double d = (p - s.mesh.positions[s.plane_vertex] - s.way(0.2, 0, 0)).norm();
-         r.handles[0].grading.field.push_back(std::clamp(1.2 - 4.0 * d / s.diagonal(), 0.0, 1.0));
+         r.handles[0].falloff.field.push_back(std::clamp(1.2 - 4.0 * d / s.diagonal(), 0.0, 1.0));
        }
      }},
     {"ALargeTurnInParts",
@@ -255,7 +255,7 @@ TEST_F(AMirroredDeform, NamesTheRowWhoseImageDoesNotFit) {
   const Vector3d up(0, 0, 0.1);
   request_.targets.rows = {{v, scene_.mesh.positions[v] + up}, {w, scene_.mesh.positions[w] - up}};
   EXPECT_EQ(error(), "targets: row 0 (its mirror image): vertex " + std::to_string(w) +
-                         " has another position in row 1; remove one of the two");
+                         " has another position in row 1. Remove one of the two rows");
 }
 
 TEST_F(AMirroredDeform, SaysWhichPlaneItIs) {
@@ -268,7 +268,8 @@ TEST_F(AMirroredDeform, SaysWhichPlaneItIs) {
   request_.mirror->plane = MirrorPlane{{0.3, 0, 0}, {1, 0, 0}};
   request_.handles = {{test::disk({0.1, 0.75, 0}, 0.1), SimilarityMove{.translate = {0, 0, 0.1}}}};
   EXPECT_THAT(done().notes,
-              ElementsAre(HasSubstr("which is much: is this its plane of symmetry?")));
+              ElementsAre(HasSubstr("That is large: make sure that this is its plane of "
+                                    "symmetry")));
 }
 
 TEST_F(AMirroredDeform, FindsThePlaneByItself) {
@@ -290,19 +291,21 @@ TEST_F(AMirroredDeform, TakesTheHandlesOfOneSideOnly) {
   const RegionSpec other{ListedVertices{image(resolve(scene_.side, scene_.mesh))}, "other"};
   request_.handles[0].region.where = "one";
   request_.handles.push_back(lifted(scene_, other));
-  EXPECT_THAT(error(), ::testing::StartsWith("one: its mirror image takes vertex "));
-  EXPECT_THAT(error(), HasSubstr("of handle 1; give the handles of one side only, or leave out the "
-                                 "mirror"));
+  EXPECT_THAT(error(), ::testing::StartsWith("one: its mirror image contains vertex "));
+  EXPECT_THAT(error(), HasSubstr("of handle 1; give the handles of one side only, or remove "
+                                 "\"mirror\""));
 }
 
 TEST_F(AMirroredDeform, ThatCannotBeIsAnErrorWithItsPlace) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   request_.mirror->plane = MirrorPlane{{0, 0, 0}, {0, 0, 0}};
-  EXPECT_EQ(error(), "mirror: the normal of the mirror plane has no length; name a direction");
+  EXPECT_EQ(error(), "mirror: the normal of the mirror plane is zero; give a direction");
   request_.mirror->plane = MirrorPlane{{0, 0, 0}, {0, nan, 0}};
-  EXPECT_EQ(error(), "mirror: the normal of the mirror plane is not finite");
+  EXPECT_EQ(error(),
+            "mirror: the normal of the mirror plane is not finite; give finite coordinates");
   request_.mirror->plane = MirrorPlane{{0, nan, 0}, {0, 1, 0}};
-  EXPECT_EQ(error(), "mirror: the point of the mirror plane is not finite");
+  EXPECT_EQ(error(),
+            "mirror: the point of the mirror plane is not finite; give finite coordinates");
   request_.mirror->plane = MirrorPlane{{7, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(error(),
             "mirror: the mirror plane does not pass through the mesh; give a point of the "
@@ -330,7 +333,7 @@ TEST_F(AMirroredDeform, OfPointsAloneIsAnError) {
         std::variant<AutomaticMirror, MirrorPlane>(scene_.plane)}) {
     request_.mirror->plane = plane;
     EXPECT_EQ(error_message<InputError>([&] { deform(points, request_); }),
-              "mirror: the mesh has no triangle, and so no surface to mirror");
+              "mirror: the mesh has no triangles, so there is no surface to mirror");
   }
 }
 

@@ -114,7 +114,7 @@ TEST_F(ManyOfOneEdit, WhatIsWrongWithTheRequestIsSaidWhenItIsPrepared) {
     message = error.what();
     vertices = error.vertices();
   }
-  EXPECT_THAT(message, HasSubstr("leaves the roi"));
+  EXPECT_THAT(message, HasSubstr("extends beyond the ROI"));
   EXPECT_EQ(vertices, region_.handles[0]);
 }
 
@@ -194,7 +194,7 @@ TEST_F(ManyOfOneEdit, AResponseIsToTheHandlesThatAreAskedFor) {
   EXPECT_LT(off_from_solve(mesh_, two, {1, 0}, {stirred(1.0), stirred(0.5)}), kSameSurface);
   PreparedDeform prepared(mesh_, two);
   EXPECT_THAT(error_message<InputError>([&] { prepared.response(std::vector<std::size_t>{2}); }),
-              StartsWith("the edit has 2 handles, but the response to handle 2 was asked for"));
+              StartsWith("the edit has 2 handles, numbered from 0; handle 2 does not exist"));
   EXPECT_TRUE(prepared.response({}).columns.empty());
   const auto stop = [](std::string_view, double) { return false; };
   EXPECT_THROW(prepared.response(std::vector<std::size_t>{0}, stop), Cancelled);

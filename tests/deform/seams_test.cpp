@@ -208,7 +208,7 @@ TEST_F(ASeam, IsSaidWhereItLiesInTheRegionAlone) {
   const test::SplitMesh& split = splits_[0];
   DeformRequest request = raise(kCenter);
   EXPECT_THAT(deform(split.mesh, request).notes,
-              Contains(HasSubstr("seam edges of the roi are edited as one surface")));
+              Contains(HasSubstr("seam edges of the ROI are joined")));
   request.roi = {GeodesicDisk{200U, 0.5}};
   request.handles[0].region = {ListedVertices{{200}}};
   EXPECT_THAT(deform(split.mesh, request).notes, IsEmpty());

@@ -127,11 +127,11 @@ TEST_F(ATarget, MovesThePaperSystemAndTheLinearTangentToo) {
 }
 
 TEST_F(ATarget, TakesItsVertexFromABeltByFraction) {
-  request_.belt = BorderBelt{0.5, "belt"};
+  request_.belt = BoundaryAnchors{0.5, "belt"};
   Mesh sheet = grid(10, 10);
   DeformRequest lift;
   lift.roi = {AllVertices{}, "roi"};
-  lift.belt = BorderBelt{0.5, "belt"};
+  lift.belt = BoundaryAnchors{0.5, "belt"};
   const Index near_border = 12;
   lift.targets = {.rows = {{near_border, sheet.positions[near_border] + Vector3d(0, 0, 0.05)}},
                   .hard = true};
@@ -152,8 +152,8 @@ TEST_F(ATarget, ThatCannotBeIsNamedByItsRow) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   request_.targets.rows = {{kVertex, side()}, {kVertex, side() * 2.0}};
   EXPECT_EQ(error(),
-            "targets: row 1: vertex 150 has another position in row 0; remove one of the "
-            "two");
+            "targets: row 1: vertex 150 has another position in row 0. Remove one of the "
+            "two rows");
   request_.targets.rows = {{Index{999}, side()}};
   EXPECT_EQ(error(), "targets: row 0: the mesh has no vertex 999, only 0 to 239");
   request_.targets.rows = {{kVertex, {0.0, nan, 0.0}}};
@@ -163,10 +163,10 @@ TEST_F(ATarget, ThatCannotBeIsNamedByItsRow) {
   request_.targets.rows = {{kVertex, side(), 0.0}};
   EXPECT_THAT(error(), HasSubstr("row 0: expected a weight from 0.000001 to"));
   request_.targets.rows = {{ends_.belt.front(), side()}};
-  EXPECT_THAT(error(), HasSubstr("row 0: vertex 0 belongs to the belt or a handle"));
+  EXPECT_THAT(error(), HasSubstr("row 0: vertex 0 also belongs to the belt or a handle"));
   request_.roi = {ListedVertices{ends_.belt}, "roi"};
   request_.targets.rows = {{kVertex, side()}};
-  EXPECT_THAT(error(), HasSubstr("row 0: vertex 150 is outside the roi"));
+  EXPECT_THAT(error(), HasSubstr("row 0: vertex 150 is outside the ROI"));
   request_.targets.rows = {};
   EXPECT_EQ(error(), "deform: nothing is moved; give at least one handle or target");
 }

@@ -155,7 +155,7 @@ TEST(SelfIntersections, OfVeryManyCopiesOfOneTriangleAreRefused) {
   const std::array<Index, 3> triangle{0, 1, 2};
   for (int k = 0; k < 20'000; ++k) mesh.add_face(triangle);
   EXPECT_THAT(error_message<InputError>([&] { pairs_of(mesh); }),
-              HasSubstr("remove repeated faces by `lapwing check MESH --fix OUT`"));
+              HasSubstr("Remove repeated faces with `lapwing check MESH --fix OUT`"));
 }
 
 }  // namespace

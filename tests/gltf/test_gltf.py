@@ -307,7 +307,7 @@ def test_an_edit_becomes_a_morph_target(name, suffix, generated, tmp_path, valid
     if name == "morphed":
         animation = after.json["animations"][0]["samplers"][0]
         assert after.values(animation["output"]).ravel().tolist() == [0, 0, 0, 1, 0.5, 0]
-        with pytest.raises(lapwing.InputError, match="there is a morph target 'smile' already"):
+        with pytest.raises(lapwing.InputError, match="a morph target 'smile' already exists"):
             add_smile(target, tmp_path / ("again" + source.suffix))
 
 

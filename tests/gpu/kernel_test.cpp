@@ -69,7 +69,7 @@ TEST_F(Dispatch, RefusesWrongBuffersAndNamesTheKernel) {
   EXPECT_THAT(message_of([&] {
                 recorder.dispatch(kernel, count, {a, a}, count);
               }),
-              HasSubstr("bound both to be read and to be written"));
+              HasSubstr("bound both for reading and for writing"));
 }
 
 TEST_F(Dispatch, RefusesARangeBeyondTheDevicesLimit) {

@@ -207,7 +207,7 @@ TEST(FileReplacements, SayWhichAreInPlaceWhereALaterOneCannotBe) {
     FAIL() << "written over a folder";
   } catch (const IoError& error) {
     EXPECT_THAT(error.what(),
-                ::testing::HasSubstr("in place already: " + (folder / "a.txt").string()));
+                ::testing::HasSubstr("Already written: " + (folder / "a.txt").string()));
   }
 }
 

@@ -107,7 +107,7 @@ TEST_F(FileColorsOf, WhatIsMissingIsANoteWithTheNextStep) {
   folder_.file("b.mtl", "newmtl a\nKd 1 0 0\nmap_Kd gone.png\n");
   const FileColors colors = read_obj("mtllib b.mtl\n");
   EXPECT_THAT(colors.notes, ElementsAre(HasSubstr("image 'gone.png' is not beside"),
-                                        HasSubstr("material 'b' is in no library")));
+                                        HasSubstr("material 'b' is not in the libraries")));
   EXPECT_EQ(colors.materials[0].image, kNone);
   EXPECT_THAT(colors.materials[0].color, Optional(Vector3f(1, 0, 0)));
   EXPECT_THAT(materials_of_faces(colors, mesh_), ElementsAre(0, kNone));
@@ -127,8 +127,8 @@ TEST_F(FileColorsOf, BrokenImagesAreNotesAndTheirMaterialsKeepTheirColor) {
   folder_.file("a.mtl", "newmtl a\nKd 1 0 0\nmap_Kd cut.png\nnewmtl b\nmap_Kd text.png\n");
   const FileColors colors = read_obj("mtllib a.mtl\n");
   EXPECT_THAT(colors.notes, SizeIs(2));
-  EXPECT_THAT(colors.notes, Contains(HasSubstr("cut.png: not a PNG")));
-  EXPECT_THAT(colors.notes, Contains(HasSubstr("text.png: not a PNG")));
+  EXPECT_THAT(colors.notes, Contains(HasSubstr("cut.png: cannot read the file as PNG")));
+  EXPECT_THAT(colors.notes, Contains(HasSubstr("text.png: cannot read the file as PNG")));
   for (const FileMaterial& material : colors.materials) EXPECT_EQ(material.image, kNone);
 }
 
@@ -151,7 +151,7 @@ TEST_F(FileColorsOf, CornersWithoutTextureCoordinatesAreCounted) {
               ElementsAre(HasSubstr("faces of material 'a' have no texture coordinates (1)")));
   EXPECT_THAT(mesh_.attributes().corner_uvs, ElementsAre(0, 1, 0, 0, 1, kNone));
   EXPECT_THAT(mesh_.attributes().uneditable,
-              ElementsAre("texture coordinates that are not there (1)"));
+              ElementsAre("references to missing texture coordinates (1)"));
 }
 
 TEST_F(FileColorsOf, LargeImagesAreHalvedUntilAllFit) {
@@ -304,11 +304,11 @@ const std::vector<ColoredModel> kColoredModels{
     {"concave_polygon.obj", false, false, 1, 0, ""},
     {"cube_mtllib_after_g.obj", false, false, 1, 0,
      "cube_mtllib_after_g.mtl was read in its place"},
-    {"cube_usemtl.obj", false, false, 2, 0, "material 'mtl3' is in no library"},
+    {"cube_usemtl.obj", false, false, 2, 0, "material 'mtl3' is not in the libraries"},
     {"cube_with_vertexcolors.obj", true, false, 0, 0, ""},
     {"cube_with_vertexcolors_uni.obj", true, false, 0, 0, ""},
     {"dino.off", true, false, 0, 0, ""},
-    {"empty_mat.obj", false, false, 0, 0, "gives no face a material of its library"},
+    {"empty_mat.obj", false, false, 0, 0, "does not assign materials of its library"},
     {"float-color.ply", true, false, 0, 0, ""},
     {"mesh_with_colors.off", true, true, 0, 0, ""},
     {"plane.off", true, false, 0, 0, ""},
@@ -398,7 +398,7 @@ TEST(FileColorsOfGltf, AreThoseOfItsMaterials) {
   EXPECT_EQ(colors.materials[1].image, 0U);
   EXPECT_EQ(colors.materials[2].image, kNone);
   EXPECT_FALSE(colors.materials[3].color.has_value());
-  EXPECT_THAT(colors.notes, Contains(HasSubstr("images inside the file are not shown")));
+  EXPECT_THAT(colors.notes, Contains(HasSubstr("images embedded in the file are not shown")));
 }
 
 }  // namespace

@@ -319,7 +319,7 @@ TEST(Gltf, OtherTrianglesTakeThePlaceOfTheOldOnes) {
   const std::string rest = two_objects(sample);
   const Mesh mesh = read_mesh(folder.file("a.glb", sample.glb(rest)));
   const WriteReport report =
-      write_mesh(without_last_face(mesh), folder / "b.glb", {.made_from = mesh.source});
+      write_mesh(without_last_face(mesh), folder / "b.glb", {.original_file = mesh.source});
   EXPECT_THAT(report.not_carried, Contains(HasSubstr("the skin of 'Right'")));
   EXPECT_EQ(read_mesh(folder / "b.glb#Right").face_count(), 1U);
   EXPECT_EQ(read_mesh(folder / "b.glb#Right").attributes().face_materials.at(0), 1U);
@@ -423,7 +423,7 @@ TEST(Gltf, WhatIsWrongIsNamed) {
   old[4] = 1;
   EXPECT_THAT(message(old), HasSubstr("version 1 of GLB"));
   EXPECT_THAT(message(good.substr(0, 200)), HasSubstr("the header promises"));
-  EXPECT_THAT(message("{}"), HasSubstr("no glTF 2.0"));
+  EXPECT_THAT(message("{}"), HasSubstr("not glTF 2.0"));
   EXPECT_THAT(message(R"({"asset":{"version":"2.0"},"extensionsRequired":)"
                       R"(["KHR_draco_mesh_compression"]})"),
               AllOf(HasSubstr("/extensionsRequired/0"), HasSubstr("without compression")));
@@ -432,7 +432,7 @@ TEST(Gltf, WhatIsWrongIsNamed) {
   EXPECT_THAT(message(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"no.bin"}]})"),
               AllOf(HasSubstr("/buffers/0/uri"), HasSubstr("there is no file 'no.bin'")));
   EXPECT_THAT(message(square.sample.glb(square.rest(R"(,"scale":[0,1,1])"))),
-              HasSubstr("'Flag' is scaled to nothing"));
+              HasSubstr("'Flag' has a scale that is zero"));
   std::string beyond = good;
   beyond.replace(beyond.find(R"("byteLength":72)"), 15, R"("byteLength":71)");
   EXPECT_THAT(message(beyond), AllOf(HasSubstr("/accessors/0"), HasSubstr("beyond the end")));

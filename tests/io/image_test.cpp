@@ -78,7 +78,7 @@ TEST(Png, FolderThatDoesNotExistIsAnError) {
 
 TEST(Image, OnBlackIsOpaqueAndAsDarkAsItWasTransparent) {
   Image image{3, 1, {200, 100, 50, 255, 200, 100, 50, 128, 200, 100, 50, 0}};
-  put_on_black(image);
+  composite_over_black(image);
   EXPECT_THAT(image.pixel(0, 0), ElementsAre(200, 100, 50, 255));
   EXPECT_THAT(image.pixel(1, 0), ElementsAre(147, 72, 34, 255)) << "half the light";
   EXPECT_THAT(image.pixel(2, 0), ElementsAre(0, 0, 0, 255));
@@ -87,7 +87,7 @@ TEST(Image, OnBlackIsOpaqueAndAsDarkAsItWasTransparent) {
 TEST(Image, DividingByOpacityGivesBackTheColor) {
   // 188 encodes half the light of 255.
   Image image{3, 1, {188, 188, 0, 128, 90, 80, 70, 255, 0, 0, 0, 0}};
-  divide_by_opacity(image);
+  unpremultiply(image);
   EXPECT_NEAR(image.pixel(0, 0)[0], 255, 1);
   EXPECT_EQ(image.pixel(0, 0)[2], 0);
   EXPECT_THAT(image.pixel(1, 0), ElementsAre(90, 80, 70, 255));
@@ -121,7 +121,7 @@ TEST(ReadImage, WhatIsBrokenIsRefusedByName) {
     const auto path = folder.file("a.png", bytes);
     return error_message<InputError>([&] { read_image(path); });
   };
-  EXPECT_THAT(refusal(""), HasSubstr("a.png: not a PNG, JPEG, BMP or TGA"));
+  EXPECT_THAT(refusal(""), HasSubstr("a.png: cannot read the file as PNG, JPEG, BMP or TGA"));
   EXPECT_THAT(refusal("no image at all"), HasSubstr("convert it to PNG"));
   for (std::size_t length = 1; length + 12 < png.size(); ++length) {
     EXPECT_THAT(refusal(png.substr(0, length)), HasSubstr("a.png")) << length;
@@ -136,7 +136,7 @@ TEST(ReadImage, MorePixelsThanTheLimitAreRefusedBeforeTheyAreRead) {
   png.replace(16, 8, std::string("\0\0\x40\0\0\0\x40\0", 8));
   const auto path = folder.file("a.png", png);
   EXPECT_THAT(error_message<InputError>([&] { read_image(path); }),
-              HasSubstr("16384 x 16384 pixels are more than"));
+              HasSubstr("16384 x 16384 pixels exceed the limit"));
   EXPECT_THROW(read_image_size(path), InputError);
 }
 

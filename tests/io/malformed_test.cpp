@@ -42,7 +42,7 @@ const std::array kMalformed{
     Malformed{"a.obj", "\r\nv 1 2 3+e1\r\n", ":2:", "found '3+e1'"},
     Malformed{"a.obj", "\rv 1 2\r", ":2:", "expected a coordinate"},
     Malformed{"a.obj", "v 1 2 3 4 5\n", ":1:", "expected x y z, x y z w or x y z r g b"},
-    Malformed{"a.obj", kTriangle + "f 1 2\n", ":4:", "at least 3 corners, this one has 2"},
+    Malformed{"a.obj", kTriangle + "f 1 2\n", ":4:", "at least 3 corners, but this one has 2"},
     Malformed{"a.obj", kTriangle + "f 1 2 4\n", ":4:", "vertex 4, but the file has 3"},
     Malformed{"a.obj", kTriangle + "f 0 1 2\n", ":4:", "vertex 0"},
     Malformed{"a.obj", kTriangle + "f -1 -2 -4\n", ":4:", "vertex -4"},
@@ -71,7 +71,8 @@ const std::array kMalformed{
     Malformed{"a.ply", "ply\nproperty float x\n", ":2:", "'element' line"},
     Malformed{"a.ply", "ply\nelement v 1\nproperty half x\n", ":3:", "expected a type"},
     Malformed{"a.ply", "ply\nelement v 1\nproperty list float int x\n", ":3:", "integer type"},
-    Malformed{"a.ply", "ply\nelement v 1\nproperty float x\nproperty int x\n", ":4:", "'x' stands twice"},
+    Malformed{"a.ply", "ply\nelement v 1\nproperty float x\nproperty int x\n",
+              ":4:", "'x' appears twice"},
     Malformed{"a.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n",
               ":3:", "x, y and z"},
     Malformed{"a.ply", "ply\nformat ascii 1.0\nend_header\n", ":3:", "element 'vertex'"},
@@ -119,7 +120,8 @@ TEST(MalformedFile, UnknownExtensionNamesTheKnownOnes) {
     read_mesh("mesh.fbx");
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("mesh.fbx"), HasSubstr(".obj, .off, .ply, .stl, .glb or .gltf")));
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("mesh.fbx"), HasSubstr(".obj, .off, .ply, .stl, .gltf or .glb")));
   }
 }
 

@@ -68,7 +68,7 @@ TEST_F(Mtl, WhatCannotBeReadIsANoteWithItsLine) {
   ASSERT_THAT(notes_, SizeIs(3));
   EXPECT_THAT(notes_[0], HasSubstr("a.mtl:2: expected Kd with one or three numbers; "));
   EXPECT_THAT(notes_[1], HasSubstr("a.mtl:3: "));
-  EXPECT_THAT(notes_[2], HasSubstr("a.mtl:4: map_Kd names no file; "));
+  EXPECT_THAT(notes_[2], HasSubstr("a.mtl:4: map_Kd has no file name; "));
 }
 
 TEST_F(Mtl, OfTwoMaterialsWithOneNameTheFirstIsUsed) {
@@ -77,7 +77,7 @@ TEST_F(Mtl, OfTwoMaterialsWithOneNameTheFirstIsUsed) {
   EXPECT_THAT(materials[0].color, Optional(Vector3f(1, 1, 1)));
   EXPECT_THAT(notes_,
               ElementsAre(EndsWith(
-                  "a.mtl:3: material 'a' stands here a second time; the first one is used")));
+                  "a.mtl:3: material 'a' is defined a second time; the first definition is used")));
 }
 
 TEST_F(Mtl, AnythingElseIsPassedOver) {

@@ -83,7 +83,7 @@ TEST_F(ANumberTable, OfNumpyHoldsAnyNumbers) {
 }
 
 TEST_F(ANumberTable, OfNumpySaysWhatIsWrong) {
-  EXPECT_THAT(error("a.npy", "1,2,3"), HasSubstr("no NPY file"));
+  EXPECT_THAT(error("a.npy", "1,2,3"), HasSubstr("not an NPY file"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(2, 2)", bytes_of<double>({1.0}))),
               HasSubstr("ends within its 2 rows"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(2,)", bytes_of<double>({1.0, 2.0}))),
@@ -93,7 +93,7 @@ TEST_F(ANumberTable, OfNumpySaysWhatIsWrong) {
   EXPECT_THAT(error("a.npy", npy("<f8", "(1, 1)", bytes_of<double>({1.0}), "True")),
               HasSubstr("Fortran order"));
   EXPECT_THAT(error("a.npy", npy("<c16", "(1, 1)", bytes_of<double>({1.0, 2.0}))),
-              HasSubstr("neither floats nor integers"));
+              HasSubstr("expected floats or integers"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(99999999, 4)", "")), HasSubstr("more than 5000000 rows"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(0, 4)", "")), HasSubstr("no row"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(1, 1)", "").substr(0, 20)),

@@ -40,9 +40,9 @@ TEST_F(Obj, TextureCoordinatesAndNormalsThatAreNotThereAreLeftOut) {
   EXPECT_THAT(mesh.attributes().corner_uvs,
               ElementsAre(0, kNoIndex, kNoIndex, 1, kNoIndex, kNoIndex));
   EXPECT_TRUE(mesh.attributes().corner_normals.empty());
-  EXPECT_THAT(
-      mesh.attributes().uneditable,
-      ElementsAre("normals that are not there (3)", "texture coordinates that are not there (2)"));
+  EXPECT_THAT(mesh.attributes().uneditable,
+              ElementsAre("references to missing normals (3)",
+                          "references to missing texture coordinates (2)"));
 }
 
 TEST_F(Obj, LinesMayBeContinuedAndEndInAnyWay) {

@@ -85,11 +85,12 @@ TEST_F(APointTable, OfNumpyKeepsItsTypeAndLayout) {
   PointTable whole = read(npy<std::int32_t>("<i4", 1, 3, {1, 2, 3}), "p.npy");
   EXPECT_EQ(bytes_of(whole), npy<std::int32_t>("<i4", 1, 3, {1, 2, 3}));
   whole.positions[0].x() = 0.5;
-  EXPECT_THAT(error_message<InputError>([&] { bytes_of(whole); }), HasSubstr("save it as floats"));
+  EXPECT_THAT(error_message<InputError>([&] { bytes_of(whole); }),
+              HasSubstr("save the table as floats"));
 }
 
 TEST_F(APointTable, WithRowsThatDoNotFitIsRefusedByItsLine) {
-  EXPECT_THAT(error("1,2,3,4,5\n"), HasSubstr("p.csv:1: expected 3 numbers (x, y, z), 6"));
+  EXPECT_THAT(error("1,2,3,4,5\n"), HasSubstr("p.csv:1: expected 3 numbers (a point x, y, z), 6"));
   EXPECT_THAT(error("1,2,3\n1,2\n"), HasSubstr("p.csv:2: expected 3 numbers, as in the first row"));
   EXPECT_THAT(error("1,2,3\n\n1,nan,3\n"), HasSubstr("p.csv:3: its position is not finite"));
   EXPECT_THAT(error("1,2,3,0,inf,0\n"), HasSubstr("p.csv:1: its normal is not finite"));

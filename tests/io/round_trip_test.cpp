@@ -141,7 +141,7 @@ TEST(Writing, TextureSeamsGoToPlyPerCorner) {
   EXPECT_EQ(at_corners(after.uvs, after.corner_uvs),
             at_corners(mesh.attributes().uvs, mesh.attributes().corner_uvs));
   EXPECT_THAT(write_mesh(mesh, folder / "a.off").not_carried,
-              Contains("texture coordinates (4): OFF has no place for them"));
+              Contains("texture coordinates (4): OFF cannot store them"));
 }
 
 TEST(Writing, InconsistentAttributesAreRefusedByName) {

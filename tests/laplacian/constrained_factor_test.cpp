@@ -36,7 +36,7 @@ class HeldSheet : public ::testing::Test {
     ConstrainedFactor factor(pattern_, 1);
     factor.analyze();
     factor.set_matrix(std::move(A));
-    factor.factor(W);
+    factor.factorize(W);
     return solution(factor);
   }
 
@@ -56,10 +56,10 @@ TEST_F(HeldSheet, OtherHoldsGiveTheBitsOfAFactorizationFromScratch) {
   ConstrainedFactor factor(pattern_, 1);
   factor.analyze();
   factor.set_matrix(normal_matrix());
-  factor.factor(held(std::array<Index, 3>{0, 40, 1680}, 1.0));
+  factor.factorize(held(std::array<Index, 3>{0, 40, 1680}, 1.0));
   for (const double weight : {1.0, 0.3, 1.0}) {
     const auto W = held(std::array<Index, 4>{0, 40, 41, 900}, weight);
-    factor.factor(W);
+    factor.factorize(W);
     EXPECT_TRUE(factor.holds(W));
     EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(), W));
   }
@@ -70,10 +70,10 @@ TEST_F(HeldSheet, AnotherMatrixIsFactoredUnderTheSameHolds) {
   factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
-  factor.factor(W);
+  factor.factorize(W);
   factor.set_matrix(normal_matrix(LaplacianWeights::cotangent));
   EXPECT_FALSE(factor.holds(W));
-  factor.factor(W);
+  factor.factorize(W);
   EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(LaplacianWeights::cotangent), W));
 }
 
@@ -82,11 +82,11 @@ TEST_F(HeldSheet, RefusedHoldsLeaveItReadyForOthers) {
   factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
-  factor.factor(W);
+  factor.factorize(W);
   const std::vector<double> nothing(W.size(), 0.0);
-  EXPECT_THROW(factor.factor(nothing), NotPositiveDefinite);
+  EXPECT_THROW(factor.factorize(nothing), NotPositiveDefinite);
   EXPECT_FALSE(factor.holds(nothing));
-  factor.factor(W);
+  factor.factorize(W);
   EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(), W));
 }
 
@@ -95,9 +95,9 @@ TEST_F(HeldSheet, CancelledFactorizationIsNotTakenForDone) {
   factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
-  EXPECT_THROW(factor.factor(W, [](std::string_view, double) { return false; }), Cancelled);
+  EXPECT_THROW(factor.factorize(W, [](std::string_view, double) { return false; }), Cancelled);
   EXPECT_FALSE(factor.holds(W));
-  factor.factor(W);
+  factor.factorize(W);
   EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(), W));
 }
 

@@ -23,7 +23,7 @@ TEST(SystemPattern, HasOneOrderForBothSystemsOfAnOrdinaryRegion) {
   EXPECT_FALSE(pattern.is_ordered());
   EXPECT_EQ(pattern.order(), fill_reducing_order(pattern.blocks()));
   EXPECT_TRUE(pattern.is_ordered());
-  EXPECT_EQ(&pattern.thorough_order(), &pattern.order());
+  EXPECT_EQ(&pattern.factorization_order(), &pattern.order());
 }
 
 double flops(const SystemPattern& pattern, std::span<const int> order, int block_size = 1) {
@@ -37,7 +37,7 @@ TEST(SystemPattern, RegularRegionHasAThoroughOrderOfFewerOperations) {
   const SystemPattern pattern = pattern_of(grid(120, 120));
   ASSERT_LT(pattern.blocks().size(), kMinimumDegreeLimit);
   EXPECT_EQ(pattern.order(), fill_reducing_order(pattern.blocks()));
-  EXPECT_LT(flops(pattern, pattern.thorough_order()), 0.8 * flops(pattern, pattern.order()));
+  EXPECT_LT(flops(pattern, pattern.factorization_order()), 0.8 * flops(pattern, pattern.order()));
 }
 
 TEST(SystemPattern, LargeRegionHasOneThatSavesMoreThanMinimumDegree) {
@@ -45,7 +45,7 @@ TEST(SystemPattern, LargeRegionHasOneThatSavesMoreThanMinimumDegree) {
   ASSERT_GT(pattern.blocks().size(), kMinimumDegreeLimit);
   EXPECT_LT(flops(pattern, pattern.order()),
             0.5 * flops(pattern, fill_reducing_order(pattern.blocks(), Ordering::minimum_degree)));
-  EXPECT_EQ(&pattern.thorough_order(), &pattern.order());
+  EXPECT_EQ(&pattern.factorization_order(), &pattern.order());
 }
 
 TEST(SystemPattern, KeepsTheAnalysisForAsLongAsAFactorHasIt) {
@@ -58,7 +58,7 @@ TEST(SystemPattern, KeepsTheAnalysisForAsLongAsAFactorHasIt) {
     EXPECT_EQ(pattern.analysis(), analysis);
     const auto solver = make_solver();
     solver->analyze_as(analysis);
-    EXPECT_DOUBLE_EQ(solver->statistics().flops, flops(pattern, pattern.thorough_order(), 3));
+    EXPECT_DOUBLE_EQ(solver->statistics().flops, flops(pattern, pattern.factorization_order(), 3));
     kept = analysis;
   }
   EXPECT_TRUE(kept.expired());

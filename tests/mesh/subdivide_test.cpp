@@ -166,7 +166,7 @@ TEST(Subdivide, MoreTrianglesThanAllowedAreRefusedBeforeAnyIsMade) {
   EXPECT_NO_THROW(require_subdividable(icosphere(2), 7));
   EXPECT_THAT(error_message<InputError>([] { require_subdividable(icosphere(2), 8); }),
               ::testing::StartsWith("subdividing would make 20,971,520 triangles, more than the "
-                                    "20,000,000 that are allowed"));
+                                    "limit of 20,000,000"));
   const test::Environment lower(kMostTriangles.variable, "1000");
   EXPECT_THROW(subdivide(icosphere(2)), InputError);
   EXPECT_THROW(loop_subdivide(icosphere(2)), InputError);

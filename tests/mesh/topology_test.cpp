@@ -107,7 +107,7 @@ TEST(Triangulation, ConvexPolygonIsTheFanOfItsFirstCorner) {
 }
 
 TEST(AllPlacesIn, ListsEachPlaceAscending) {
-  const Adjacency places = all_places_in(std::vector<Index>{2, 0, kNoIndex, 2, 3, 2}, 5);
+  const Adjacency places = inverse_lists(std::vector<Index>{2, 0, kNoIndex, 2, 3, 2}, 5);
   EXPECT_EQ(places.starts, (std::vector<Index>{0, 1, 1, 4, 5, 5}));
   EXPECT_EQ(places.values, (std::vector<Index>{1, 0, 3, 5, 4}));
 }

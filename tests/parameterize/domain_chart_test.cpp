@@ -62,7 +62,7 @@ TEST(DomainChart, OtherShapesAreRefused) {
   EXPECT_THAT(error_message<InputError>([&] {
                 DomainChart(std::array<Index, 4>{0, 1, 2, 3}, kite);
               }),
-              testing::HasSubstr("neither a circle nor a rectangle"));
+              testing::HasSubstr("neither a circle nor an axis-aligned rectangle"));
   EXPECT_THAT(error_message<InputError>([&] {
                 DomainChart(std::array<Index, 2>{0, 1}, kite);
               }),

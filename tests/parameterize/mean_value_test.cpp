@@ -230,7 +230,7 @@ TEST(MeanValue, PatchWithoutAreaIsRefused) {
   for (const Mesh& mesh : {line, point}) {
     for (const Domain domain : kDomains) {
       EXPECT_THAT(error_message<InputError>([&] { placed(mesh).map(domain); }),
-                  HasSubstr("the patch of 32 triangles around vertex 0 has no area"));
+                  HasSubstr("the patch of 32 triangles around vertex 0 has zero area"));
     }
   }
 }
@@ -239,7 +239,7 @@ TEST(MeanValue, PositionsThatAreNotFiniteAreRefused) {
   PlacedPatch patch = placed(grid(3, 3));
   patch.positions[6].x() = std::nan("");
   EXPECT_THAT(error_message<InputError>([&] { patch.map(Domain::disk); }),
-              HasSubstr("vertex 6 of the patch has no finite position"));
+              HasSubstr("vertex 6 of the patch has a non-finite position"));
 }
 
 TEST(FlippedTriangles, AreThoseTurnedOverOrFlattened) {

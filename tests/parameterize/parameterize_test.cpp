@@ -103,7 +103,7 @@ TEST(Parameterize, NamesAPinThatIsNotInThePatch) {
   request.domain = Domain::square;
   request.pins = {patch.vertices[patch.loop.front()]};
   EXPECT_THAT(error_message<InputError>([&] { parameterize(mesh, request); }),
-              HasSubstr("the square needs 4 boundary vertices"));
+              HasSubstr("the square needs 4 pinned boundary vertices"));
 }
 
 TEST(Parameterize, NamesARegionThatIsNoDisk) {
@@ -125,7 +125,7 @@ TEST(Parameterize, WarnsOfFlippedTriangles) {
   const Parameterized laid = parameterize(stalk, {});
   ASSERT_FALSE(laid.flipped.empty());
   const Index first = laid.patch.triangle_sources[laid.flipped.front()];
-  EXPECT_THAT(laid.warnings, ElementsAre(AllOf(StartsWith("triangles are flipped"),
+  EXPECT_THAT(laid.warnings, ElementsAre(AllOf(StartsWith("the map shrinks some triangles"),
                                                HasSubstr("triangle " + std::to_string(first)))));
 }
 

@@ -89,14 +89,15 @@ std::string refusal(Domain domain, const BoundaryPins& pins) {
 
 TEST(Pins, ThatDoNotFitTheDomainAreRefusedByName) {
   EXPECT_THAT(refusal(Domain::disk, {}),
-              HasSubstr("the disk needs 1 boundary vertex to be pinned"));
-  EXPECT_THAT(refusal(Domain::square, {0}), HasSubstr("the square needs 4 boundary vertices"));
+              HasSubstr("the disk needs 1 pinned boundary vertex, got 0"));
+  EXPECT_THAT(refusal(Domain::square, {0}),
+              HasSubstr("the square needs 4 pinned boundary vertices"));
   EXPECT_THAT(refusal(Domain::disk, {12}), HasSubstr("vertex 12 cannot be pinned: it is not on"));
   EXPECT_THAT(refusal(Domain::disk, {400}), HasSubstr("cannot be pinned: it is not on"));
-  EXPECT_THAT(refusal(Domain::square, {0, 24, 4, 20}), HasSubstr("do not follow each other"));
-  EXPECT_THAT(refusal(Domain::square, {0, 20, 24, 4}), HasSubstr("do not follow each other"));
+  EXPECT_THAT(refusal(Domain::square, {0, 24, 4, 20}), HasSubstr("are not in order"));
+  EXPECT_THAT(refusal(Domain::square, {0, 20, 24, 4}), HasSubstr("are not in order"));
   EXPECT_THAT(refusal(Domain::square, {0, 4, 4, 20}),
-              HasSubstr("the pins vertex 0, vertex 4, vertex 4, vertex 20 do not follow"));
+              HasSubstr("the pins vertex 0, vertex 4, vertex 4, vertex 20 are not in order"));
   EXPECT_EQ(refusal(Domain::square, {4, 24, 20, 0}), "");
 }
 

@@ -287,17 +287,18 @@ TEST(Warp, RefusesPullsThatItCannotTake) {
   const auto refusal = [&](const std::vector<PointPull>& pulls) {
     return error_message<InputError>([&] { warp(disk, pulls); });
   };
-  EXPECT_THAT(refusal({{99, {0.0, 0.0}}}), HasSubstr("pull 0 of vertex 99: there is no such"));
+  EXPECT_THAT(refusal({{99, {0.0, 0.0}}}),
+              HasSubstr("pull 0 of vertex 99: the vertex does not exist"));
   EXPECT_THAT(refusal({{0, {0.1, 0.0}}, {disk.boundary[1], {0.0, 0.0}}}),
               HasSubstr("pull 1 of vertex 20: the vertex is on the boundary"));
   EXPECT_THAT(refusal({{3, {0.1, 0.0}}, {3, {0.0, 0.0}}}),
-              HasSubstr("pull 1 of vertex 3: the vertex is pulled already"));
+              HasSubstr("pull 1 of vertex 3: the vertex is already pulled"));
   EXPECT_THAT(refusal({{3, {1.5, 0.0}}}), HasSubstr("(1.5, 0) is not inside"));
   EXPECT_THAT(refusal({{3, disk.points[disk.boundary[0]]}}), HasSubstr("is not inside"));
   EXPECT_THAT(refusal({{3, {std::numeric_limits<double>::quiet_NaN(), 0.0}}}),
               HasSubstr("is not inside"));
   disk.points.emplace_back(0.2, 0.2);
-  EXPECT_THAT(refusal({{37, {0.1, 0.0}}}), HasSubstr("in no triangle"));
+  EXPECT_THAT(refusal({{37, {0.1, 0.0}}}), HasSubstr("belongs to no triangle"));
   std::swap(disk.triangles[5][0], disk.triangles[5][1]);
   EXPECT_THAT(refusal({}), HasSubstr("triangle 5 "));
 }

@@ -101,7 +101,7 @@ TEST_F(PartLibrary, TakesAMeshThatIsInNoFile) {
 TEST_F(PartLibrary, UnknownPartIsAnsweredWithThoseThatAreThere) {
   add("horn");
   add("tail");
-  EXPECT_THAT(refused([&] { find_part(folder, "wing"); }), HasSubstr("it has horn, tail"));
+  EXPECT_THAT(refused([&] { find_part(folder, "wing"); }), HasSubstr("the folder has horn, tail"));
   EXPECT_NE(error_message<IoError>([&] { part_files(temporary / "nowhere"); }), "");
 }
 
@@ -122,7 +122,7 @@ TEST_F(PartLibrary, PictureIsWrittenOverNothingButItsOwn) {
 TEST_F(PartLibrary, NameThatAPictureOfOthersHasIsTaken) {
   std::filesystem::create_directories(folder);
   temporary.file("parts/horn.png", "a texture");
-  EXPECT_THAT(refused([&] { add("horn"); }), HasSubstr("horn.png is there already"));
+  EXPECT_THAT(refused([&] { add("horn"); }), HasSubstr("horn.png already exists"));
 }
 
 TEST_F(PartLibrary, PictureIsCurrentUntilTheMeshOrTheDetailsChange) {

@@ -183,21 +183,21 @@ std::string refusal(const Mesh& mesh) {
 TEST(Patch, RefusalSaysWhatTheRegionIsAndOffersTheLargestDisk) {
   EXPECT_THAT(
       refusal(cylinder(8, 4, 1.0, 3.0)),
-      StartsWith("coat.json: /steps/0/target: the region is no disk: it has 2 boundary loops (8 "
-                 "vertices from vertex 0, 8 vertices from vertex 24). Choose another one, or write "
-                 "{\"disk_in\": REGION} in its place for the largest disk inside, which has "));
+      StartsWith("coat.json: /steps/0/target: the region is not a disk: it has 2 boundary loops (8 "
+                 "vertices from vertex 0, 8 vertices from vertex 24). Choose another region, or "
+                 "replace it by {\"disk_in\": REGION} to use the largest disk inside, which has "));
   EXPECT_THAT(refusal(torus(16, 8, 2.0, 0.5)),
               AllOf(HasSubstr("it has no boundary and 1 handle"),
                     HasSubstr("{\"disk_in\": REGION}"), HasSubstr("of its 128 vertices")));
   Mesh none;
   none.positions = {{0, 0, 0}};
-  EXPECT_THAT(refusal(none), HasSubstr("holds no triangle"));
+  EXPECT_THAT(refusal(none), HasSubstr("has no triangle"));
 }
 
 TEST(Patch, VertexThatIsNotFiniteIsNamed) {
   Mesh mesh = grid(3, 3);
   mesh.positions[5].y() = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(refusal(mesh), HasSubstr("vertex 5 of the region has no finite position"));
+  EXPECT_THAT(refusal(mesh), HasSubstr("the region has a non-finite position at vertex 5"));
 }
 
 }  // namespace

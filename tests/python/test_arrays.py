@@ -98,10 +98,10 @@ BAD = {
     "roi: expected vertex numbers, got an array of type float64": lambda: lapwing.deform(
         SQUARE, TWO, roi=[0.5]
     ),
-    "roi: a mask has a value for each of the 4 vertices, got 3": lambda: lapwing.deform(
+    "roi: expected a mask with a value for each of the 4 vertices, got 3": lambda: lapwing.deform(
         SQUARE, TWO, roi=np.ones(3, bool)
     ),
-    "roi[1]: expected the number of a vertex, from 0, got -2": lambda: lapwing.deform(
+    "roi[1]: expected a vertex number from 0, got -2": lambda: lapwing.deform(
         SQUARE, TWO, roi=[0, -2]
     ),
     'roi: expected "all", vertex numbers, a mask or a region, got "most"': lambda: lapwing.deform(
@@ -128,7 +128,7 @@ BAD = {
     'domain: expected one of "disk", "square", got "round"': lambda: lapwing.parameterize(
         SQUARE, TWO, domain="round"
     ),
-    "pins[1]: expected the number of a vertex, from 0, got -1": lambda: lapwing.parameterize(
+    "pins[1]: expected a vertex number from 0, got -1": lambda: lapwing.parameterize(
         SQUARE, TWO, pins=[0, -1]
     ),
     "pins: expected vertex numbers, got an array of type float64": lambda: lapwing.parameterize(

@@ -123,7 +123,7 @@ def test_a_recipe_runs_from_its_file_and_saves_when_asked(tube, ends, tmp_path):
 
 def test_recipes_that_cannot_be_name_the_place(tube, ends, tmp_path):
     recipe = recipe_of(tube, ends)
-    with pytest.raises(lapwing.InputError, match="is no mesh format"):
+    with pytest.raises(lapwing.InputError, match="unsupported mesh format"):
         lapwing.run(recipe)
     with pytest.raises(lapwing.FileError, match="tube.obj"):
         lapwing.run({**recipe, "mesh": "tube.obj"})

@@ -90,14 +90,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "MorphTargetWithASlash",
             R"({"lapwing": 1, "mesh": "a.glb", "steps": [], "save_as": {"morph_target": "a/b"}})",
-            ": /save_as/morph_target: expected a name without \"/\", which is part of a file's "
-            "name in some formats"},
-        Mistake{
-            "NoVersion", R"({"mesh": "a.obj", "steps": []})",
-            ": the key \"lapwing\" is missing; a recipe says \"lapwing\": 1, the version of its "
-            "format"},
+            ": /save_as/morph_target: expected a name without \"/\", because some formats use "
+            "it in a file name"},
+        Mistake{"NoVersion", R"({"mesh": "a.obj", "steps": []})",
+                ": the key \"lapwing\" is missing; add \"lapwing\": 1, the version of the format"},
         Mistake{"OtherVersion", R"({"lapwing": 2, "mesh": "a.obj", "steps": []})",
-                ": /lapwing: expected version 1, the one that this program reads, got 2"},
+                ": /lapwing: expected version 1, which this program reads, got 2"},
         Mistake{"NoMesh", R"({"lapwing": 1, "steps": []})",
                 ": the key \"mesh\" is missing; add it"},
         Mistake{"EmptyName", R"({"lapwing": 1, "mesh": "", "steps": []})",
@@ -107,13 +105,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoSteps", R"({"lapwing": 1, "mesh": "a.obj", "steps": {}})",
                 ": /steps: expected a list, got an object"},
         Mistake{"KeyTwice", R"({"lapwing": 1, "mesh": "a", "mesh": "b", "steps": []})",
-                ":1:34: /mesh: the key \"mesh\" stands twice in one object; remove one of the two"},
+                ":1:34: /mesh: the key \"mesh\" appears twice in one object; remove one of the "
+                "two"},
         Mistake{"KeyTwiceWithin",
                 "{\"lapwing\": 1, \"steps\": [{},\n {\"a/b\": 0,\n  \"a/b\": 1}]}",
-                ":3:7: /steps/1/a~1b: the key \"a/b\" stands twice in one object; remove one of "
-                "the two"},
+                ":3:7: /steps/1/a~1b: the key \"a/b\" appears twice in one object; remove one "
+                "of the two"},
         Mistake{"BeyondDouble", "{\"lapwing\": 1,\n \"steps\": [{\"x\": [0, 1e999]}]}",
-                ":2:26: /steps/0/x/1: the number 1e999 is beyond what a double can hold; write one "
+                ":2:26: /steps/0/x/1: the number 1e999 is too large for a double; write a number "
                 "below 1.8e308"}),
     kName);
 
@@ -148,16 +147,16 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"DetailLength", with_option(R"("detail_length": 0)"),
                 ": /steps/0/detail_length: expected a number from 0.000001 to 1000, got 0"},
         Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
-                ": /steps/0/commit_every: expected a number above 0 and at most 180 (past half a "
-                "turn the other way round is shorter), got 0"},
+                ": /steps/0/commit_every: expected a number above 0 and at most 180 (beyond half a "
+                "turn the opposite direction is shorter), got 0"},
         Mistake{"CommitsTooFarApart", with_option(R"("commit_every": 180.5)"),
-                ": /steps/0/commit_every: expected a number above 0 and at most 180 (past half a "
-                "turn the other way round is shorter), got 180.5"},
+                ": /steps/0/commit_every: expected a number above 0 and at most 180 (beyond half a "
+                "turn the opposite direction is shorter), got 180.5"},
         Mistake{"MirrorInParts",
                 step(R"("roi": {"all": true}, "commit_every": 90, "handles": [{"region":
                 {"vertices": [1]}, "move": {"matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0]}}])"),
-                ": /steps/0/handles/0/move/matrix: a matrix that mirrors cannot be carried out in "
-                "parts; leave out \"commit_every\""},
+                ": /steps/0/handles/0/move/matrix: a matrix that mirrors cannot be divided into "
+                "substeps; remove \"commit_every\""},
         Mistake{"UnknownResponse", with_option(R"("response": "tangnt")"),
                 ": /steps/0/response: unknown response \"tangnt\"; did you mean \"tangent\"? Known "
                 "here: \"tangent\", \"rsi\""}),
@@ -170,10 +169,10 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/roi: a region needs one of \"all\", \"vertices\", \"disk\", \"box\", "
                 "\"loop\", \"union\", \"minus\", \"disk_in\""},
         Mistake{"TwoForms", with_roi(R"({"all": true, "vertices": [1]})"),
-                ": /steps/0/roi: a region takes one of \"all\", \"vertices\", \"disk\", \"box\", "
-                "\"loop\", \"union\", \"minus\", \"disk_in\", got \"all\", \"vertices\""},
+                ": /steps/0/roi: a region takes only one of \"all\", \"vertices\", \"disk\", "
+                "\"box\", \"loop\", \"union\", \"minus\", \"disk_in\", got \"all\", \"vertices\""},
         Mistake{"AllFalse", with_roi(R"({"all": false})"),
-                ": /steps/0/roi/all: expected true, the only value; name vertices otherwise"},
+                ": /steps/0/roi/all: expected true; use \"vertices\" to choose some vertices"},
         Mistake{"NegativeVertex", with_roi(R"({"vertices": [1, -1]})"),
                 ": /steps/0/roi/vertices/1: expected a vertex number (whole, from 0), got -1"},
         Mistake{"FractionalVertex", with_roi(R"({"vertices": [1.5]})"),
@@ -191,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/roi/disk/centre: unknown key; did you mean \"center\"? Known here: "
                 "\"center\", \"near\", \"radius\""},
         Mistake{"BoxInsideOut", with_roi(R"({"box": {"min": [0, 2, 0], "max": [1, 1, 1]}})"),
-                ": /steps/0/roi/box: min lies above max in y; exchange them"},
+                ": /steps/0/roi/box: min is greater than max in y; swap them"},
         Mistake{"BoxOfTwo", with_roi(R"({"box": {"min": [0, 0], "max": [1, 1, 1]}})"),
                 ": /steps/0/roi/box/min: expected 3 numbers, got 2"},
         Mistake{"BoxOfNull", with_roi(R"({"box": {"min": [0, null, 0], "max": [1, 1, 1]}})"),
@@ -230,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"AxisNoList", with_move(R"({"rotate": {"axis": "z", "degrees": 30}})"),
                 ": /steps/0/handles/0/move/rotate/axis: expected 3 numbers, got the text \"z\""},
         Mistake{"AxisOfNoLength", with_move(R"({"rotate": {"axis": [0, 0, 0], "degrees": 30}})"),
-                ": /steps/0/handles/0/move/rotate/axis: the axis has no length; name a direction"},
+                ": /steps/0/handles/0/move/rotate/axis: the axis is zero; give a direction"},
         Mistake{"NoDegrees", with_move(R"({"rotate": {"axis": [0, 0, 1]}})"),
                 ": /steps/0/handles/0/move/rotate: the key \"degrees\" is missing; add it"},
         Mistake{"NegativeScale", with_move(R"({"scale": -1})"),
@@ -244,8 +243,8 @@ INSTANTIATE_TEST_SUITE_P(
             "is affine"},
         Mistake{"MatrixAndScale",
                 with_move(R"({"scale": 2, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]})"),
-                ": /steps/0/handles/0/move/scale: \"matrix\" stands in place of \"scale\"; remove "
-                "one of the two"},
+                ": /steps/0/handles/0/move/scale: \"matrix\" and \"scale\" exclude each other; "
+                "remove one of the two"},
         Mistake{"UnknownKey", with_move(R"({"translation": [0, 0, 1]})"),
                 ": /steps/0/handles/0/move/translation: unknown key; did you mean \"translate\"? "
                 "Known here: \"translate\", \"rotate\", \"scale\", \"pivot\", \"matrix\""}),
@@ -254,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(
 std::string with_mirror(const std::string& mirror) {
   return with_option("\"mirror\": " + mirror);
 }
-std::string with_grading(const std::string& keys) {
+std::string with_falloff(const std::string& keys) {
   return step(R"("roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}, )" +
               keys + "}]");
 }
@@ -268,12 +267,12 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/mirror/plane: unknown plane \"w\"; did you mean \"x\"? Known here: "
                 "\"x\", \"y\", \"z\""},
         Mistake{"PlaneAndPoint", with_mirror(R"({"plane": "x", "point": [0, 0, 0]})"),
-                ": /steps/0/mirror/plane: \"plane\" names a coordinate plane; leave out \"point\" "
+                ": /steps/0/mirror/plane: \"plane\" names a coordinate plane; remove \"point\" "
                 "and \"normal\""},
         Mistake{"NoNormal", with_mirror(R"({"point": [0, 0, 0]})"),
                 ": /steps/0/mirror: the key \"normal\" is missing; add it"},
         Mistake{"NormalWithoutLength", with_mirror(R"({"point": [0, 0, 0], "normal": [0, 0, 0]})"),
-                ": /steps/0/mirror/normal: the normal has no length; name a direction"},
+                ": /steps/0/mirror/normal: the normal is zero; give a direction"},
         Mistake{"NormalThatIsNoNumber",
                 with_mirror(R"({"point": [0, 0, 0], "normal": [0, null, 0]})"),
                 ": /steps/0/mirror/normal/1: expected a number, got null"},
@@ -281,26 +280,26 @@ INSTANTIATE_TEST_SUITE_P(
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
-    Grading, RecipeMistake,
+    Falloff, RecipeMistake,
     ::testing::Values(
-        Mistake{"FalloffAsNumber", with_grading(R"("falloff": 2)"),
+        Mistake{"FalloffAsNumber", with_falloff(R"("falloff": 2)"),
                 ": /steps/0/handles/0/falloff: expected an object, got 2"},
-        Mistake{"WidthBelowZero", with_grading(R"("falloff": {"width": -2})"),
+        Mistake{"WidthBelowZero", with_falloff(R"("falloff": {"width": -2})"),
                 ": /steps/0/handles/0/falloff/width: expected a number above 0, got -2"},
-        Mistake{"UnknownProfile", with_grading(R"("falloff": {"width": 2, "profile": "step"})"),
+        Mistake{"UnknownProfile", with_falloff(R"("falloff": {"width": 2, "profile": "step"})"),
                 ": /steps/0/handles/0/falloff/profile: unknown profile \"step\"; Known here: "
                 "\"smooth\", \"linear\""},
         Mistake{
-            "ZeroWeight", with_grading(R"("weight": 0)"),
+            "ZeroWeight", with_falloff(R"("weight": 0)"),
             ": /steps/0/handles/0/weight: expected a weight from 0.000001 to 1000000000000, got 0"},
-        Mistake{"FieldAboveOne", with_grading(R"("weight": {"field": [0, 1.5]})"),
-                ": /steps/0/handles/0/weight/field/1: expected 0 to 1, how firmly the handle holds "
-                "the vertex"},
-        Mistake{"FieldThatIsNoNumber", with_grading(R"("weight": {"field": [null]})"),
+        Mistake{"FieldAboveOne", with_falloff(R"("weight": {"field": [0, 1.5]})"),
+                ": /steps/0/handles/0/weight/field/1: expected a number from 0 to 1, the handle "
+                "weight of the vertex"},
+        Mistake{"FieldThatIsNoNumber", with_falloff(R"("weight": {"field": [null]})"),
                 ": /steps/0/handles/0/weight/field/0: expected a number, got null"},
         Mistake{"FieldAndFalloff",
-                with_grading(R"("falloff": {"width": 2}, "weight": {"field": [1]})"),
-                ": /steps/0/handles/0/weight: a painted weight stands in place of \"falloff\"; "
+                with_falloff(R"("falloff": {"width": 2}, "weight": {"field": [1]})"),
+                ": /steps/0/handles/0/weight: a painted weight and \"falloff\" exclude each other; "
                 "remove one of the two"},
         Mistake{"FalloffOfAMix", with_mix(kSources + R"(, "weight": {"field": []}, "handles": [
                     {"region": {"vertices": [1]}, "move": {}, "falloff": {"width": 1}}])"),
@@ -368,19 +367,19 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NotInABracket", with_coat(R"("boundary_pairs": [3, 4])"),
                 ": /steps/0/boundary_pairs/0: expected a list of vertex numbers, got 3"},
         Mistake{"OfOne", with_coat(R"("boundary_pairs": [[3]])"),
-                ": /steps/0/boundary_pairs/0: expected two vertices, of the source and of the "
-                "target, got 1"},
+                ": /steps/0/boundary_pairs/0: expected two vertices, one of the source and one of "
+                "the target, got 1"},
         Mistake{"OfThree", with_coat(R"("inner_pairs": [[3, 4], [5, 6, 7]])"),
-                ": /steps/0/inner_pairs/1: expected two vertices, of the source and of the target, "
-                "got 3"},
+                ": /steps/0/inner_pairs/1: expected two vertices, one of the source and one of the "
+                "target, got 3"},
         Mistake{"OfTexts", with_coat(R"("inner_pairs": [["nose", 4]])"),
                 ": /steps/0/inner_pairs/0/0: expected a vertex number (whole, from 0), got the "
                 "text \"nose\""},
         Mistake{"TwoForTheDisk", with_coat(R"("boundary_pairs": [[3, 4], [5, 6]])"),
-                ": /steps/0/boundary_pairs: the disk takes one pair of boundary vertices, got 2"},
+                ": /steps/0/boundary_pairs: the disk needs one pair of boundary vertices, got 2"},
         Mistake{"OneForTheSquare", with_coat(R"("domain": "square", "boundary_pairs": [[3, 4]])"),
-                ": /steps/0/boundary_pairs: the square takes four pairs of boundary vertices, in "
-                "order around, got 1"}),
+                ": /steps/0/boundary_pairs: the square needs four pairs of boundary vertices in "
+                "order around it, got 1"}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -432,8 +431,8 @@ INSTANTIATE_TEST_SUITE_P(
                          R"(, {"patch": {"all": true}, "detail_size": 1,
                                "boundary_pairs": [[3, 4]]}],
                          "weight": {"domain_v": [0, 1]})"),
-                ": /steps/0/sources/1/boundary_pairs: the square takes four pairs of boundary "
-                "vertices, in order around, got 1"},
+                ": /steps/0/sources/1/boundary_pairs: the square needs four pairs of boundary "
+                "vertices in order around it, got 1"},
         Mistake{"NoWeight", with_mix(kSources),
                 ": /steps/0: the key \"weight\" is missing; add it"},
         Mistake{"UnknownTake", with_mix(kSources + R"(, "take": "shapes")"),
@@ -455,20 +454,21 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WidthBelowZero", with_weight(R"({"distance_to": {"all": true}, "width": -1})"),
                 ": /steps/0/weight/width: expected 0 or more, got -1"},
         Mistake{"WidthOfAField", with_weight(R"({"field": [1], "width": 1})"),
-                ": /steps/0/weight/width: a width belongs to \"distance_to\"; remove it"},
+                ": /steps/0/weight/width: \"width\" goes with \"distance_to\" only; remove it"},
         Mistake{"OneEnd", with_weight(R"({"domain_v": [1]})"),
-                ": /steps/0/weight/domain_v: expected two numbers, where the mixing begins and "
-                "where it ends, got 1"},
+                ": /steps/0/weight/domain_v: expected two numbers, the start and the end of "
+                "the ramp, got 1"},
         Mistake{"NoExtent", with_weight(R"({"domain_v": [0.5, 0.5]})"),
                 ": /steps/0/weight/domain_v: the ramp has no extent; give two different numbers"},
         Mistake{"DiskHasNoV", with_weight(R"({"domain_v": [0, 1]})"),
-                ": /steps/0/weight/domain_v: only the square domain has a v; add \"domain\": "
-                "\"square\", or weigh by distance"},
+                ": /steps/0/weight/domain_v: only the square domain has a coordinate v; add "
+                "\"domain\": \"square\", or use \"distance_to\""},
         Mistake{"FieldBeyondOne", with_weight(R"({"field": [0, 1.5]})"),
-                ": /steps/0/weight/field/1: expected 0 to 1, the second source's share"},
+                ": /steps/0/weight/field/1: expected a number from 0 to 1, the second source's "
+                "share"},
         Mistake{"ProfileOfAField",
                 with_mix(kSources + R"(, "weight": {"field": [1]}, "profile": "smooth")"),
-                ": /steps/0/profile: a painted field is taken as it is; remove \"profile\""}),
+                ": /steps/0/profile: a painted field has no profile; remove \"profile\""}),
     kName);
 
 std::string error_of(const std::string& text) {
@@ -498,12 +498,12 @@ TEST(RecipeSyntax, BytesThatAreNotUtf8AreRefused) {
 TEST(RecipeSyntax, RegionsNestedWithoutEndAreRefused) {
   std::string roi = R"({"all": true})";
   for (int depth = 0; depth < 100; ++depth) roi = R"({"union": [)" + roi + "]}";
-  EXPECT_THAT(error_of(with_roi(roi)), HasSubstr("regions are nested more than 64 deep"));
+  EXPECT_THAT(error_of(with_roi(roi)), HasSubstr("regions are nested more than 64 levels deep"));
 }
 
 TEST(RecipeSyntax, ListsNestedWithoutEndAreRefused) {
   EXPECT_THAT(error_of(std::string(100'000, '[')),
-              HasSubstr(":1:501: lists and objects lie in each other deeper than 500"));
+              HasSubstr(":1:501: lists and objects are nested more than 500 levels deep"));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(Recipe, DefaultsAreThoseOfTheEngine) {
   const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
       "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}]}]})");
   const DeformRequest& step = first_step(recipe);
-  EXPECT_EQ(step.belt, BeltSpec(BorderBelt{0.1, ""}));
+  EXPECT_EQ(step.belt, BeltSpec(BoundaryAnchors{0.1, ""}));
   EXPECT_EQ(step.handles[0].move, Move(SimilarityMove{}));
   const DeformOptions options;
   EXPECT_EQ(step.parameters.weights, options.weights);
@@ -154,19 +154,19 @@ TEST(Recipe, ReadsEveryFormOfMirror) {
 }
 
 TEST(Recipe, ReadsHowFirmlyAHandleHolds) {
-  const auto grading_of = [](const std::string& keys) {
+  const auto falloff_of = [](const std::string& keys) {
     return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
         "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {})" +
                             keys + "}]}]}"))
         .handles[0]
-        .grading;
+        .falloff;
   };
-  EXPECT_EQ(grading_of(""), Grading{});
-  EXPECT_EQ(grading_of(R"(, "falloff": {"width": 2})"), (Grading{1.0, Transition{2.0}}));
-  EXPECT_EQ(grading_of(R"(, "weight": 3, "falloff": {"width": 2, "profile": "linear"})"),
-            (Grading{3.0, Transition{2.0, Transition::Profile::linear}}));
-  EXPECT_EQ(grading_of(R"(, "weight": {"field": [0, 0.5, 1]})"),
-            (Grading{1.0, {}, {0.0, 0.5, 1.0}}));
+  EXPECT_EQ(falloff_of(""), Falloff{});
+  EXPECT_EQ(falloff_of(R"(, "falloff": {"width": 2})"), (Falloff{1.0, Transition{2.0}}));
+  EXPECT_EQ(falloff_of(R"(, "weight": 3, "falloff": {"width": 2, "profile": "linear"})"),
+            (Falloff{3.0, Transition{2.0, Transition::Profile::linear}}));
+  EXPECT_EQ(falloff_of(R"(, "weight": {"field": [0, 0.5, 1]})"),
+            (Falloff{1.0, {}, {0.0, 0.5, 1.0}}));
 }
 
 TEST(Recipe, RegionsKnowWhereTheyWereWritten) {
@@ -175,7 +175,7 @@ TEST(Recipe, RegionsKnowWhereTheyWereWritten) {
   const DeformRequest& step = first_step(recipe);
   EXPECT_EQ(step.roi.where, "bend.json: /steps/0/roi");
   EXPECT_EQ(std::get<UnionRegion>(step.roi.form).parts[1].where, "bend.json: /steps/0/roi/union/1");
-  EXPECT_EQ(std::get<BorderBelt>(step.belt).where, "bend.json: /steps/0/belt");
+  EXPECT_EQ(std::get<BoundaryAnchors>(step.belt).where, "bend.json: /steps/0/belt");
   EXPECT_EQ(step.handles[0].region.where, "bend.json: /steps/0/handles/0/region");
 }
 
@@ -204,7 +204,7 @@ Recipe full_recipe() {
   const RegionSpec loop{LoopRegion{{5, 6, 7, 8}, 1}};
   step.roi = {
       UnionRegion{{disk, {DiskInRegion{{box}}}, {DifferenceRegion{{{AllVertices{}}, loop}}}}}};
-  step.belt = BorderBelt{0.15, ""};
+  step.belt = BoundaryAnchors{0.15, ""};
   step.handles.push_back({{ListedVertices{many}}, SimilarityMove{}});
   step.handles.push_back(
       {{GeodesicDisk{Index{3}, 0.25}},
@@ -213,9 +213,9 @@ Recipe full_recipe() {
   MatrixMove matrix;
   matrix.matrix(0, 3) = 0.1 + 0.2;
   step.handles.push_back({{ListedVertices{}}, matrix});
-  step.handles[0].grading = {0.1, Transition{1.0 / 3.0}};
-  step.handles[1].grading = {2.5, Transition{2.0, Transition::Profile::linear}};
-  step.handles[2].grading.field = {0.0, 1.0 / 3.0, 1.0};
+  step.handles[0].falloff = {0.1, Transition{1.0 / 3.0}};
+  step.handles[1].falloff = {2.5, Transition{2.0, Transition::Profile::linear}};
+  step.handles[2].falloff.field = {0.0, 1.0 / 3.0, 1.0};
   step.mirror = MirrorSpec{MirrorPlane{{0.1, 1e-300, 3}, {1.0 / 3.0, 0, -2}}};
   step.parameters.weights = LaplacianWeights::cotangent;
   step.parameters.constraint_weight = 10.0;

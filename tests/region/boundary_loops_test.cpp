@@ -47,7 +47,7 @@ TEST(BoundaryLoops, NameWhereTheBoundaryEndsAtATurnedEdge) {
   add_polygon(mesh, {0, 1, 2});
   add_polygon(mesh, {1, 2, 3});
   EXPECT_THAT(error_message<InputError>([&] { loops_of(mesh); }),
-              AllOf(HasSubstr("vertices 1, 2"), HasSubstr("opposite ways")));
+              AllOf(HasSubstr("vertices 1, 2"), HasSubstr("opposite orientation")));
 }
 
 TEST(BoundaryLoops, NameWhereTheBoundaryEndsAtACrowdedEdge) {

@@ -99,11 +99,11 @@ TEST(DiskReport, NamesPiecesAndWhereTheyTouch) {
 
 TEST(DiskReport, NamesEdgesThatNoDiskHas) {
   const DiskReport crowded = report_on(mesh_of(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}));
-  EXPECT_THAT(crowded.crowded_edges, ElementsAre(std::array<Index, 2>{0, 1}));
-  EXPECT_EQ(describe(crowded), "has 1 edge (0-1) of more than two triangles");
+  EXPECT_THAT(crowded.non_manifold_edges, ElementsAre(std::array<Index, 2>{0, 1}));
+  EXPECT_EQ(describe(crowded), "has 1 edge (0-1) with more than two triangles");
   const DiskReport turned = report_on(mesh_of(4, {{0, 1, 2}, {0, 1, 3}}));
   EXPECT_THAT(turned.turned_edges, ElementsAre(std::array<Index, 2>{0, 1}));
-  EXPECT_EQ(describe(turned), "has 1 edge (0-1) whose triangles face opposite ways");
+  EXPECT_EQ(describe(turned), "has 1 edge (0-1) with triangles of opposite orientation");
 }
 
 TEST(DiskReport, MobiusStripIsTurnedSomewhere) {
@@ -117,7 +117,7 @@ TEST(DiskReport, VerticesInNoTriangleDoNotCount) {
   const DiskReport report = report_on(grid(4, 4), {0, 1, 5, 6, 24});
   EXPECT_TRUE(report.is_disk());
   EXPECT_THAT(report.loose, ElementsAre(24));
-  EXPECT_EQ(describe(report_on(grid(4, 4), {0, 24})), "holds no triangle");
+  EXPECT_EQ(describe(report_on(grid(4, 4), {0, 24})), "has no triangles");
 }
 
 TEST(LargestDisk, OfADiskIsTheDiskLessItsLooseVertices) {

@@ -48,11 +48,11 @@ Mesh beside(const Mesh& a, Mesh b) {
   return test::joined(a, b);
 }
 
-TEST(BorderBelt, OfADiskIsARingOfTheFractionsWidth) {
+TEST(BoundaryAnchors, OfADiskIsARingOfTheFractionsWidth) {
   const Mesh mesh = grid(40, 40);
   const Index center = 20 * 41 + 20;
   const RegionSpec disk{GeodesicDisk{center, 0.4}, "/roi"};
-  const EditRegion region = bind(mesh, disk, BorderBelt{0.25, "/belt"}, {handle({center})});
+  const EditRegion region = bind(mesh, disk, BoundaryAnchors{0.25, "/belt"}, {handle({center})});
   for (const Index v : region.roi) {
     const double radius = (mesh.positions[v] - mesh.positions[center]).norm();
     const bool in_belt = std::binary_search(region.belt.begin(), region.belt.end(), v);
@@ -66,43 +66,43 @@ TEST(BorderBelt, OfADiskIsARingOfTheFractionsWidth) {
   }
 }
 
-TEST(BorderBelt, OfFractionZeroIsTheBorder) {
+TEST(BoundaryAnchors, OfFractionZeroIsTheBorder) {
   const Mesh mesh = grid(4, 4);
   const VertexSet roi{6, 7, 8, 11, 12, 13, 16, 17, 18};
   EXPECT_THAT(resolve_border_belt({0.0, "/belt"}, roi, mesh),
               ElementsAre(6, 7, 8, 11, 13, 16, 17, 18));
 }
 
-TEST(BorderBelt, OfAWholeOpenMeshFollowsTheMeshBoundary) {
+TEST(BoundaryAnchors, OfAWholeOpenMeshFollowsTheMeshBoundary) {
   const Mesh mesh = grid(4, 4);
-  const EditRegion region = bind(mesh, all(), BorderBelt{}, {handle({12})});
+  const EditRegion region = bind(mesh, all(), BoundaryAnchors{}, {handle({12})});
   EXPECT_EQ(region.belt.size(), 16U);
 }
 
-TEST(BorderBelt, LeavesTheHandleOut) {
+TEST(BoundaryAnchors, LeavesTheHandleOut) {
   const Mesh mesh = grid(4, 4);
-  const EditRegion region = bind(mesh, all(), BorderBelt{}, {handle({0, 1, 12})});
+  const EditRegion region = bind(mesh, all(), BoundaryAnchors{}, {handle({0, 1, 12})});
   EXPECT_EQ(region.belt.size(), 14U);
   EXPECT_THAT(intersect(region.belt, region.handles[0]), IsEmpty());
 }
 
-TEST(BorderBelt, IsEmptyOnAWholeClosedMesh) {
+TEST(BoundaryAnchors, IsEmptyOnAWholeClosedMesh) {
   const Mesh mesh = icosphere(1);
-  const EditRegion region = bind(mesh, all(), BorderBelt{}, {handle({0, 1, 2})});
+  const EditRegion region = bind(mesh, all(), BoundaryAnchors{}, {handle({0, 1, 2})});
   EXPECT_THAT(region.belt, IsEmpty());
 }
 
-TEST(BorderBelt, MeasuresEachComponentByItself) {
+TEST(BoundaryAnchors, MeasuresEachComponentByItself) {
   Mesh small = grid(4, 4);
   for (Vector3d& p : small.positions) p *= 0.01;
   const Mesh mesh = beside(grid(10, 10), small);
-  const EditRegion region = bind(mesh, all(), BorderBelt{0.25, "/belt"}, {handle({60})});
+  const EditRegion region = bind(mesh, all(), BoundaryAnchors{0.25, "/belt"}, {handle({60})});
   EXPECT_EQ(subtract(region.roi, region.belt).front(), 24U);
   EXPECT_EQ(subtract(region.roi, region.belt).back(), 121U + 18U);
 }
 
-TEST(BorderBelt, FractionOutsideZeroToOneIsRefused) {
-  EXPECT_EQ(error_of(grid(4, 4), all(), BorderBelt{1.5, "/belt"}, {handle({12})}),
+TEST(BoundaryAnchors, FractionOutsideZeroToOneIsRefused) {
+  EXPECT_EQ(error_of(grid(4, 4), all(), BoundaryAnchors{1.5, "/belt"}, {handle({12})}),
             "/belt/fraction: expected a number from 0 to 1, got 1.5");
 }
 
@@ -116,8 +116,8 @@ TEST(EditRegion, KeepsWhatWasAsked) {
 
 TEST(EditRegion, HandleInTheBeltIsRefusedWithItsVertices) {
   EXPECT_EQ(error_of(grid(4, 4), all(), listed({0, 1, 2, 3}, "/belt"), {handle({2, 3, 12})}),
-            "/handles/0/region: the handle shares vertices 2, 3 with the belt; leave them out of "
-            "one of the two (\"minus\" does that)");
+            "/handles/0/region: the handle shares vertices 2, 3 with the belt. Remove them from "
+            "one of the two, for example with \"minus\"");
 }
 
 TEST(EditRegion, LongListsOfVerticesAreCutAtEight) {
@@ -134,41 +134,42 @@ TEST(EditRegion, HandlesThatShareVerticesAreRefused) {
 
 TEST(EditRegion, HandleAndBeltStayInTheRoi) {
   const RegionSpec roi = listed({6, 7, 8, 11, 12, 13, 16, 17, 18}, "/roi");
-  EXPECT_THAT(error_of(grid(4, 4), roi, BorderBelt{}, {handle({12, 24})}),
-              HasSubstr("/handles/0/region: the handle leaves the roi at vertex 24"));
+  EXPECT_THAT(error_of(grid(4, 4), roi, BoundaryAnchors{}, {handle({12, 24})}),
+              HasSubstr("/handles/0/region: the handle extends beyond the ROI at vertex 24"));
   EXPECT_THAT(error_of(grid(4, 4), roi, listed({0, 6}, "/belt"), {handle({12})}),
-              HasSubstr("/belt: the belt leaves the roi at vertex 0"));
+              HasSubstr("/belt: the belt extends beyond the ROI at vertex 0"));
 }
 
 TEST(EditRegion, EmptyRoiAndHandleAreRefused) {
-  EXPECT_THAT(error_of(grid(4, 4), all(), BorderBelt{}, {handle({})}),
-              HasSubstr("/handles/0/region: the handle holds no vertex"));
-  EXPECT_THAT(error_of(grid(4, 4), listed({}, "/roi"), BorderBelt{}, {}),
-              HasSubstr("/roi: the roi holds no vertex"));
+  EXPECT_THAT(error_of(grid(4, 4), all(), BoundaryAnchors{}, {handle({})}),
+              HasSubstr("/handles/0/region: the handle has no vertices"));
+  EXPECT_THAT(error_of(grid(4, 4), listed({}, "/roi"), BoundaryAnchors{}, {}),
+              HasSubstr("/roi: the ROI has no vertices"));
 }
 
 TEST(EditRegion, VertexThatIsNotFiniteIsNamedUnlessItIsLoose) {
   Mesh mesh = grid(4, 4);
   mesh.positions.emplace_back(std::nan(""), 0, 0);
-  EXPECT_EQ(bind(mesh, all(), BorderBelt{}, {handle({12})}).roi.size(), 26U);
+  EXPECT_EQ(bind(mesh, all(), BoundaryAnchors{}, {handle({12})}).roi.size(), 26U);
   mesh.positions[24].z() = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(error_of(mesh, all(), BorderBelt{}, {handle({12})}),
-              HasSubstr("/roi: the roi or its rings hold vertex 24 with a position that is not"));
+  EXPECT_THAT(error_of(mesh, all(), BoundaryAnchors{}, {handle({12})}),
+              HasSubstr("/roi: the mesh has a non-finite position, in or next to the ROI, at "
+                        "vertex 24"));
 }
 
 TEST(Anchors, ComponentThatNothingHoldsIsNamed) {
   const Mesh mesh = beside(grid(4, 4), icosphere(0));
   EXPECT_EQ(
-      error_of(mesh, all(), BorderBelt{}, {handle({12})}),
-      "/roi: the component of 12 vertices from vertex 25 on has no anchor: no handle, belt or "
-      "vertex outside the roi holds it; add a belt there, or leave it out of the roi");
+      error_of(mesh, all(), BoundaryAnchors{}, {handle({12})}),
+      "/roi: the component of 12 vertices that contains vertex 25 has no anchor: no handle, belt "
+      "or vertex outside the ROI holds it. Add a belt there, or remove the component from the ROI");
 }
 
 TEST(Anchors, OnOneLineLetTheComponentTurn) {
   EXPECT_EQ(error_of(grid(4, 4), all(), listed({0, 1, 4}, "/belt"), {handle({2})}),
-            "/roi: the component of 25 vertices from vertex 0 on can turn freely: its anchors "
-            "(vertices 0, 1, 2, 4) lie on one line; add a belt vertex off that line, or leave the "
-            "component out of the roi");
+            "/roi: the component of 25 vertices that contains vertex 0 can turn freely: its "
+            "anchors (vertices 0, 1, 2, 4) lie on one line. Add a belt vertex off that line, or "
+            "remove the component from the ROI");
   EXPECT_THAT(error_of(grid(4, 4), all(), listed({}, "/belt"), {handle({12})}),
               HasSubstr("can turn freely: its anchors (vertex 12) lie on one line"));
 }
@@ -191,7 +192,7 @@ TEST(Anchors, VerticesOutsideTheRoiHoldIt) {
 TEST(Anchors, LooseVerticesNeedNone) {
   Mesh mesh = grid(4, 4);
   mesh.positions.emplace_back(9, 9, 9);
-  EXPECT_EQ(error_of(mesh, all(), BorderBelt{}, {handle({12})}), "");
+  EXPECT_EQ(error_of(mesh, all(), BoundaryAnchors{}, {handle({12})}), "");
 }
 
 }  // namespace

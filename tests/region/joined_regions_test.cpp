@@ -60,7 +60,7 @@ TEST_F(JoinedRegion, GetsItsFollowersBack) {
 }
 
 TEST_F(JoinedRegion, LeavesABeltByFractionAsItIs) {
-  EXPECT_EQ(led(BeltSpec{BorderBelt{0.2}}, joined_), BeltSpec{BorderBelt{0.2}});
+  EXPECT_EQ(led(BeltSpec{BoundaryAnchors{0.2}}, joined_), BeltSpec{BoundaryAnchors{0.2}});
 }
 
 }  // namespace

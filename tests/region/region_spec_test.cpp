@@ -106,7 +106,7 @@ TEST(Region, BoxLeavesOutVerticesThatAreNotFinite) {
 TEST(Region, EmptyBoxSaysWhereTheMeshIs) {
   EXPECT_EQ(error_on(grid(2, 2), spec(Box{{5, 5, 5}, {6, 6, 6}})),
             "bend.json: /steps/0/roi/box: no vertex lies in the box; the mesh spans (0, 0, 0) to "
-            "(1, 1, 0)");
+            "(1, 1, 0). Move or enlarge the box");
 }
 
 TEST(Region, UnionAndDifferenceAreThoseOfSets) {
@@ -115,7 +115,7 @@ TEST(Region, UnionAndDifferenceAreThoseOfSets) {
   EXPECT_THAT(resolve_on(grid(2, 2), spec(UnionRegion{{a, b}})), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(resolve_on(grid(2, 2), spec(DifferenceRegion{{a, b}})), ElementsAre(0, 1));
   EXPECT_THAT(error_on(grid(2, 2), spec(DifferenceRegion{{a, a}})),
-              HasSubstr("/steps/0/roi/minus: nothing is left"));
+              HasSubstr("/steps/0/roi/minus: no vertices of the first"));
 }
 
 TEST(Region, DiskInAnAnnulusIsMostOfIt) {

@@ -46,7 +46,7 @@ TEST(RemeshRefuses, AnEdgeWithThreeTriangles) {
 TEST(RemeshRefuses, FacesThatLookToOppositeSides) {
   Mesh mesh = grid(4, 4);
   std::swap(mesh.edit_faces().vertices[0], mesh.edit_faces().vertices[1]);
-  EXPECT_THAT(refusal(mesh), AllOf(HasSubstr("opposite sides"), HasSubstr("check --fix")));
+  EXPECT_THAT(refusal(mesh), AllOf(HasSubstr("opposite orientations"), HasSubstr("check --fix")));
 }
 
 TEST(RemeshRefuses, SurfacesThatTouchAtAVertex) {

@@ -36,7 +36,7 @@ TEST(RemeshLimits, MoreTrianglesThanAllowedAreRefusedByNumber) {
   const Environment lower(kMostTriangles.variable, "10000");
   EXPECT_THAT(error_message<InputError>([&] { remesh(grid(10, 10), request); }),
               AllOf(HasSubstr("remeshing to this edge length would make about"),
-                    HasSubstr("more than the 10,000 that are allowed; choose a greater length"),
+                    HasSubstr("more than the limit of 10,000; choose a greater length"),
                     HasSubstr("set LAPWING_MOST_TRIANGLES to a larger number")));
   request.length = 0.05;
   EXPECT_NO_THROW(remesh(grid(10, 10), request));

@@ -86,7 +86,7 @@ TEST_F(RemeshInMemory, RefusesWhatItCannotDoByName) {
   for (Vector3d& p : point.positions) p.setZero();
   RemeshRequest scaled;
   EXPECT_THAT(error_message<InputError>([&] { remesh(point, scaled); }),
-              AllOf(StartsWith("remesh: "), HasSubstr("no extent")));
+              AllOf(StartsWith("remesh: "), HasSubstr("edges have length 0")));
   scaled.where = "the scale";
   EXPECT_THAT(error_message<InputError>([&] { remesh(point, scaled); }), StartsWith("the scale: "));
 }
@@ -106,7 +106,7 @@ TEST_F(RemeshInMemory, VertexWithoutAFinitePositionIsNamed) {
   Mesh mesh = grid(8, 8);
   mesh.positions[30].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(error_message<InputError>([&] { remesh(mesh, {}); }),
-              AllOf(HasSubstr("no finite position"), HasSubstr("vertex 30")));
+              AllOf(HasSubstr("non-finite position"), HasSubstr("vertex 30")));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct Prepared {
   }
 
   std::function<double(const Vector3d&)> length = test::everywhere(0.25);
-  TargetLength target{length};
+  TargetSizingField target{length};
   OriginalPatch original;
   std::optional<WorkingPatch> patch;
 };

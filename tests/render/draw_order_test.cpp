@@ -129,7 +129,7 @@ TEST(OrderInSpace, NeighboursFollowEachOther) {
   };
   std::vector<Index> as_given(triangles.size());
   for (Index t = 0; t < as_given.size(); ++t) as_given[t] = t;
-  const std::vector<Index> order = order_in_space(places, triangles);
+  const std::vector<Index> order = morton_order(places, triangles);
   EXPECT_GT(steps(as_given), 10.0);
   EXPECT_LT(steps(order), 2.0);
   EXPECT_TRUE(std::is_permutation(order.begin(), order.end(), as_given.begin(), as_given.end()));
@@ -141,10 +141,10 @@ TEST(OrderInSpace, TakesWhateverPositionsThereAre) {
   const std::vector<Vec4> places{
       {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {nan, 0, 0, 1}, {infinity, 0, -infinity, 1}};
   const std::vector<Triangle> triangles{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {0, 1, 4}};
-  std::vector<Index> order = order_in_space(places, triangles);
+  std::vector<Index> order = morton_order(places, triangles);
   std::sort(order.begin(), order.end());
   EXPECT_EQ(order, (std::vector<Index>{0, 1, 2, 3}));
-  EXPECT_TRUE(order_in_space(places, {}).empty());
+  EXPECT_TRUE(morton_order(places, {}).empty());
 }
 
 // How a picture may differ that is drawn by vertex from one that is drawn by corner.

@@ -85,8 +85,9 @@ TEST(OpenFrames, RefusesMorePicturesThanAllowedBeforeTheFirst) {
   const TemporaryFolder folder;
   FrameSequence many = kTwo;
   many.count = 100'001;
-  EXPECT_THAT(message_of([&] { open_frames(folder / "a.png", many); }),
-              HasSubstr("the turntable would be 100,001 pictures, more than the 100,000"));
+  EXPECT_THAT(
+      message_of([&] { open_frames(folder / "a.png", many); }),
+      HasSubstr("the turntable would have 100,001 pictures, more than the limit of 100,000"));
   const Environment raised("LAPWING_MOST_FRAMES", "1e6");
   EXPECT_NO_THROW(open_frames(folder / "a.png", many));
 }

@@ -39,10 +39,9 @@ TEST(OffscreenTarget, RefusesMorePixelsThanAllowed) {
   gpu::Context context;
   EXPECT_NO_THROW(OffscreenTarget(context, 64, 64));
   const test::Environment lower("LAPWING_MOST_PIXELS", "4000");
-  EXPECT_THAT(
-      error_message<InputError>([&] { OffscreenTarget(context, 64, 64); }),
-      HasSubstr("the picture would have 4,096 pixels, more than the 4,000 that are allowed; "
-                "choose a smaller size"));
+  EXPECT_THAT(error_message<InputError>([&] { OffscreenTarget(context, 64, 64); }),
+              HasSubstr("the picture would have 4,096 pixels, more than the limit of 4,000; "
+                        "choose a smaller size"));
 }
 
 TEST(OffscreenTarget, TakesTheSamplesThatTheDeviceHas) {

@@ -121,7 +121,7 @@ TEST_F(HeadWithAHat, KeepsEyesThatAreLooseComponentsAndAHatThatIsCarried) {
 
 TEST_F(HeadWithAHat, KeepsEyesThatAreCarriedAsFilesOfTheirOwn) {
   const Deformed bent = deform(head_, lean(40.0));
-  const SurfaceCarrier carrier(head_.positions, bent);
+  const AttachmentDeformer carrier(head_.positions, bent);
   for (std::size_t e = 0; e < eyes_.size(); ++e) {
     const CarriedPoints ball = carrier.carry(eyes_[e].positions);
     const double change = change_at_eye(e, bent.mesh.positions, ball.positions);

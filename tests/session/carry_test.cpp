@@ -108,22 +108,22 @@ TEST_F(Carry, NothingThatWasReadOrIsWrittenIsOverwritten) {
   write("points.csv", "0.6,0,2.9\n");
   write("other.csv", "0.6,0,2.9\n");
   EXPECT_THAT(refused(turn(9.0, R"({"file": "points.csv", "save": "./points.csv"})")),
-              HasSubstr("which the edit reads; give it another \"save\""));
+              HasSubstr("which is an input of the edit; give it another name with \"save\""));
   EXPECT_THAT(refused(turn(9.0, R"({"file": "points.csv", "save": "other.csv"}, "other.csv")")),
-              HasSubstr("which the edit reads"));
+              HasSubstr("which is an input of the edit"));
   EXPECT_THAT(refused(turn(9.0, R"({"file": "points.csv", "save": "a.csv"},
                                    {"file": "other.csv", "save": "a.csv"})")),
-              HasSubstr("where another result of the edit goes"));
+              HasSubstr("which is another result of the edit"));
   EXPECT_THAT(refused(turn(9.0, R"({"file": "points.csv", "save": "points.npy"})")),
-              HasSubstr("a table is saved as it was read; name it .csv"));
+              HasSubstr("a table keeps its format; end its name in .csv"));
   EXPECT_EQ(read("points.csv"), "0.6,0,2.9\n");
   EXPECT_THAT(refused(turn(9.0, R"("points.csv")"), "out.xyz"), HasSubstr("out.xyz"));
   EXPECT_FALSE(fs::exists(file("points-carried.csv")));
   write_mesh(icosphere(1), file("hat.obj"));
   EXPECT_THAT(refused(turn(9.0, R"({"file": "hat.obj", "save": "out.obj"})")),
-              HasSubstr("where another result of the edit goes"));
+              HasSubstr("which is another result of the edit"));
   EXPECT_THAT(refused(turn(9.0, R"({"file": "hat.obj", "save": "tube.obj"})")),
-              HasSubstr("which the edit reads"));
+              HasSubstr("which is an input of the edit"));
 }
 
 TEST_F(Carry, KeyComesBackAsItWasWritten) {

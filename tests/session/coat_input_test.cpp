@@ -54,21 +54,23 @@ class CoatInput : public CoatRuns {
 
 TEST_F(CoatInput, PatchWithAHoleIsRefusedAndADiskOffered) {
   EXPECT_THAT(refusal(coat(kRing, kMiddle, kFrom)),
-              AllOf(StartsWith(kAtSource), HasSubstr("no disk"), HasSubstr("\"disk_in\"")));
+              AllOf(StartsWith(kAtSource), HasSubstr("not a disk"), HasSubstr("\"disk_in\"")));
   EXPECT_THAT(refusal(coat(kMiddle, kRing, kFrom)),
-              AllOf(StartsWith(kAtTarget), HasSubstr("no disk"), HasSubstr("\"disk_in\"")));
+              AllOf(StartsWith(kAtTarget), HasSubstr("not a disk"), HasSubstr("\"disk_in\"")));
 }
 
 TEST_F(CoatInput, PatchFromOneBoundaryOfTheMeshToTheOtherIsRefusedWhereItIsNoDisk) {
   write(cylinder(24, 20, 0.5, 2.0), Side::target);
-  EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)), AllOf(StartsWith(kAtTarget), HasSubstr("no disk")));
+  EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)),
+              AllOf(StartsWith(kAtTarget), HasSubstr("not a disk")));
   expect_a_sound_result(
       coat(kAll, R"({"box": {"min": [0, -1, -1], "max": [1, 1, 3]}})", kFrom + kKeep));
 }
 
 TEST_F(CoatInput, ClosedMeshIsNoPatch) {
   write(icosphere(3), Side::target);
-  EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)), AllOf(StartsWith(kAtTarget), HasSubstr("no disk")));
+  EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)),
+              AllOf(StartsWith(kAtTarget), HasSubstr("not a disk")));
 }
 
 TEST_F(CoatInput, PairThatFitsNoPatchIsNamed) {
@@ -101,11 +103,11 @@ TEST_F(CoatInput, PatchWithoutAreaIsRefused) {
     Mesh point = sound(side);
     for (Vector3d& p : point.positions) p = Vector3d(1.0, 2.0, 3.0);
     write(point, side);
-    EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)), AllOf(StartsWith(start), HasSubstr("no area")));
+    EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)), AllOf(StartsWith(start), HasSubstr("zero area")));
     Mesh line = sound(side);
     for (Vector3d& p : line.positions) p = Vector3d(p.x(), 0.0, 0.0);
     write(line, side);
-    EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)), AllOf(StartsWith(start), HasSubstr("no area")));
+    EXPECT_THAT(refusal(coat(kAll, kAll, kFrom)), AllOf(StartsWith(start), HasSubstr("zero area")));
     write(sound(side), side);
   }
 }
@@ -230,7 +232,7 @@ TEST_F(CoatInput, CoatingOnAHornIsHeldToASensibleSizeWithANote) {
 TEST_F(CoatInput, AmplitudeBeyondAllNumbersIsRefused) {
   EXPECT_THAT(refusal<SolverError>(
                   coat(kAll, kMiddle, kFrom + kKeep + R"(, "scale": 1e200, "amplitude": 1e200)")),
-              AllOf(StartsWith("test: /steps/0: "), HasSubstr("not finite")));
+              AllOf(StartsWith("test: /steps/0: "), HasSubstr("non-finite")));
 }
 
 TEST_F(CoatInput, DetailLargerThanTheMeshIsFinite) {

@@ -78,7 +78,7 @@ TEST_F(LongLife, OfEditsFromFileToFile) {
 
 TEST_F(LongLife, OfASessionWithMoreRegionsThanItKeeps) {
   CpuKernels kernels;
-  const MeshShelf meshes;
+  const MeshCache meshes;
   Session session(kernels, meshes);
   expect_flat(edits(500), [&](int k) {
     Recipe recipe = bend(k);

@@ -78,8 +78,8 @@ TEST(LooseOfModels, IsCarriedWithANoteWhereItWasRefused) {
       EXPECT_TRUE(carried.certificate.all_finite) << name;
       RecordProperty(name, carried.notes.empty() ? "" : carried.notes.front());
       EXPECT_THAT(carried.notes,
-                  Contains(::testing::AnyOf(HasSubstr("loose part"), HasSubstr("seam edges"),
-                                            HasSubstr("turns as little"))))
+                  Contains(::testing::AnyOf(HasSubstr("loose component"), HasSubstr("seam edges"),
+                                            HasSubstr("rotates as little"))))
           << name;
     } catch (const Error& error) {
       ADD_FAILURE() << name << ": " << error.what();

@@ -16,7 +16,7 @@ namespace {
 class AMeshShelf : public ::testing::Test {
  protected:
   TemporaryFolder folder_;
-  MeshShelf shelf_;
+  MeshCache shelf_;
 };
 
 TEST_F(AMeshShelf, ReadsAFileOnce) {

@@ -196,7 +196,7 @@ TEST(MirrorOnModels, AreSymmetricToRoundingWhereTheMeshIs) {
     SimilarityMove move;
     move.translate = 0.1 * bounds.diagonal() * Vector3d(1, -1, 1).normalized();
     request.handles = {{{GeodesicDisk{top, 0.05 * bounds.diagonal()}}, move}};
-    request.handles[0].grading.falloff = Transition{0.1 * bounds.diagonal()};
+    request.handles[0].falloff.transition = Transition{0.1 * bounds.diagonal()};
     request.mirror = MirrorSpec{plane};
     const auto images = mirror_images(mesh, plane, "mirror");
     const Eigen::Affine3d mirror = reflection(plane);

@@ -20,7 +20,7 @@ RunReport sample() {
   step.free = 4;
   step.deform.emplace();
   step.deform->turn_degrees = 260.0;
-  step.deform->wound_degrees = 259.5;
+  step.deform->winding_degrees = 259.5;
   step.deform->commits = 2;
   step.timings.add("factor", 2.25);
   step.timings.add("factor", 1.0);
@@ -40,7 +40,7 @@ TEST(Report, JsonHoldsDeviceCountsTimingsAndCertificate) {
   EXPECT_EQ(step["handle"], 5);
   EXPECT_EQ(step["free"], 4);
   EXPECT_EQ(step["turn_degrees"], 260.0);
-  EXPECT_EQ(step["wound_degrees"], 259.5);
+  EXPECT_EQ(step["winding_degrees"], 259.5);
   EXPECT_EQ(step["commits"], 2);
   EXPECT_EQ(step["timings_ms"]["factor"], 3.25) << "times of one stage add up";
   EXPECT_EQ(step["certificate"]["relative_residual"], 0.0);

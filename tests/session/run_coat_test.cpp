@@ -139,7 +139,7 @@ TEST_F(RunCoat, SaysWhereTheTransitionLetsLittleThrough) {
   };
   EXPECT_THAT(warnings("0.1"), ::testing::IsEmpty());
   EXPECT_THAT(warnings("0.9"),
-              Contains(::testing::HasSubstr("wider than the target patch is deep")));
+              Contains(::testing::HasSubstr("exceeds the depth of the target patch")));
 }
 
 TEST_F(RunCoat, PairsSayWhatComesWhere) {

@@ -182,7 +182,7 @@ TEST_F(RunMix, SaysWhatDoesNotFit) {
   EXPECT_THAT(said(R"(, "weight": {"distance_to": {"vertices": [99999]}, "width": 1})"),
               AllOf(StartsWith("test: /steps/0/weight/distance_to"), HasSubstr("99999")));
   EXPECT_THAT(said(R"(, "weight": {"distance_to": {"vertices": []}, "width": 1})"),
-              AllOf(StartsWith("test: /steps/0/weight/distance_to: "), HasSubstr("no vertex")));
+              AllOf(StartsWith("test: /steps/0/weight/distance_to: "), HasSubstr("no vertices")));
   const auto with_handle = [&](const std::string& handles) {
     return said(kByDistance + R"(, "handles": [)" + handles + "]");
   };
@@ -195,7 +195,7 @@ TEST_F(RunMix, SaysWhatDoesNotFit) {
   EXPECT_THAT(
       refusal(mix(fine, source("coarse.ply", R"({"minus": [{"all": true}, )" + kMiddle + "]}"),
                   kMiddle, kByDistance)),
-      AllOf(StartsWith("test: /steps/0/sources/1/patch"), HasSubstr("no disk")));
+      AllOf(StartsWith("test: /steps/0/sources/1/patch"), HasSubstr("not a disk")));
   EXPECT_THAT(refusal<IoError>(mix(fine, source("nothing.ply", kAll), kMiddle, kByDistance)),
               HasSubstr("nothing.ply"));
 }
@@ -205,7 +205,7 @@ TEST_F(RunMix, WarnsOfTheSourceByItsPlace) {
                               kByDistance + kKeep + R"(, "transition": {"width": 5})"));
   EXPECT_THAT(result->report.warnings,
               ::testing::Contains(AllOf(StartsWith("test: /steps/0: the transition of 5"),
-                                        HasSubstr("wider than the target patch is deep"))));
+                                        HasSubstr("exceeds the depth of the target patch"))));
 }
 
 TEST_F(RunMix, OnTheDeviceGivesWhatTheProcessorGives) {

@@ -45,7 +45,7 @@ TEST_F(RunPeel, GoesOnFromTheStepBefore) {
 TEST_F(RunPeel, WarnsWhereNothingCanComeOff) {
   const auto result = run(step(R"({"vertices": [5]})"));
   EXPECT_EQ(result->mesh.positions, read("target.ply").positions);
-  EXPECT_THAT(result->report.warnings, ElementsAre(HasSubstr("nothing came off")));
+  EXPECT_THAT(result->report.warnings, ElementsAre(HasSubstr("no detail was removed")));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST_F(RunRecipe, SavesHowEachVertexMovedBesideThePropertiesThatThePlyHas) {
   EXPECT_THAT(error_message<InputError>([&] {
                 save_result(*result, folder_.path() / "no.obj", {.vertex_motion = true});
               }),
-              HasSubstr("no.obj: OBJ has no place for how each vertex moved"));
+              HasSubstr("no.obj: OBJ cannot store the motion of each vertex"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "no.obj"));
 }
 
@@ -111,7 +111,7 @@ TEST_F(RunRecipe, SavesAMorphTargetThatTheFormatHasNoPlaceForAsATable) {
   }
   result->mesh = icosphere(1);
   EXPECT_THAT(error_message<InputError>([&] { save_result(*result, folder_ / "other.obj"); }),
-              HasSubstr("a step made other triangles, which have no displacements from the mesh"));
+              HasSubstr("a step changed the connectivity, so displacements are undefined"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other.obj"));
 }
 
@@ -174,14 +174,14 @@ TEST_F(RunRecipe, ComponentWithoutAnchorIsCarriedOrRefused) {
   for (auto& p : far.positions) p.x() += 10.0;
   two = test::joined(std::move(two), far);
   write_mesh(two, folder_.path() / "tube.obj");
-  EXPECT_THAT(run(kLift)->report.notes, Contains(HasSubstr("1 loose part of 42 vertices")));
+  EXPECT_THAT(run(kLift)->report.notes, Contains(HasSubstr("1 loose component with 42 vertices")));
   try {
     run(std::string(kLift).insert(1, R"("loose": "refuse", )"));
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("/steps/0/roi"));
     EXPECT_THAT(error.what(), HasSubstr("has no anchor"));
-    EXPECT_THAT(error.what(), HasSubstr("42 vertices from vertex 240"));
+    EXPECT_THAT(error.what(), HasSubstr("42 vertices that contains vertex 240"));
   }
 }
 

@@ -258,7 +258,7 @@ TEST_F(RunTransplant, APartThatIsInsideOutIsTurnedAndReported) {
   const auto wrong = run(transplant(from_file("wrong.ply"), kPole));
   EXPECT_FALSE(right->report.steps[0].transplant->turned);
   EXPECT_TRUE(wrong->report.steps[0].transplant->turned);
-  EXPECT_THAT(wrong->report.warnings, ::testing::Contains(HasSubstr("turned over")));
+  EXPECT_THAT(wrong->report.warnings, ::testing::Contains(HasSubstr("so they were flipped")));
   expect_whole(*right);
   expect_whole(*wrong);
 }
@@ -310,7 +310,7 @@ TEST_F(RunTransplant, ATinyHoleAndAPartLargerThanItsHoleComeOutClosed) {
                                std::to_string(face[1]) + ", " + std::to_string(face[2]) + "]}";
   const auto tiny = run(transplant(from_file("finger.ply"), triangle));
   expect_whole(*tiny);
-  EXPECT_THAT(tiny->report.warnings, ::testing::Contains(HasSubstr("only made smooth")));
+  EXPECT_THAT(tiny->report.warnings, ::testing::Contains(HasSubstr("the seam is only smooth")));
   const auto large =
       run(transplant(from_file("finger.ply"), R"({"disk": {"near": [0, 0, 1], "radius": 0.15}})",
                      R"(, "place": {"translate": [0, 0, 1.1]})"));
@@ -359,7 +359,7 @@ TEST_F(RunTransplant, AWidthThatThePartIsTooShortForIsNarrowedAndTold) {
   const auto result =
       run(transplant(from_file("stub.ply"), kPole, R"(, "transition": {"width": 2})"));
   EXPECT_LT(result->report.steps[0].transplant->transition_width, 0.7);
-  EXPECT_THAT(result->report.warnings, ::testing::Contains(HasSubstr("reaches only")));
+  EXPECT_THAT(result->report.warnings, ::testing::Contains(HasSubstr("extends only")));
   expect_whole(*result);
 }
 

@@ -77,7 +77,7 @@ class ASession : public ::testing::Test {
 
   TemporaryFolder folder_;
   CpuKernels kernels_;
-  MeshShelf shelf_;
+  MeshCache shelf_;
   Session session_{kernels_, shelf_};
 };
 

@@ -95,8 +95,8 @@ TEST_F(Winding, TwistOf260DegreesInTwoCommitsOf130IsKept) {
   const StepReport& step = whole->report.steps[0];
   EXPECT_EQ(step.deform->commits, 2U);
   EXPECT_EQ(step.deform->turn_degrees, 260.0);
-  ASSERT_TRUE(step.deform->wound_degrees.has_value());
-  EXPECT_NEAR(*step.deform->wound_degrees, 260.0, 1.0);
+  ASSERT_TRUE(step.deform->winding_degrees.has_value());
+  EXPECT_NEAR(*step.deform->winding_degrees, 260.0, 1.0);
   EXPECT_TRUE(step.deform->certificate.settled);
   EXPECT_THAT(whole->report.warnings, IsEmpty());
 }
@@ -117,13 +117,14 @@ TEST_F(Winding, LinearSolutionKnowsNoTurns) {
   const auto result = run(twist(260, R"(, "settle": false)"));
   EXPECT_NEAR(turns_of_circles(*result).back(), -100.0, 1.0);
   ASSERT_EQ(result->report.warnings.size(), 1U);
-  EXPECT_THAT(result->report.warnings[0], HasSubstr("wound by -100: let the surface settle"));
+  EXPECT_THAT(result->report.warnings[0],
+              HasSubstr("wound by -100 degrees. To correct this, turn \"settle\" on"));
 }
 
 TEST_F(Winding, LeftHandedTurnIsTheMirrorImage) {
   const auto result = run(twist(-260, kCommits));
   EXPECT_NEAR(turns_of_circles(*result).back(), -260.0, 1.0);
-  EXPECT_NEAR(result->report.steps[0].deform->wound_degrees.value(), 260.0, 1.0);
+  EXPECT_NEAR(result->report.steps[0].deform->winding_degrees.value(), 260.0, 1.0);
 }
 
 TEST_F(Winding, TurnNearHalfATurnGoesTheWayItIsWritten) {
@@ -137,7 +138,7 @@ TEST_F(Winding, TurnNearHalfATurnGoesTheWayItIsWritten) {
 TEST_F(Winding, ASmallDetailLengthKeepsAWholeTurn) {
   const auto result = run(twist(360, kResist));
   EXPECT_NEAR(turns_of_circles(*result).back(), 360.0, 1.0);
-  EXPECT_NEAR(result->report.steps[0].deform->wound_degrees.value(), 360.0, 1.0);
+  EXPECT_NEAR(result->report.steps[0].deform->winding_degrees.value(), 360.0, 1.0);
   EXPECT_THAT(result->report.warnings, IsEmpty());
 }
 
@@ -149,10 +150,10 @@ TEST(WindingWarning, TurnThatIsLostAllTheSameIsToldWithWhatToChange) {
   step.parameters.commit_every = 180.0;
   step.parameters.detail_length = 0.1;
   EXPECT_THAT(winding_warning(step, 0.0),
-              HasSubstr("turns by 360 degrees, but the surface came out wound by 0: set "
-                        "\"detail_length\" to 0.05 (or --detail-length 0.05)"));
+              HasSubstr("turns by 360 degrees, but the surface is wound by 0 degrees. To correct "
+                        "this, set \"detail_length\" to 0.05 (or --detail-length 0.05)"));
   step.parameters.detail_length = 0.02;
-  EXPECT_THAT(winding_warning(step, 0.0), HasSubstr("turn less, or give the turn"));
+  EXPECT_THAT(winding_warning(step, 0.0), HasSubstr("turn less, or choose a longer region"));
 }
 
 TEST_F(Winding, LinearSolutionInSmallPartsKeepsItToo) {
@@ -186,7 +187,7 @@ TEST_F(Winding, CommitsOfTheOtherHandlesKeepStep) {
   const auto result = run(two_handles);
   const StepReport& step = result->report.steps[0];
   EXPECT_EQ(step.deform->commits, 2U);
-  EXPECT_NEAR(step.deform->wound_degrees.value(), 190.0, 1.0);
+  EXPECT_NEAR(step.deform->winding_degrees.value(), 190.0, 1.0);
   EXPECT_NEAR(result->mesh.positions[0].x() - result->original[0].x(), 0.2, 1e-3);
 }
 
@@ -197,7 +198,7 @@ TEST_F(Winding, StillHandleServesInPlaceOfABelt) {
         {"region": {"box": {"min": [-1, -1, 5.41], "max": [1, 1, 7]}},
          "move": {"rotate": {"axis": [0, 0, 1], "degrees": 260}}}]})");
   EXPECT_NEAR(turns_of_circles(*result).back(), 260.0, 1.0);
-  EXPECT_FALSE(result->report.steps[0].deform->wound_degrees.has_value()) << "nothing stays";
+  EXPECT_FALSE(result->report.steps[0].deform->winding_degrees.has_value()) << "nothing stays";
 }
 
 TEST_F(Winding, TooManyCommitsAreRefused) {
@@ -211,7 +212,7 @@ TEST_F(Winding, StepThatDoesNotTurnIsTheSameWithCommitsAndWithout) {
   const auto with = run(twist(0, kCommits));
   EXPECT_EQ(with->mesh.positions, with->original);
   EXPECT_EQ(with->report.steps[0].deform->commits, 1U);
-  EXPECT_FALSE(with->report.steps[0].deform->wound_degrees.has_value());
+  EXPECT_FALSE(with->report.steps[0].deform->winding_degrees.has_value());
 }
 
 TEST_F(Winding, HardConstraintsAreMetExactlyAfterAllParts) {

@@ -34,7 +34,7 @@ TEST(BlockCholeskyInFloats, IsSharedByAnAnalysisInDoublesAndHoldsHalf) {
                        static_cast<double>(doubles.statistics().factor_bytes);
   EXPECT_NEAR(share, 0.5, 0.1);
   EXPECT_LT(floats.statistics().peak_bytes, doubles.statistics().peak_bytes);
-  floats.factor(A.matrix);
+  floats.factorize(A.matrix);
   std::vector<double> x(b.size());
   floats.solve(b, x, 1);
   EXPECT_NE(x, expected);
@@ -86,7 +86,7 @@ TEST(BlockCholeskyInFloats, RefactorsToTheSameBits) {
   solve_with(solver, A.matrix, b);
   add_to_diagonal(A.matrix, 17, 2.0);
   const std::vector<Index> changed{17};
-  solver.refactor_diagonal(A.matrix, changed);
+  solver.refactorize_diagonal(A.matrix, changed);
   std::vector<double> x(b.size());
   solver.solve(b, x, 1);
   BlockCholesky anew(in_floats());

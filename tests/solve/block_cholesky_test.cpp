@@ -152,7 +152,7 @@ TEST(BlockCholesky, SolvesUnderAnyOrder) {
   for (int trial = 0; trial < 5; ++trial) {
     BlockCholesky solver(with(2));
     solver.analyze(*A.pattern, 3, order);
-    solver.factor(A.matrix);
+    solver.factorize(A.matrix);
     std::vector<double> x(b.size());
     solver.solve(b, x, 1);
     EXPECT_THAT(backward_error(A.matrix, x, b), Lt(kBackwardError));
@@ -287,7 +287,7 @@ TEST(BlockCholesky, FactorsAgainAfterARefusal) {
   std::vector<double> x(12);
   EXPECT_THROW(solver.solve(b, x, 1), SolverError);
   add_to_diagonal(A.matrix, 6, 1.0);
-  solver.factor(A.matrix);
+  solver.factorize(A.matrix);
   solver.solve(b, x, 1);
   EXPECT_THAT(backward_error(A.matrix, x, b), Lt(kBackwardError));
 }
@@ -342,7 +342,7 @@ TEST(BlockCholesky, FactorsToTheSameBitsByTheAnalysisOfAnother) {
   EXPECT_EQ(sharing.statistics().flops, usual->statistics().flops);
   EXPECT_EQ(sharing.statistics().peak_bytes, usual->statistics().peak_bytes);
   usual.reset();
-  sharing.factor(A.matrix);
+  sharing.factorize(A.matrix);
   std::vector<double> y(b.size());
   sharing.solve(b, y, 1);
   EXPECT_EQ(x, y);
@@ -375,7 +375,7 @@ TEST(BlockCholesky, FactorsToTheSameBitsInMemoryTakenAhead) {
   ahead.analyze(*A.pattern, 3, fill_reducing_order(*A.pattern, Ordering::minimum_degree));
   ahead.prepare_memory();
   ahead.prepare_memory();
-  ahead.factor(A.matrix);
+  ahead.factorize(A.matrix);
   std::vector<double> x(b.size());
   ahead.solve(b, x, 1);
   EXPECT_EQ(x, solve_with(usual, A.matrix, b));
@@ -394,7 +394,7 @@ TEST(BlockCholesky, CanBeCancelledWhileItTakesMemory) {
     const ProgressScope scope([](std::string_view, double) { return false; });
     EXPECT_THROW(solver.prepare_memory(), Cancelled);
   }
-  EXPECT_NO_THROW(solver.factor(A.matrix));
+  EXPECT_NO_THROW(solver.factorize(A.matrix));
 }
 
 // ---- Refactoring.
@@ -405,7 +405,7 @@ TEST(BlockCholesky, RefactorsChangedValues) {
   const auto b = random_vector(A.matrix.scalar_size(), 2);
   solve_with(solver, A.matrix, b);
   for (double& value : A.matrix.values) value *= 3.0;
-  solver.factor(A.matrix);
+  solver.factorize(A.matrix);
   std::vector<double> x(b.size());
   solver.solve(b, x, 1);
   EXPECT_THAT(backward_error(A.matrix, x, b), Lt(kBackwardError));
@@ -418,7 +418,7 @@ TEST(BlockCholesky, RefactorsChangedDiagonalBlocksToTheSameBits) {
     const auto b = random_vector(A.matrix.scalar_size(), 2);
     BlockCholesky partial(with(2));
     partial.analyze(*A.pattern, A.matrix.block_size, order);
-    partial.factor(A.matrix);
+    partial.factorize(A.matrix);
     std::mt19937 random(4);
     for (const std::size_t count : {0, 1, 1, 1, 5, 40}) {
       std::vector<Index> changed;
@@ -426,10 +426,10 @@ TEST(BlockCholesky, RefactorsChangedDiagonalBlocksToTheSameBits) {
         changed.push_back(static_cast<Index>(random() % A.pattern->size()));
         add_to_diagonal(A.matrix, changed.back(), 0.5);
       }
-      partial.refactor_diagonal(A.matrix, changed);
+      partial.refactorize_diagonal(A.matrix, changed);
       BlockCholesky full(with(1));
       full.analyze(*A.pattern, A.matrix.block_size, order);
-      full.factor(A.matrix);
+      full.factorize(A.matrix);
       std::vector<double> x(b.size());
       std::vector<double> y(b.size());
       partial.solve(b, x, 1);

@@ -48,7 +48,7 @@ void expect_the_same_bits(FactorPrecision precision) {
         options.precision = precision;
         BlockCholesky solver(options);
         solver.analyze(*A.pattern, A.matrix.block_size, order);
-        solver.factor(A.matrix);
+        solver.factorize(A.matrix);
         std::vector<double> x(b.size());
         for (const std::size_t columns : {1, 3, 13}) {
           const std::size_t first = columns == 1 ? 0 : columns == 3 ? 1 : 4;
@@ -80,7 +80,7 @@ TEST(BlockCholeskyThreads, GiveTheSameBitsOnEveryRun) {
     BlockCholesky solver(with_threads(threads));
     solver.analyze(*A.pattern, 3, order);
     for (int run = 0; run < kRuns; ++run) {
-      solver.factor(A.matrix);
+      solver.factorize(A.matrix);
       std::vector<double> x(b.size());
       solver.solve(b, x, 1);
       if (expected.empty()) expected = x;
@@ -143,13 +143,13 @@ TEST(BlockCholeskyThreads, StopWhenCancelledAndFactorAgain) {
       int calls = static_cast<int>(random() % 6);
       solver.set_progress([&](std::string_view, double) { return calls-- > 0; });
       try {
-        solver.factor(A.matrix);
+        solver.factorize(A.matrix);
       } catch (const Cancelled&) {
         ++cancelled;
       }
     }
     solver.set_progress({});
-    solver.factor(A.matrix);
+    solver.factorize(A.matrix);
     std::vector<double> x(b.size());
     solver.solve(b, x, 1);
     EXPECT_EQ(x, expected);

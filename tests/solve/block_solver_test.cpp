@@ -61,7 +61,7 @@ TEST_P(EveryBlockSolver, SharesItsAnalysisOrSaysThatItCannot) {
     return;
   }
   other->analyze_as(solver_->analysis());
-  other->factor(A.matrix);
+  other->factorize(A.matrix);
   std::vector<double> y(b.size());
   other->solve(b, y, 1);
   EXPECT_EQ(x, y);
@@ -97,7 +97,7 @@ TEST_P(EveryBlockSolver, FactorsOtherValuesWithTheSameAnalysis) {
   const auto b = random_vector(A.matrix.scalar_size(), 2);
   solve_with(*solver_, A.matrix, b);
   for (double& value : A.matrix.values) value *= 2.0;
-  solver_->factor(A.matrix);
+  solver_->factorize(A.matrix);
   std::vector<double> x(b.size());
   solver_->solve(b, x, 1);
   EXPECT_THAT(backward_error(A.matrix, x, b), Lt(kBackwardError));
@@ -109,7 +109,7 @@ TEST_P(EveryBlockSolver, RefactorsChangedDiagonalBlocks) {
   solve_with(*solver_, A.matrix, b);
   const std::vector<Index> changed{3, 77};
   for (const Index block : changed) add_to_diagonal(A.matrix, block, 2.0);
-  solver_->refactor_diagonal(A.matrix, changed);
+  solver_->refactorize_diagonal(A.matrix, changed);
   std::vector<double> x(b.size());
   solver_->solve(b, x, 1);
   EXPECT_THAT(backward_error(A.matrix, x, b), Lt(kBackwardError));

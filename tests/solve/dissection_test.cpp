@@ -162,7 +162,7 @@ TEST(DissectionOrder, TakesAsFewOperationsAsMetis) {
 TEST(DissectionOrder, IsTheSameForAnyNumberOfThreads) {
   const System system(grid(90, 120));
   const std::vector<int> shared = dissection_order(system.graph);
-  const WorkAlone alone;
+  const SerialScope alone;
   EXPECT_EQ(dissection_order(system.graph), shared);
 }
 
@@ -174,7 +174,7 @@ TEST(DissectionOrder, CanBeCancelledAtEachPoint) {
     const ProgressScope scope([](std::string_view, double) { return false; });
     EXPECT_THROW(dissection_order(system.graph), Cancelled);
   }
-  const WorkAlone alone;  // what others do is not asked about
+  const SerialScope alone;  // what others do is not asked about
   int asked = 0;
   {
     const ProgressScope scope([&](std::string_view, double) {

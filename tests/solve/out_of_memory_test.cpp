@@ -23,7 +23,7 @@ TEST(OutOfMemory, IsASolverErrorWhereverItHappensAndLeavesTheSolverUsable) {
   std::vector<double> expected(b.size());
   const auto run = [&](BlockCholesky& solver, std::vector<double>& x) {
     solver.analyze(*A.pattern, 3, order);
-    solver.factor(A.matrix);
+    solver.factorize(A.matrix);
     solver.solve(b, x, 2);
   };
   long calls = 0;
@@ -60,7 +60,7 @@ TEST(OutOfMemory, SaysHowMuchTheFactorizationNeeds) {
   solver.analyze(*A.pattern, 3, fill_reducing_order(*A.pattern));
   try {
     const FailingNew failure(1);
-    solver.factor(A.matrix);
+    solver.factorize(A.matrix);
     FAIL() << "nothing failed";
   } catch (const SolverError& error) {
     EXPECT_THAT(error.what(), HasSubstr(" MB"));

@@ -191,7 +191,7 @@ std::vector<double> solve_with(BlockSolver& solver, const BlockMatrix& A, std::s
                                std::size_t columns) {
   solver.analyze(*A.pattern, A.block_size,
                  fill_reducing_order(*A.pattern, Ordering::minimum_degree));
-  solver.factor(A);
+  solver.factorize(A);
   std::vector<double> x(b.size());
   solver.solve(b, x, columns);
   return x;

@@ -48,7 +48,7 @@ TEST(TransplantLimits, APartManyTimesTooLargeIsRefusedBeforeItsSeamIsCut) {
   for (const double scale : {168.0, 1000.0}) {
     EXPECT_THAT(error_message<InputError>([&] { transplant(host, part, onto_the_pole(scale)); }),
                 AllOf(HasSubstr("transplant: the seam between mesh and part would get about"),
-                      HasSubstr("more than the 200,000 that are allowed; make the part smaller"),
+                      HasSubstr("more than the limit of 200,000; make the part smaller"),
                       HasSubstr("set LAPWING_MOST_SEAM_TRIANGLES to a larger number")))
         << scale;
   }

@@ -51,7 +51,7 @@ void enrich(Mesh& mesh, const std::string& name, float number) {
 struct Pair {
   test::Rim host = test::hole_in_sheet(8, test::circle(1.0));
   test::Rim part = test::flat_part(6, test::circle(0.5));
-  Zip zip = test::zip(host, part);
+  Bridge zip = test::zip(host, part);
   Joined join(const std::string& group = "wing") const {
     return lapwing::join(host.mesh, host.loop, part.mesh, part.loop, zip, group);
   }

@@ -10,8 +10,8 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/boundary_loops.h"
+#include "lapwing/transplant/bridge.h"
 #include "lapwing/transplant/join.h"
-#include "lapwing/transplant/zip.h"
 
 namespace lapwing::test {
 
@@ -42,9 +42,9 @@ inline Curve moved(const Curve& curve, const Eigen::Affine3d& motion) {
 struct Rim {
   Mesh mesh;
   BoundaryLoop loop;
-  ZipLoop zip_loop() const {
+  BridgeLoop bridge_loop() const {
     const Topology& topology = mesh.topology();
-    return lapwing::zip_loop(topology.triangles, mesh.positions, loop);
+    return lapwing::bridge_loop(topology.triangles, mesh.positions, loop);
   }
 };
 
@@ -92,10 +92,10 @@ inline Rim upright_part(Index count, const Curve& edge, double start = 0.0) {
       false, start);
 }
 
-inline Zip zip(const Rim& host, const Rim& part) {
-  return zip_loops(host.zip_loop(), part.zip_loop(), "zip");
+inline Bridge zip(const Rim& host, const Rim& part) {
+  return bridge_loops(host.bridge_loop(), part.bridge_loop(), "zip");
 }
-inline Joined join(const Rim& host, const Rim& part, const Zip& zip) {
+inline Joined join(const Rim& host, const Rim& part, const Bridge& zip) {
   return lapwing::join(host.mesh, host.loop, part.mesh, part.loop, zip, "");
 }
 

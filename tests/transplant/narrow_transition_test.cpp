@@ -51,7 +51,7 @@ TEST(TransplantTransition, ThatIsGivenIsRefusedThere) {
   request.parameters.transition =
       Transition{transplant(icosphere(4), tube(false), request).report.transition_width};
   EXPECT_THAT(error_message<InputError>([&] { transplant(icosphere(4), tube(true), request); }),
-              HasSubstr("make its \"width\" less than"));
+              HasSubstr("set its \"width\" below"));
 }
 
 }  // namespace

@@ -50,9 +50,9 @@ void expect_exact_return(const Mesh& mesh, const VertexSet& region) {
   const auto host_loops = piece_loops(host.mesh);
   ASSERT_THAT(part_loops, SizeIs(1));
   ASSERT_THAT(host_loops, SizeIs(1));
-  const Zip zip =
-      zip_loops(zip_loop(host_topology.triangles, host.mesh.positions, host_loops[0]),
-                zip_loop(part_topology.triangles, part.mesh.positions, part_loops[0]), "zip");
+  const Bridge zip =
+      bridge_loops(bridge_loop(host_topology.triangles, host.mesh.positions, host_loops[0]),
+                   bridge_loop(part_topology.triangles, part.mesh.positions, part_loops[0]), "zip");
   EXPECT_THAT(zip.welded, SizeIs(host_loops[0].size()));
   EXPECT_THAT(zip.triangles, IsEmpty());
 
@@ -112,8 +112,9 @@ TEST(PutBack, APartThatFitsInPlacesStillGivesAManifold) {
       moved.positions[loop[random() % loop.size()]] *= 1.0 + 0.05 * static_cast<double>(k);
     }
     const BoundaryLoop hole = piece_loops(host).at(0);
-    const Zip zip = zip_loops(zip_loop(host.topology().triangles, host.positions, hole),
-                              zip_loop(moved.topology().triangles, moved.positions, loop), "zip");
+    const Bridge zip =
+        bridge_loops(bridge_loop(host.topology().triangles, host.positions, hole),
+                     bridge_loop(moved.topology().triangles, moved.positions, loop), "zip");
     const Joined joined = join(host, hole, moved, loop, zip, "");
     ASSERT_EQ(test::manifold_faults(joined.mesh), "") << seed;
     const CheckReport report = check(joined.mesh);

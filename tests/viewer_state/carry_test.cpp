@@ -230,7 +230,7 @@ TEST_F(CarriedInAWindow, AFileThatCannotBeCarriedIsNamedWithTheReason) {
     return "";
   };
   EXPECT_THAT(refused("none.obj"), HasSubstr("none.obj"));
-  EXPECT_THAT(refused("empty.obj"), HasSubstr("empty.obj: it has no vertex to carry"));
+  EXPECT_THAT(refused("empty.obj"), HasSubstr("empty.obj: it has no vertices to carry"));
   EXPECT_THAT(refused("no-points.csv"), HasSubstr("no-points.csv"));
   EXPECT_THAT(refused("broken.obj"), HasSubstr("broken.obj"));
   EXPECT_TRUE(state().carried.empty());

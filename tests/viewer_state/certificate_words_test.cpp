@@ -95,6 +95,8 @@ TEST_F(CertificateWords, WhatNeverSettledComesFirst) {
   certificate_.first_flipped_triangles = {0, 1};
   ASSERT_EQ(warnings().size(), 3U);
   EXPECT_THAT(warnings()[0].text, HasSubstr("Not settled"));
+  certificate_.lacks_hessian = true;
+  EXPECT_THAT(warnings()[0].text, HasSubstr("not enough memory"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "state/kept_settling.h"
+#include "state/last_solve_options.h"
 #include "viewer_state/tube_edit.h"
 
 namespace lapwing::viewer::test {
@@ -48,20 +48,20 @@ TEST(Command, PaintingGainsAndLosesVertices) {
             subtract(unite(before.selection.roi.vertices, {0, 1}), {100}));
 }
 
-TEST(Command, GradingAHandleAsksForAResult) {
+TEST(Command, AFalloffOfAHandleAsksForAResult) {
   const AppState before = settled_tube();
-  const Grading wide{.falloff = Transition{0.5}};
-  const AppState after = apply(before, SetGrading{0, wide});
-  EXPECT_EQ(after.selection.handles[0].grading, wide);
+  const Falloff wide{.transition = Transition{0.5}};
+  const AppState after = apply(before, SetFalloff{0, wide});
+  EXPECT_EQ(after.selection.handles[0].falloff, wide);
   EXPECT_TRUE(needs_settling(after));
   EXPECT_FALSE(edit_region(after).graded.empty());
-  EXPECT_EQ(graded_vertices(after.selection, *after.rest), edit_region(after).graded)
+  EXPECT_EQ(falloff_vertices(after.selection, *after.rest), edit_region(after).graded)
       << "what is shown is what is computed with";
-  EXPECT_EQ(open_step(after).handles[0].grading, wide);
-  EXPECT_TRUE(same(apply(after, SetGrading{0, wide}), after));
-  EXPECT_THROW(apply(before, SetGrading{0, {.weight = 0.0}}), InputError);
-  EXPECT_THROW(apply(before, SetGrading{1, wide}), InputError);
-  EXPECT_THROW(apply(before, SetGrading{0, {.field = {1.0, 0.5}}}), InputError)
+  EXPECT_EQ(open_step(after).handles[0].falloff, wide);
+  EXPECT_TRUE(same(apply(after, SetFalloff{0, wide}), after));
+  EXPECT_THROW(apply(before, SetFalloff{0, {.weight = 0.0}}), InputError);
+  EXPECT_THROW(apply(before, SetFalloff{1, wide}), InputError);
+  EXPECT_THROW(apply(before, SetFalloff{0, {.field = {1.0, 0.5}}}), InputError)
       << "weights of another mesh";
 }
 
@@ -108,8 +108,8 @@ TEST(Command, NewParametersAskForAResult) {
   EXPECT_TRUE(needs_settling(apply(settled_tube(), SetParameters{parameters})));
 }
 
-TEST(KeptSettling, ComesBackWithTheOptionsThatItHad) {
-  KeptSettling settling;
+TEST(LastSolveOptions, ComesBackWithTheOptionsThatItHad) {
+  LastSolveOptions settling;
   const EditParameters on{{.settle = SettleOptions{.tolerance = 1e-6, .max_iterations = 77}}};
   const EditParameters off{{.settle = std::nullopt}};
   EXPECT_EQ(settling.meant(on, off), off);

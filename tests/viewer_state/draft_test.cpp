@@ -52,7 +52,7 @@ class AnEdit : public ::testing::Test {
     history.perform(Choose{kRoi, {AllVertices{}}});
     history.perform(Choose{kSecondHandle, {GeodesicDisk{Index{125}, 0.4}}});
     history.perform(Choose{kBelt, box(-1.0, 0.4)});
-    history.perform(SetGrading{1, {.weight = 2.0, .falloff = Transition{0.3}}});
+    history.perform(SetFalloff{1, {.weight = 2.0, .transition = Transition{0.3}}});
     history.perform(SetParameters{{{.weights = LaplacianWeights::cotangent, .hard = true}}});
     history.perform(MoveHandle{1, bent()});
     settle(history);

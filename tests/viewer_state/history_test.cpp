@@ -50,7 +50,7 @@ Command random_command(const AppState& state, std::mt19937& random) {
     case 8:
       return MoveHandle{number(2), twisted(10.0 * number(50))};
     case 9:
-      return SetGrading{number(2), {.weight = 1.0 * number(3), .falloff = Transition{0.2}}};
+      return SetFalloff{number(2), {.weight = 1.0 * number(3), .transition = Transition{0.2}}};
     default:
       return Settle{handles_alone(state)};
   }

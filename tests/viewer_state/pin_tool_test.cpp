@@ -31,7 +31,7 @@ TEST_F(APin, HoldsTheVertexThatIsPressedAndIsDragged) {
   ASSERT_EQ(handles().size(), 1U);
   EXPECT_TRUE(is_pin(handles()[0]));
   EXPECT_EQ(handles()[0].vertices.front(), front_);
-  EXPECT_GT(handles()[0].grading.weight, 1.0) << "it goes where the hand does";
+  EXPECT_GT(handles()[0].falloff.weight, 1.0) << "it goes where the hand does";
   EXPECT_EQ(answer.holds, 0U);
   EXPECT_TRUE(answer.drags_held);
 }

@@ -447,7 +447,7 @@ TEST(Preparation, NothingChosenIsNothingToPrepare) {
 TEST(Preparation, FailureSaysWhy) {
   Preparation preparation(cpu_kernels);
   preparation.follow(apply(chosen_tube(), Paint{kHandle, {0}, {}}));
-  EXPECT_THAT(wait_for(preparation, Phase::failed).message, HasSubstr("leaves the roi"));
+  EXPECT_THAT(wait_for(preparation, Phase::failed).message, HasSubstr("extends beyond the ROI"));
 }
 
 TEST(Preparation, DeviceThatFailsIsAFailureToo) {

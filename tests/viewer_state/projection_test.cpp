@@ -18,7 +18,7 @@ std::vector<Projection> views() {
 TEST(Projection, RayThroughAPixelMeetsThePoint) {
   for (const Projection& view : views()) {
     const Vector3d point(0.3, -0.2, 0.4);
-    const SightLine ray = view.ray_through(*view.to_pixel(point));
+    const Ray ray = view.ray_through(*view.to_pixel(point));
     const Vector3d toward = point - ray.origin;
     EXPECT_GT(toward.dot(ray.direction), 0.0);
     EXPECT_LT(toward.cross(ray.direction).norm(), 1e-9);

@@ -5,7 +5,7 @@
 #include "lapwing/base/errors.h"
 #include "state/journal.h"
 #include "state/revision.h"
-#include "state/step_words.h"
+#include "state/step_text.h"
 #include "support/error_message.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_state/tube_edit.h"

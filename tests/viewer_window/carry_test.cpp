@@ -135,7 +135,7 @@ TEST_F(CarryingInAWindow, WhatIsCarriedFollowsTheHandAndIsSavedAsInARun) {
   CpuKernels kernels;
   const auto run = run_recipe(read_recipe(folder_ / "lean.json"), kernels);
   ASSERT_EQ(run->carried.size(), 2U);
-  for (const CarriedFile& file : run->carried) {
+  for (const AttachmentFile& file : run->carried) {
     const fs::path saved = file.target(folder_ / "leaning.obj");
     // A drag settles from what it has shown, to the tolerance of settling.
     EXPECT_LT(test::largest_distance(positions_in(saved), file.positions()), 1e-4) << saved;

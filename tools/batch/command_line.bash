@@ -5,7 +5,7 @@
 # the opening comment of SCRIPT. On an error it prints a message and exits with 2.
 
 wrong_usage() {
-  echo "$1 (--help says how)" >&2
+  echo "$1 (see --help)" >&2
   exit 2
 }
 
@@ -29,17 +29,17 @@ read_command_line() {
     options+=("$1")
     shift
   done
-  [ $# -gt 1 ] || wrong_usage "After -- come the arguments of lapwing batch: JOBS.jsonl -o DIR"
+  [ $# -gt 1 ] || wrong_usage "Give the arguments of lapwing batch after --: JOBS.jsonl -o DIR"
   shift
   batch=("$@")
   local argument
   for argument in "${batch[@]}"; do
     case $argument in
-      --shard | --shard=*) wrong_usage "Which shard is whose is said by N, not by $argument" ;;
+      --shard | --shard=*) wrong_usage "The script chooses the shards; remove $argument" ;;
     esac
   done
   lapwing=$(command -v "${LAPWING:-lapwing}") ||
-    wrong_usage "No program ${LAPWING:-lapwing}: put lapwing into PATH or its path into LAPWING"
+    wrong_usage "No program ${LAPWING:-lapwing}: add lapwing to PATH, or set LAPWING to its path"
   case $lapwing in
     /*) ;;
     *) lapwing=$PWD/$lapwing ;;
@@ -49,7 +49,7 @@ read_command_line() {
 # need PROGRAM PACKAGE
 need() {
   command -v "$1" >/dev/null || {
-    echo "There is no $1 here: install it (on Debian, apt-get install $2)" >&2
+    echo "The program $1 was not found: install it (on Debian, apt-get install $2)" >&2
     exit 1
   }
 }

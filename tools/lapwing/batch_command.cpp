@@ -31,7 +31,7 @@ Shard shard_of(const std::string& text) {
       std::sscanf(text.c_str(), "%zu/%zu%c", &shard.number, &shard.count, &beyond) == 2;
   if (!is_read || shard.number < 1 || shard.number > shard.count) {
     throw CLI::ValidationError("--shard",
-                               "expected K/N, as 2/8 is the second of eight, got " + text);
+                               "expected K/N, such as 2/8 for the second of eight, got " + text);
   }
   return shard;
 }
@@ -72,34 +72,35 @@ void BatchOptions::run() {
 
 void add_batch(CLI::App& app) {
   auto* command =
-      app.add_subcommand("batch", "carry out many edits: a recipe whose values vary, line by line");
+      app.add_subcommand("batch", "run many edits: a recipe whose values vary, line by line");
   auto options = std::make_shared<BatchOptions>();
   BatchRequest& request = options->request;
   command
       ->add_option("JOBS", request.jobs,
-                   R"(a job a line: {"id": NAME, "recipe": FILE, "set": {JSON POINTER: VALUE}})")
+                   R"(one job per line: {"id": ID, "recipe": FILE, "set": {JSON POINTER: VALUE}})")
       ->required();
   command
       ->add_option("-o,--output", request.folder,
-                   "the folder for what comes out, results.jsonl and failed.jsonl")
+                   "the folder for the results, results.jsonl and failed.jsonl")
       ->required();
-  command->add_option("--recipe", request.recipe, "of the jobs that name none");
+  command->add_option("--recipe", request.recipe, "the recipe of jobs that name none");
   command->add_flag("--resume", request.resume,
-                    "go on from what is in the folder, of all shards; what failed is tried again");
+                    "continue from the results of all shards in the folder; repeat failed jobs");
   command->add_option("--sandbox", request.sandbox,
-                      "refuse recipes that read or write outside of this folder");
+                      "refuse recipes that read or write outside this folder");
   command->add_option("--shard", options->shard,
-                      "K/N: the K-th of N parts of the jobs, for many machines");
+                      "K/N: run the K-th of N parts of the jobs, for several machines");
   auto* format = command
                      ->add_option("--format", request.output.extension,
-                                  "of the meshes; that of the recipe's \"save\" without it, or ply")
+                                  "format of the meshes; by default that of the recipe's "
+                                  "\"save\", or ply")
                      ->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "gltf"}));
   command
       ->add_option("--displacements", options->displacements,
-                   "write numpy arrays (n, 3) in place of meshes, beside one rest.ply")
+                   "write numpy arrays (n, 3) instead of meshes, and one rest.ply")
       ->check(CLI::IsMember({"float32", "float64"}))
       ->excludes(format);
-  command->add_option("--threads", request.threads, "all processors without it")
+  command->add_option("--threads", request.threads, "number of threads; by default all processors")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--quiet", options->quiet, "print errors only");
   command->callback([options] { options->run(); });

@@ -63,9 +63,10 @@ void BatchDisplay::finish(const BatchCount& count, const std::filesystem::path& 
   if (quiet_) return;
   std::fprintf(stderr, "%s%s\n", terminal_ ? "\r\033[K" : "", words_of(count).c_str());
   if (count.failed > 0) {
-    std::fprintf(stderr, "what failed, and why: %s\n", shown(folder / "failed*.jsonl").c_str());
+    std::fprintf(stderr, "failed jobs and their errors: %s\n",
+                 shown(folder / "failed*.jsonl").c_str());
   }
-  if (!count.is_complete()) std::fprintf(stderr, "go on with --resume\n");
+  if (!count.is_complete()) std::fprintf(stderr, "continue with --resume\n");
 }
 
 }  // namespace lapwing::cli

@@ -55,13 +55,14 @@ void check_mesh(const CheckArguments& arguments) {
 
 void add_check(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "check", "the mesh doctor: what is wrong with a mesh, and what that means for editing it");
+      "check", "the mesh doctor: the defects of a mesh, and what they mean for editing it");
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
-  command->add_option("--fix", arguments->fix, "write the mesh here with what can be repaired");
+  command->add_option("--fix", arguments->fix,
+                      "repair what can be repaired, and write the mesh here");
   command->add_flag("--self-intersections", arguments->self_intersections,
-                    "also look for faces that cut through others");
-  command->footer("Exits with 3 when the mesh has defects that make it impossible to edit there.");
+                    "also find faces that intersect others");
+  command->footer("Exits with 3 if the mesh has defects that prevent editing there.");
   command->callback([arguments] { check_mesh(*arguments); });
 }
 

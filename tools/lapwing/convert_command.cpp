@@ -31,7 +31,7 @@ void convert(const ConvertArguments& arguments) {
 
 void add_convert(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "convert", "from one mesh format to another; says what the new one cannot carry");
+      "convert", "convert a mesh to another format; reports what that cannot store");
   auto arguments = std::make_shared<ConvertArguments>();
   command->add_option("FROM", arguments->from, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("TO", arguments->to, "its extension names the format")->required();

@@ -32,22 +32,22 @@ VertexSet all_vertices(const Mesh& mesh) {
 }
 
 // Notes everything that prevents `lapwing transplant` from joining a piece without further options.
-void note_oddities(const Mesh& mesh, const std::string& path) {
+void note_obstacles(const Mesh& mesh, const std::string& path) {
   const DiskReport report = report_disk(region_triangles(all_vertices(mesh), mesh.topology()));
   const auto note = [&](const std::string& text) { cli::note(path + " " + text); };
   if (report.pieces.size() > 1) {
     note("is in " + std::to_string(report.pieces.size()) + " pieces");
   }
-  if (report.loops.empty()) note("has no boundary loop, so that it cannot be joined to a mesh");
-  if (report.loops.size() > 1) note("has several boundary loops, of which a part is joined at one");
+  if (report.loops.empty()) note("has no boundary loop, so it cannot be joined to a mesh");
+  if (report.loops.size() > 1) note("has several boundary loops; a part is joined at one of them");
   if (!report.pinched.empty()) note("touches itself at " + name_vertices(report.pinched));
-  if (!report.crowded_edges.empty()) note("has edges with more than two triangles");
+  if (!report.non_manifold_edges.empty()) note("has edges with more than two triangles");
   if (!report.turned_edges.empty()) note("has edges whose triangles face opposite ways");
 }
 
 void describe_piece(const CutPiece& piece, const std::string& path, bool quiet) {
   const Topology& topology = piece.mesh.topology();
-  note_oddities(piece.mesh, path);
+  note_obstacles(piece.mesh, path);
   if (quiet) return;
   std::printf("%s: %zu vertices, %zu faces\n", shown(path).c_str(), piece.mesh.vertex_count(),
               piece.mesh.face_count());
@@ -85,13 +85,13 @@ void cut(const CutArguments& a) {
 
 void add_cut(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "cut", "cut a part out of a mesh, to be put on another one: the polygons inside a region");
+      "cut", "cut a part out of a mesh, for transplanting: the polygons inside a region");
   auto a = std::make_shared<CutArguments>();
   command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("--region", a->region, kRegionHelp)->required();
   command->add_option("-o,--output", a->part, "the part; its extension names the format")
       ->required();
-  command->add_option("--rest", a->rest, "what is left of the mesh around the hole");
+  command->add_option("--rest", a->rest, "the rest of the mesh, around the hole");
   command->add_flag("--quiet", a->quiet, "print errors and notes only");
   command->callback([a] { cut(*a); });
 }

@@ -48,8 +48,8 @@ void print_certificate(const Certificate& c, double diagonal) {
 void print_source(const CoatSourceReport& source) {
   std::printf("  coating from %zu vertices, scale %.3f", source.vertices, source.mean_scale);
   for (std::size_t p = 0; p < source.pins.size(); ++p) {
-    std::printf("%s[%u, %u]", p == 0 ? ",\n  borders laid on each other at " : ", ",
-                source.pins[p][0], source.pins[p][1]);
+    std::printf("%s[%u, %u]", p == 0 ? ",\n  boundaries aligned at " : ", ", source.pins[p][0],
+                source.pins[p][1]);
   }
   std::printf("\n  flipped in the domain: %zu triangles of the source, %zu of the target\n",
               source.flipped_source, source.flipped_target);
@@ -95,7 +95,7 @@ void print_summary(const RunReport& report) {
     if (step.coat) print_coat(*step.coat, step.roi, diagonal);
     if (step.transplant) print_transplant(*step.transplant, diagonal);
     if (step.peel) {
-      std::printf("  coating %.3g in the mean, %.3g at most\n", step.peel->mean_coating,
+      std::printf("  coating %.3g on average, %.3g at most\n", step.peel->mean_coating,
                   step.peel->largest_coating);
     }
   }
@@ -104,7 +104,7 @@ void print_summary(const RunReport& report) {
 
 void print_written(const RunResult& result, const std::filesystem::path& target) {
   std::printf("wrote %s\n", shown(target.lexically_normal()).c_str());
-  for (const CarriedFile& file : result.carried) {
+  for (const AttachmentFile& file : result.carried) {
     std::printf("wrote %s\n", shown(file.target(target).lexically_normal()).c_str());
   }
 }
@@ -116,20 +116,20 @@ void EditOutput::add_to(CLI::App& command) {
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   command.add_option("--save", save, "write the edited mesh here");
   command.add_flag("--vertex-motion", vertex_motion,
-                   "with how each vertex moved in all, as properties of the saved PLY: dx, dy, dz, "
-                   "the rotation qw, qx, qy, qz, and stretch");
+                   "save the total motion of each vertex as properties of the PLY: dx, dy, dz, the "
+                   "rotation qw, qx, qy, qz, and stretch");
   auto* reported = command.add_option("--report", report,
                                       "write device, sizes, timings and certificates as JSON");
   command
       .add_flag("--report-vertices", report_vertices,
-                "with displacement, rotation, detail error and stretch of every vertex of the "
-                "regions")
+                "add displacement, rotation, detail error and stretch of every vertex of the "
+                "regions to the report")
       ->needs(reported);
   command.add_option("--render", render, "write a picture of the result (PNG)");
   command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
   command
       .add_option("--color", color,
-                  "what the pictures show; regions are laid over the colours of the mesh's file")
+                  "what the pictures show; regions are drawn over the colours of the mesh's file")
       ->check(CLI::IsMember(colors))
       ->capture_default_str();
   command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
@@ -137,12 +137,12 @@ void EditOutput::add_to(CLI::App& command) {
   command
       .add_option(
           "--frames", frames,
-          "where drag frames and settling run: auto takes the processor for a software device")
+          "where drag frames and settling run: auto uses the processor for a software device")
       ->check(CLI::IsMember({"auto", "device"}))
       ->capture_default_str();
   command.add_flag("--strict", strict,
-                   "exit 4 if a step is not settled, flips triangles or stretches an edge far; "
-                   "files are written all the same");
+                   "exit with 4 if a step is not settled, flips triangles or stretches an edge "
+                   "far; files are still written");
   command.add_flag("--quiet", quiet, "print errors only");
   picture.add_to(command);
 }
@@ -151,8 +151,8 @@ void EditOutput::require_place_for_motion(const std::filesystem::path& target) c
   if (!vertex_motion || (!target.empty() && format_of(target) == MeshFormat::ply)) return;
   throw CLI::ValidationError(
       "--vertex-motion",
-      (target.empty() ? "nothing is saved" : target.string() + " has no place for it") +
-          std::string("; --save a .ply"));
+      (target.empty() ? "nothing is saved" : target.string() + " cannot store it") +
+          std::string("; use --save with a .ply file"));
 }
 
 void EditOutput::require_places(const Recipe& recipe, const std::filesystem::path& target,
@@ -203,7 +203,7 @@ void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_f
     if (!target.empty()) print_written(*result, target);
   }
   if (!no_pictures.empty()) {
-    say("no picture was drawn; all else that was asked for is written: " + no_pictures);
+    say("no picture was drawn, but all other files are written: " + no_pictures);
     throw ExitWith{kDevice};
   }
   const auto& steps = result->report.steps;

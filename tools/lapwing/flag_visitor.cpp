@@ -39,8 +39,8 @@ std::vector<double> property(const std::string& flag, const std::string& mesh,
   for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {
     if (extra.name == name && extra.components == 1) return extra.values;
   }
-  throw InputError(flag + ": " + mesh + " has no vertex property \"" + name +
-                   "\" of one number; PLY files hold such");
+  throw InputError(flag + ": " + mesh + " has no scalar vertex property \"" + name +
+                   "\"; use a PLY file that has one");
 }
 
 struct HandleFlags {
@@ -54,22 +54,22 @@ struct HandleFlags {
   void add_orientation(CLI::App& command, CLI::Option& handle) {
     command
         .add_option("--orientation", orientation,
-                    "of the handle: kept as the move says, or free to turn as the surface wants")
+                    "of the handle: kept as its move sets it, or free to follow the surface")
         ->check(CLI::IsMember({"kept", "free"}))
         ->capture_default_str()
         ->needs(&handle);
   }
-  void add_grading(CLI::App& command, CLI::Option& handle) {
+  void add_falloff(CLI::App& command, CLI::Option& handle) {
     auto* width = command.add_option("--falloff", falloff,
-                                     "length beyond the handle over which its hold fades");
+                                     "length beyond the handle over which its weight fades");
     width->check(CLI::PositiveNumber)->needs(&handle);
-    command.add_option("--falloff-profile", profile, "of the falloff")
+    command.add_option("--falloff-profile", profile, "profile of the falloff")
         ->check(CLI::IsMember({"smooth", "linear"}))
         ->capture_default_str()
         ->needs(width);
     command
         .add_option("--handle-field", field,
-                    "vertex property of MESH that says how firmly the handle holds, 0 to 1")
+                    "vertex property of MESH with the weight of the handle, 0 to 1")
         ->needs(&handle)
         ->excludes(width);
   }
@@ -92,19 +92,20 @@ struct WeightFlags {
   void add_to(CLI::App& command) {
     auto* ramp = command
                      .add_option("--domain-v", domain_v,
-                                 "A,B: the second source's share goes from 0 to 1 between these v "
-                                 "of the square domain")
+                                 "A,B: the second source's share goes from 0 to 1 between these "
+                                 "values of v in the square domain")
                      ->delimiter(',')
                      ->expected(2);
     auto* distance = command.add_option(
         "--distance-to", distance_to,
-        std::string("all of the second source here, none --width away: ") + kRegionHelp);
-    command.add_option("--width", width, "length, for --distance-to; 0: a step")
+        std::string("region of the second source; its share is 0 at --width from it: ") +
+            kRegionHelp);
+    command.add_option("--width", width, "length, for --distance-to; 0 is a step")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str()
         ->needs(distance);
     auto* painted = command.add_option(
-        "--field", field, "vertex property of MESH that is the second source's share, 0 to 1");
+        "--field", field, "vertex property of MESH with the second source's share, 0 to 1");
     ramp->excludes(distance)->excludes(painted);
     distance->excludes(painted);
   }
@@ -128,9 +129,11 @@ struct PlaceFlags {
   void add_to(CLI::App& command) {
     move.add_to(command, "the part", "the centre of its loop");
     command.add_option("--fit-rotate", degrees,
-                       "DEGREES about the hole's normal, after the part was fitted to the hole by "
-                       "itself, as it is without a motion");
-    command.add_option("--fit-scale", scale, "likewise, about the hole's centre")
+                       "fit the part to the hole, then rotate it by DEGREES about the hole's "
+                       "normal");
+    command
+        .add_option("--fit-scale", scale,
+                    "fit the part to the hole, then scale it about the hole's centre")
         ->check(CLI::PositiveNumber);
     command.add_flag("--keep-size", keep_size, "fit the part without scaling it");
   }
@@ -239,7 +242,7 @@ void FlagVisitor::region(const StepKey& key, RegionSpec&) {
 }
 
 void FlagVisitor::belt(const StepKey& key, BeltSpec& value) {
-  const auto* border = std::get_if<BorderBelt>(&value);
+  const auto* border = std::get_if<BoundaryAnchors>(&value);
   add_region(key, std::string(key.help) + ": fraction:F | " + kRegionHelp,
              border == nullptr ? "" : "fraction:" + digits(border->fraction));
 }
@@ -247,10 +250,10 @@ void FlagVisitor::belt(const StepKey& key, BeltSpec& value) {
 void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm form) {
   auto flags = std::make_shared<HandleFlags>();
   auto* option = command_.add_option("--handle", flags->region,
-                                     std::string("the part that is placed: ") + kRegionHelp);
+                                     std::string("the part that you move: ") + kRegionHelp);
   flags->move.add_to(command_, "the handle", "the handle's centroid");
   if (form == HandleForm::graded) {
-    flags->add_grading(command_, *option);
+    flags->add_falloff(command_, *option);
     flags->add_orientation(command_, *option);
   }
   finish(key, option);
@@ -289,7 +292,7 @@ void FlagVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
 
 void FlagVisitor::carry(const StepKey& key, std::vector<CarrySpec>&) {
   auto files = std::make_shared<std::vector<std::string>>();
-  command_.add_option(flag(key), *files, "FILE, again for each: " + help_of(key))
+  command_.add_option(flag(key), *files, "FILE, repeated for each: " + help_of(key))
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
@@ -334,8 +337,8 @@ void FlagVisitor::part(const StepKey& key, std::filesystem::path&, std::optional
   };
   auto part = std::make_shared<PartFlags>();
   command_.add_option("--part", part->mesh,
-                      "a mesh with a boundary loop; with --part-region any mesh, MESH itself if "
-                      "not given");
+                      "a mesh with a boundary loop; with --part-region any mesh, by default MESH "
+                      "itself");
   command_.add_option("--part-region", part->region, kRegionHelp);
   draft_->at_end.emplace_back([part, place = place_of(key)](Json& step, const StepFlags& flags) {
     Json json;

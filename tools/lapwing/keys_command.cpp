@@ -15,7 +15,7 @@ void add_keys(CLI::App& app) {
   auto wanted = std::make_shared<std::string>();
   std::vector<std::string> names;
   for (const Operation& operation : operations()) names.emplace_back(operation.name);
-  command->add_option("OPERATION", *wanted, "which step; all of them if not given")
+  command->add_option("OPERATION", *wanted, "the step; by default all of them")
       ->check(CLI::IsMember(names));
   command->callback([wanted] {
     bool first = true;

@@ -63,7 +63,7 @@ int run(CLI::App& app, int argc, char** argv) {
     say(kOutOfMemory);
     return kSolver;
   } catch (const std::exception& error) {
-    say(std::string("a fault of the program: ") + error.what() + "; please report it");
+    say(std::string("a bug in the program: ") + error.what() + "; please report it");
     return kFault;
   }
 }
@@ -85,7 +85,7 @@ int run(CLI::App& app, int argc, char** argv) {
 int with_output(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
   say(std::string("cannot write to standard output: ") + std::strerror(errno) +
-      "; files that were named are written");
+      "; all other files are written");
   return code == kDone ? kFile : code;
 }
 
@@ -99,9 +99,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", LAPWING_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, 1 a fault of the program, 2 usage, 3 mesh or recipe, 4 solver (or\n"
+      "Exit codes: 0 done, 1 a bug in the program, 2 usage, 3 mesh or recipe, 4 solver (or\n"
       "--strict), 5 device, 6 file, 130 cancelled (Ctrl+C), 143 ended by a signal.\n"
-      "`lapwing COMMAND --help` tells what a command takes.");
+      "`lapwing COMMAND --help` lists the options of a command.");
   lapwing::cli::add_run(app);
   lapwing::cli::add_batch(app);
   lapwing::cli::add_steps(app);

@@ -10,13 +10,13 @@ void MoveFlags::add_to(CLI::App& command, const std::string& what,
   command.add_option("--rotate", rotate, "AXIS_X,AXIS_Y,AXIS_Z,DEGREES")
       ->delimiter(',')
       ->expected(4);
-  command.add_option("--scale", scale, "S or X,Y,Z; of " + what + " about its pivot")
+  command.add_option("--scale", scale, "S or X,Y,Z; scale " + what + " about its pivot")
       ->delimiter(',')
       ->expected(1, 3);
   command.add_option("--pivot", pivot, "X,Y,Z; " + default_pivot + " if not given")
       ->delimiter(',')
       ->expected(3);
-  command.add_option("--matrix", matrix, "12 or 16 numbers by rows, in place of the above")
+  command.add_option("--matrix", matrix, "12 or 16 numbers by rows, instead of the options above")
       ->delimiter(',')
       ->expected(12, 16);
 }

@@ -28,7 +28,7 @@ void OutputFiles::writes_picture(const std::string& name, const fs::path& path) 
   const std::string ending = path.extension().string();
   if (!path.empty() && ending != ".png" && ending != ".PNG") {
     throw CLI::ValidationError(
-        name, printable(path.string() + " would be a PNG picture; end its name in .png"));
+        name, printable(path.string() + " is not named as a PNG picture; end its name in .png"));
   }
   add(name, path, false);
 }
@@ -41,10 +41,10 @@ void OutputFiles::add(const std::string& name, const fs::path& path, bool is_mes
   };
   for (const File& other : read_) {
     if (is_mesh && other.is_replaceable) continue;
-    if (is_same_file(other.path, path)) refuse("what is read as " + other.name);
+    if (is_same_file(other.path, path)) refuse("also read as " + other.name);
   }
   for (const File& other : written_) {
-    if (is_same_file(other.path, path)) refuse("where " + other.name + " goes");
+    if (is_same_file(other.path, path)) refuse("also written as " + other.name);
   }
   require_replaceable(path);
   written_.push_back({name, path, false});

@@ -41,7 +41,7 @@ void print(const Parameterized& result) {
   std::printf("patch    %zu vertices, %zu triangles, %zu on the boundary\n", patch.size(),
               patch.triangles.size(), patch.loop.size());
   if (!patch.midpoint_of.empty()) {
-    std::printf("halved   %zu edges that join boundary vertices through the inside\n",
+    std::printf("halved   %zu inner edges between two boundary vertices\n",
                 patch.midpoint_of.size());
   }
   std::printf("pins    %s\n", pins.c_str());
@@ -85,11 +85,11 @@ void parameterize_mesh(const ParameterizeArguments& arguments) {
 
 void add_parameterize(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "parameterize", "lays a region that is a disk into the plane, by mean value coordinates");
+      "parameterize", "map a region that is a disk to the plane by mean value coordinates");
   auto arguments = std::make_shared<ParameterizeArguments>();
   command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("--region", arguments->region, kRegionHelp)->capture_default_str();
-  command->add_option("--domain", arguments->domain, "what its boundary is laid along")
+  command->add_option("--domain", arguments->domain, "the shape that its boundary is mapped to")
       ->check(CLI::IsMember({"disk", "square"}))
       ->capture_default_str();
   command
@@ -98,9 +98,9 @@ void add_parameterize(CLI::App& app) {
                    "corners, counterclockwise from the lower left")
       ->delimiter(',');
   command->add_option("-o,--output", arguments->output,
-                      "the mesh with the patch's places as texture coordinates");
+                      "the mesh with the map as texture coordinates");
   command->add_option("--picture", arguments->picture, "PNG of the triangles in the plane");
-  command->add_option("--size", arguments->size, "of the picture, in pixels")
+  command->add_option("--size", arguments->size, "size of the picture, in pixels")
       ->check(CLI::Range(64, 8192))
       ->capture_default_str();
   command->callback([arguments] { parameterize_mesh(*arguments); });

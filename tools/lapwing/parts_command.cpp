@@ -39,7 +39,7 @@ class Thumbnails {
     try {
       if (!picture_may_be_written(part.mesh_path)) {
         note(picture_path(part.mesh_path).string() +
-             " is no picture that was made here, and stays; the part is without one");
+             " was not made by Lapwing and is kept; the part has no picture");
         return;
       }
       if (!context_) context_ = std::make_shared<gpu::Context>(gpu::ContextOptions{device_});
@@ -86,8 +86,8 @@ void add(const PartsArguments& a) {
   print_notes(added.report);
   print(added.part);
   if (added.part.loops.size() > 1 && !a.loop) {
-    note("of the " + std::to_string(added.part.loops.size()) +
-         " boundary loops the longest is where the part is joined; --loop names another");
+    note("the part has " + std::to_string(added.part.loops.size()) +
+         " boundary loops and is joined at the longest; choose another with --loop");
   }
   Thumbnails(a).renew(added.part);
 }
@@ -123,22 +123,22 @@ void add_parts(CLI::App& app) {
   auto a = std::make_shared<PartsArguments>();
 
   auto* list_command = subcommand(
-      *parts, *a, "list", "the parts in a folder: meshes with a boundary loop; renews NAME.png");
-  list_command->add_flag("--no-pictures", a->no_pictures, "leave the pictures as they are");
+      *parts, *a, "list", "the parts in a folder: meshes with a boundary loop; updates NAME.png");
+  list_command->add_flag("--no-pictures", a->no_pictures, "do not draw pictures");
   list_command->callback([a] { list(*a); });
 
   auto* add_command = subcommand(*parts, *a, "add", "copy a mesh into the folder as a part");
   add_command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF with a boundary loop")->required();
-  add_command->add_option("--name", a->name, "of the part; the mesh file's when not given");
+  add_command->add_option("--name", a->name, "name of the part; by default that of the mesh file");
   add_command->add_option("--loop", a->loop,
-                          "number of the boundary loop it is joined at; the longest by default");
-  add_command->add_flag("--no-pictures", a->no_pictures, "without a picture");
+                          "number of the boundary loop to join; by default the longest");
+  add_command->add_flag("--no-pictures", a->no_pictures, "do not draw a picture");
   add_command->callback([a] { add(*a); });
 
   auto* show_command = subcommand(*parts, *a, "show", "one part, and a picture of it");
-  show_command->add_option("NAME", a->name, "of the part")->required();
+  show_command->add_option("NAME", a->name, "name of the part")->required();
   show_command->add_option("-o,--output", a->picture, "PNG");
-  show_command->add_option("--size", a->side, "of the picture, in pixels")
+  show_command->add_option("--size", a->side, "size of the picture, in pixels")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
   show_command->callback([a] { show(*a); });

@@ -53,7 +53,7 @@ void peel_mesh(const PeelArguments& a) {
   const Peeled peeled = peel(mesh, request);
   print_notes(write_mesh(carrying(a.coating, mesh, request, peeled), a.output));
   // The only warning says that nothing moved, as does this line.
-  std::printf("%s: %zu of %zu vertices smoothed; coating %.3g in the mean, %.3g at most\n",
+  std::printf("%s: %zu of %zu vertices smoothed; coating %.3g on average, %.3g at most\n",
               shown(a.output).c_str(), peeled.moved.size(), mesh.vertex_count(),
               peeled.mean_coating, peeled.largest_coating);
 }
@@ -62,12 +62,12 @@ void peel_mesh(const PeelArguments& a) {
 
 void add_peel(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "peel", "take the fine detail off a surface: writes the smooth mesh, with what came off");
+      "peel", "take the fine detail off a surface: writes the smooth mesh and the coating");
   auto a = std::make_shared<PeelArguments>();
   command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command
       ->add_option("-o,--output", a->output,
-                   "the smooth mesh; PLY carries the coating along, by vertex")
+                   "the smooth mesh; PLY also stores the coating of each vertex")
       ->required();
   command
       ->add_option("--detail-size", a->detail_size,
@@ -80,7 +80,7 @@ void add_peel(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--coating", a->coating,
-                   "what to carry: coating_x, _y, _z from the smooth surface to the mesh, "
+                   "what to store: coating_x, _y, _z from the smooth surface to the mesh, "
                    "coating_height along its normals, or coating_x, _y, _z of the Laplacians")
       ->check(CLI::IsMember({"displacement", "height", "laplacians", "none"}))
       ->capture_default_str();

@@ -14,7 +14,7 @@ void parse_size(const std::string& text, PictureRequest& request) {
     const auto height = std::from_chars(width.ptr + 1, end, request.height);
     if (height.ec == std::errc() && height.ptr == end) return;
   }
-  throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, as in 1280x960, got " + text);
+  throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, such as 1280x960, got " + text);
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ void parse_size(const std::string& text, PictureRequest& request) {
 void PictureOptions::add_to(CLI::App& command) {
   const std::string group = "Picture";
   command.add_option("--size", size, "WIDTHxHEIGHT in pixels")->group(group)->capture_default_str();
-  auto* named = command.add_option("--view", view, "where the picture is taken from");
+  auto* named = command.add_option("--view", view, "the side from which the picture is taken");
   named->check(CLI::IsMember({"three-quarter", "front", "back", "left", "right", "top", "bottom"}))
       ->group(group)
       ->capture_default_str();

@@ -20,7 +20,8 @@ RegionSpec region_spec(const std::string& flag, const std::string& text);
 inline constexpr const char* kRegionHelp =
     "all | 3,17,256 | disk:VERTEX,RADIUS | near:X,Y,Z,RADIUS | box:X,Y,Z,X,Y,Z | recipe JSON";
 
-/// The same for a mirror: auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z.
+/// Returns the recipe's JSON for a mirror plane: auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z.
+/// Throws CLI::ValidationError naming `flag`.
 nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& text);
 
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";

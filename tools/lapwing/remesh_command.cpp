@@ -58,20 +58,19 @@ void add_remesh(CLI::App& app) {
   command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("-o,--output", a->output, "its extension names the format")->required();
   command->add_option("--region", a->region, kRegionHelp)->capture_default_str();
-  auto* length = command->add_option("--length", a->request.length, "wanted edge length")
+  auto* length = command->add_option("--length", a->request.length, "target edge length")
                      ->check(CLI::PositiveNumber);
   command
-      ->add_option("--scale", a->request.scale, "wanted edge length, in mean edges of the region")
+      ->add_option("--scale", a->request.scale, "target edge length, in mean edges of the region")
       ->check(CLI::PositiveNumber)
       ->excludes(length)
       ->capture_default_str();
-  command
-      ->add_option("--iterations", a->request.options.iterations, "rounds of splitting to relaxing")
+  command->add_option("--iterations", a->request.options.iterations, "number of remeshing rounds")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command
       ->add_option("--feature-angle", a->request.options.feature_angle_degrees,
-                   "degrees between two faces from which their edge is kept")
+                   "keep edges whose faces meet at this angle or more, in degrees")
       ->check(CLI::Range(0.0, 180.0))
       ->capture_default_str();
   command->add_flag("--quiet", a->quiet, "print errors and notes only");

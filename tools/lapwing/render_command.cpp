@@ -36,7 +36,7 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
   Mesh rest = read_mesh(path);
   if (rest.vertex_count() != mesh.vertex_count()) {
     throw InputError(path + " has " + std::to_string(rest.vertex_count()) +
-                     " vertices and the mesh to draw " + std::to_string(mesh.vertex_count()) +
+                     " vertices, but the mesh to draw has " + std::to_string(mesh.vertex_count()) +
                      "; --rest needs another pose of the same mesh");
   }
   return rest;
@@ -51,7 +51,8 @@ std::string color_of(const RenderArguments& arguments) {
     throw CLI::ValidationError("--color", arguments.color + " is a difference; it needs --rest");
   }
   if (!compares && has_rest) {
-    throw CLI::ValidationError("--rest", "--color " + arguments.color + " shows no difference");
+    throw CLI::ValidationError(
+        "--rest", "--color " + arguments.color + " shows no difference; remove one of the two");
   }
   return arguments.color;
 }
@@ -117,7 +118,7 @@ void add_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command
-      ->add_option("-o,--output", arguments->image, "PNG; of a turntable also .mp4, .webm or .gif")
+      ->add_option("-o,--output", arguments->image, "PNG; for a turntable also .mp4, .webm or .gif")
       ->required();
   command->add_option("--rest", arguments->rest,
                       "colour by the difference from this pose of the same mesh");
@@ -125,8 +126,8 @@ void add_render(CLI::App& app) {
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   command
       ->add_option("--color", arguments->color,
-                   "the file's own (textures, materials, vertex and face colours), clay, or which "
-                   "difference; displacement with --rest, else file")
+                   "the colours of the file (textures, materials, vertex and face colours), plain "
+                   "clay, or a difference; by default displacement with --rest, else file")
       ->check(CLI::IsMember(colors));
   command->add_option("--device", arguments->device, "auto, an index or a part of a name")
       ->capture_default_str();

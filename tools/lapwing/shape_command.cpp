@@ -23,7 +23,9 @@ void add_shape(CLI::App& app) {
   auto* command = app.add_subcommand("shape", "write a generated mesh, to try things on");
   auto shape = std::make_shared<std::string>();
   auto path = std::make_shared<std::string>();
-  command->add_option("SHAPE", *shape, "which")->required()->check(CLI::IsMember(shapes_by_name()));
+  command->add_option("SHAPE", *shape, "name of the shape")
+      ->required()
+      ->check(CLI::IsMember(shapes_by_name()));
   command->add_option("-o,--output", *path, "OBJ, OFF, PLY, STL or glTF")->required();
   command->callback([shape, path] { write_mesh(shapes_by_name().at(*shape)(), *path); });
 }

@@ -23,7 +23,7 @@ void add_step(CLI::App& app, const Operation& operation) {
   auto* command = app.add_subcommand(name, std::string(operation.help) + ", by flags");
   auto a = std::make_shared<StepArguments>();
   a->draft->json["op"] = name;
-  command->add_option("MESH", a->mesh, "what is edited: OBJ, OFF, PLY, STL or glTF")->required();
+  command->add_option("MESH", a->mesh, "the mesh to edit: OBJ, OFF, PLY, STL or glTF")->required();
   FlagVisitor flags(*command, a->draft);
   Step step = operation.step;
   describe(step, flags);

@@ -41,11 +41,11 @@ void add_subdivide(CLI::App& app) {
       ->add_option("-o,--output", arguments->output,
                    "positions and triangles only; its extension names the format")
       ->required();
-  command->add_option("--times", arguments->times, "how often")
+  command->add_option("--times", arguments->times, "number of subdivisions")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
   command->add_flag("--smooth", arguments->smooth,
-                    "round the shape off by Loop's scheme; without it the shape stays");
+                    "smooth the shape by Loop's scheme; by default the shape stays the same");
   command->callback([arguments] { subdivide_mesh(*arguments); });
 }
 

@@ -17,10 +17,10 @@ void TurntableOptions::add_to(CLI::App& command) {
   const std::string group = "Turntable";
   auto* turntable = command.add_option(
       "--turntable", count,
-      "so many pictures, once around the upward axis: NAME-0001.png and on, or a video where the "
-      "output ends in .mp4, .webm or .gif, by the program ffmpeg");
+      "number of pictures, once around the upward axis: NAME-0001.png and so on, or a video by "
+      "ffmpeg if the output ends in .mp4, .webm or .gif");
   turntable->check(CLI::PositiveNumber)->group(group);
-  command.add_option("--fps", per_second, "pictures of a video in a second")
+  command.add_option("--fps", per_second, "pictures per second of a video")
       ->check(CLI::Range(0.1, 240.0))
       ->needs(turntable)
       ->group(group)
@@ -31,8 +31,8 @@ void TurntableOptions::check(const std::string& output) const {
   if (count > 0) return check_frames_name(output);
   if (is_video(output)) {
     throw CLI::ValidationError("--output", output +
-                                               " is a video: say with --turntable of how many "
-                                               "pictures, or end the name in .png");
+                                               " is a video; give its number of pictures with "
+                                               "--turntable, or end the name in .png");
   }
 }
 

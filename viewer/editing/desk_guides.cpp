@@ -3,13 +3,13 @@
 namespace lapwing::viewer {
 namespace {
 
-bool has_patch(const LayerDesk& desk, std::size_t k) {
+bool has_patch(const DetailTransferTool& desk, std::size_t k) {
   const auto* listed = std::get_if<ListedVertices>(&desk.draft().sources[k].patch.form);
   return listed == nullptr || !listed->vertices.empty();
 }
 
-const char* what_to_do(const LayerDesk& desk, const Editor& editor, bool has_target) {
-  if (desk.picking() != LayerDesk::Picking::none) {
+const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, bool has_target) {
+  if (desk.picking() != DetailTransferTool::Picking::none) {
     return desk.picked_source()   ? "click the same place on the target; K ends picking"
            : desk.picked_target() ? "click the same place on the source; K ends picking"
                                   : "click the same place on source and target; K ends picking";
@@ -30,7 +30,7 @@ const char* what_to_do(const LayerDesk& desk, const Editor& editor, bool has_tar
   return "Ctrl+Enter applies it; the sliders change it, K picks corresponding points";
 }
 
-Guide guide_of_layers(const LayerDesk& desk, const Editor& editor) {
+Guide guide_of_layers(const DetailTransferTool& desk, const Editor& editor) {
   const bool has_target = !editor.state().selection.roi.vertices.empty() || desk.taken_up();
   Guide guide;
   guide.count = 0;
@@ -65,7 +65,8 @@ Guide guide_of_transplant(const TransplantDesk& desk, const Editor& editor) {
 
 }  // namespace
 
-Guide guide_of(const LayerDesk& layers, const TransplantDesk& transplant, const Editor& editor) {
+Guide guide_of(const DetailTransferTool& layers, const TransplantDesk& transplant,
+               const Editor& editor) {
   if (transplant.is_open()) return guide_of_transplant(transplant, editor);
   if (layers.is_open()) return guide_of_layers(layers, editor);
   const bool moves = editor.has_in_hand(editor.gizmo_tool());

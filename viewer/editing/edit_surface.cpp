@@ -31,7 +31,7 @@ std::vector<VertexClass> classes_of(const AppState& state) {
     handles.push_back(fully_held(handle));
     mark(handles.back(), VertexClass::handle);
   }
-  draw_graded(graded_vertices(selection, *surface_of(state)), handles, classes);
+  draw_graded(falloff_vertices(selection, *surface_of(state)), handles, classes);
   return classes;
 }
 

@@ -36,7 +36,7 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
                std::function<void()> wake)
     : say_(std::move(say)),
       shown_(opened_surface(start), {start.colors, start.opened}),
-      carry_follower_(wake) {
+      attachment_follower_(wake) {
   session_ = start.restored
                  ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
                                                  start.journals, kernels_like(context),
@@ -64,7 +64,7 @@ void Editor::release_device() {
   tools_.gizmo = {};
   tools_.gizmo.set_choices(choices);
   session_->cancel_preparation();
-  carry_follower_.cancel();
+  attachment_follower_.cancel();
   carried_.release_device();
   shown_.release_device();
 }

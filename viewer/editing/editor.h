@@ -10,7 +10,7 @@
 #include "editing/shown_surface.h"
 #include "editing/tool_table.h"
 #include "state/message.h"
-#include "work/carry_follower.h"
+#include "work/attachment_follower.h"
 #include "work/certificate_words.h"
 #include "work/edit_session.h"
 
@@ -158,7 +158,7 @@ class Editor {
 
   const EditSurface& surface() const { return shown_.device(); }
   /// The carried objects. In a drag they lag a frame or two behind, because their places are
-  /// computed in the background (CarryFollower).
+  /// computed in the background (AttachmentFollower).
   const ShownCarried& carried() const { return carried_; }
   /// As in ShownSurface.
   const Positions& positions() const { return shown_.positions(); }
@@ -173,7 +173,7 @@ class Editor {
   ToolScene scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   bool pick_pivot(const InputEvent& event, const ViewFrame& view);
-  std::optional<SurfacePoint> pick_beside_roi(const SightLine& ray) const;
+  std::optional<SurfacePoint> pick_beside_roi(const Ray& ray) const;
   void return_to_triangles_of_state();
   Handled act_on(const ToolAnswer& answer, Joining joining);
   Handled act_on(const ToolAnswer& answer, Joining joining, bool may_change);
@@ -187,7 +187,7 @@ class Editor {
   bool begins_elsewhere(const Command& command) const;
   bool postpones(const InputEvent& event, const ViewFrame& view);
   bool postpones(const ToolAnswer& answer, const InputEvent& event, const ViewFrame& view);
-  void take_up_postponed();
+  void run_postponed();
   void give_up_postponed();
   void state_changed(bool by_result = false);
   std::size_t handle_count() const { return state().selection.handles.size(); }
@@ -199,7 +199,7 @@ class Editor {
   void turn_free_handles();
   Eigen::Affine3d pose_map(std::size_t handle) const;
   Eigen::Vector3d centroid_of(std::size_t handle) const;
-  void stay_near_pose();
+  void limit_lead();
   void settle_live();
   void follow_carried();
   void show_carried();
@@ -208,7 +208,7 @@ class Editor {
   Say say_;
   ShownSurface shown_;
   ShownCarried carried_;
-  CarryFollower carry_follower_;
+  AttachmentFollower attachment_follower_;
   std::unique_ptr<EditSession> session_;
 
   Tools tools_;

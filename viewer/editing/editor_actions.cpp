@@ -83,8 +83,8 @@ bool perform_on(Editor& editor, Action action) {
   }
 }
 
-bool perform_on(LayerDesk& desk, Editor& editor, Action action) {
-  using Picking = LayerDesk::Picking;
+bool perform_on(DetailTransferTool& desk, Editor& editor, Action action) {
+  using Picking = DetailTransferTool::Picking;
   switch (action) {
     case Action::begin_coat:
       desk.begin(editor, LayerDraft::Operation::coat);

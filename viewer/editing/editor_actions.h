@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editing/layer_desk.h"
+#include "editing/detail_transfer_tool.h"
 #include "navigation/keymap.h"
 
 namespace lapwing::viewer {
@@ -9,6 +9,6 @@ namespace lapwing::viewer {
 /// panels.
 bool perform_on(Editor& editor, Action action);
 /// The same for a coat or mix in progress.
-bool perform_on(LayerDesk& desk, Editor& editor, Action action);
+bool perform_on(DetailTransferTool& desk, Editor& editor, Action action);
 
 }  // namespace lapwing::viewer

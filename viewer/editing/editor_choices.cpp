@@ -138,7 +138,7 @@ bool Editor::postpones(const ToolAnswer& answer, const InputEvent& event, const 
   return true;
 }
 
-void Editor::take_up_postponed() {
+void Editor::run_postponed() {
   if (postponed_.empty() || session_->awaits_result()) return;
   postpones_drag_ = false;
   say_("");

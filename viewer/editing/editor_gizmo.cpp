@@ -55,7 +55,7 @@ bool Editor::pick_pivot(const InputEvent& event, const ViewFrame& view) {
 }
 
 // Leaves out the ROI, which may move or hide the place for the handle.
-std::optional<SurfacePoint> Editor::pick_beside_roi(const SightLine& ray) const {
+std::optional<SurfacePoint> Editor::pick_beside_roi(const Ray& ray) const {
   const VertexSet& roi =
       state().mirrored ? state().mirrored->region.roi : state().selection.roi.vertices;
   const std::vector<char> moves = vertex_mask(positions().size(), roi);

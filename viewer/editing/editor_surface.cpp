@@ -47,7 +47,7 @@ void Editor::state_changed(bool by_result) {
 
 void Editor::show_carried() {
   using Where = ShownCarried::Where;
-  carry_follower_.cancel();
+  attachment_follower_.cancel();
   carried_.take(state(), shown_.shows_before()     ? Where::opened
                          : needs_settling(state()) ? Where::dragged
                                                    : Where::still);
@@ -57,13 +57,13 @@ void Editor::show_carried() {
 void Editor::follow_carried() {
   if (!shown_.follows() || !any_follows(state().carried)) return;
   try {
-    if (const auto places = carry_follower_.take()) carried_.place(*places);
+    if (const auto places = attachment_follower_.take()) carried_.place(*places);
   } catch (const Error& error) {
     say_(Message(error));
   }
   const Drag& drag = *shown_.device().drag_shown();
-  carry_follower_.follow(state(), session_->preparation(),
-                         {drag.response(), drag.pose(), shown_.followed()});
+  attachment_follower_.follow(state(), session_->preparation(),
+                              {drag.response(), drag.pose(), shown_.followed()});
 }
 
 bool Editor::shows_live_result() const {
@@ -78,7 +78,7 @@ void Editor::show_before(bool before) {
 
 void Editor::update() {
   if (session_->take_result()) state_changed(true);
-  if (!is_dragging()) take_up_postponed();
+  if (!is_dragging()) run_postponed();
   // A step must not change the surface under a stroke.
   if (!is_dragging()) take_step();
   follow_hand();
@@ -127,7 +127,7 @@ void Editor::follow_hand() {
   maps_of(state(), handle_, dragging ? *tools_.gizmo.move() : state().moves[handle_].move,
           motions_);
   turn_free_handles();
-  if (settles_while_dragging()) stay_near_pose();
+  if (settles_while_dragging()) limit_lead();
   shown_.follow(session_->preparation(), motions_);
 }
 
@@ -165,7 +165,7 @@ void Editor::turn_free_handles() {
 
 // A linear response shears and swells under large turns and moves. Until a settled pose catches up,
 // the surface follows the hand only as far as it looks right.
-void Editor::stay_near_pose() {
+void Editor::limit_lead() {
   double share = 1.0;
   const auto keep = [&share](double amount, double most) {
     if (amount * share > most) share = most / amount;

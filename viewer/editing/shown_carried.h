@@ -39,7 +39,7 @@ class ShownCarried {
 
  private:
   struct Object {
-    std::shared_ptr<const CarriedFile> opened;
+    std::shared_ptr<const AttachmentFile> opened;
     Positions positions;
     Bounds bounds;
     std::unique_ptr<Surface> surface;  // for a mesh

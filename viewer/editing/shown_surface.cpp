@@ -165,7 +165,7 @@ std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
   const bool inside = (pixel.array() >= 0.0).all() && (pixel.array() < view.size.array()).all();
   if (!inside) return {};
   const Positions& positions = positions_on_screen();
-  const SightLine ray = view.projection().ray_through(middle_of(pixel));
+  const Ray ray = view.projection().ray_through(middle_of(pixel));
   const Topology& topology = *device_->topology;
   // A picture that is up to date tells which triangle to look at. Rounding may miss a triangle that
   // is seen from its edge.

@@ -190,7 +190,7 @@ bool TransplantDesk::stands_on_other_surface(const AppState& now) const {
 }
 
 // After an undo, for example, a new part keeps its place on the present surface.
-void TransplantDesk::begin_anew(Editor& editor) {
+void TransplantDesk::reset_history(Editor& editor) {
   if (taken_up_) {
     say_("the surface has changed; open the step again");
     return close(editor);
@@ -219,7 +219,7 @@ void TransplantDesk::update(Editor& editor) {
   start_reading(editor);
   take_read(editor);
   if (!has_part()) return;
-  if (stands_on_other_surface(editor.state())) return begin_anew(editor);
+  if (stands_on_other_surface(editor.state())) return reset_history(editor);
   take_hole(editor);
   switch (tool_.take_wish()) {
     case PlaceTool::Wish::apply:

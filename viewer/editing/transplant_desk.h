@@ -77,7 +77,7 @@ class TransplantDesk {
   void start_reading(const Editor& editor);
   void take_read(Editor& editor);
   bool stands_on_other_surface(const AppState& now) const;
-  void begin_anew(Editor& editor);
+  void reset_history(Editor& editor);
   void take_hole(const Editor& editor);
   void show(Editor& editor);
   void show_carried(Editor& editor);

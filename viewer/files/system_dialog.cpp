@@ -20,7 +20,7 @@ namespace lapwing::viewer {
 namespace {
 
 // A toolkit may write messages without end. The last ones say why the program ended.
-constexpr std::size_t kMostWords = 4096;
+constexpr std::size_t kMaxErrorBytes = 4096;
 // A program ends a moment after it closes its output.
 constexpr int kLookAgainMs = 10;
 
@@ -111,7 +111,7 @@ void SystemDialog::wait_for_answer() {
   while (watched[0].fd >= 0 && !stopped) {
     if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) break;
     if (watched[1].revents != 0 && !read_some(errors_->get(), errors)) watched[1].fd = -1;
-    if (errors.size() > kMostWords) errors.erase(0, errors.size() - kMostWords);
+    if (errors.size() > kMaxErrorBytes) errors.erase(0, errors.size() - kMaxErrorBytes);
     if (watched[0].revents != 0 && !read_some(output_->get(), output)) watched[0].fd = -1;
     stopped = watched[2].revents != 0;
   }
@@ -127,7 +127,7 @@ void SystemDialog::wait_for_answer() {
     return;
   }
   fcntl(errors_->get(), F_SETFL, O_NONBLOCK);
-  while (watched[1].fd >= 0 && errors.size() <= kMostWords) {
+  while (watched[1].fd >= 0 && errors.size() <= kMaxErrorBytes) {
     const std::size_t before = errors.size();
     if (!read_some(errors_->get(), errors) || errors.size() == before) break;
   }

@@ -238,7 +238,7 @@ Vector3d handle_centroid(const AppState& state, std::size_t handle) {
   if (state.mirrored) return state.mirrored->centroids[handle];
   const ChosenHandle& chosen = state.selection.handles[handle];
   // Called in every frame of a drag, so it copies only if it must.
-  if (chosen.grading.field.empty()) {
+  if (chosen.falloff.field.empty()) {
     return handle_frame(chosen.vertices, state.rest->positions).centroid;
   }
   return handle_frame(fully_held(chosen), state.rest->positions).centroid;
@@ -270,9 +270,9 @@ DeformRequest open_step(const AppState& state) {
   DeformRequest step;
   step.roi = spec_of(state.selection.roi, "ROI");
   step.belt = belt_spec(state.selection);
-  for (const auto& [spec, grading] : handle_specs(state.selection)) {
+  for (const auto& [spec, falloff] : handle_specs(state.selection)) {
     const HandleMove& to = state.moves[step.handles.size()];
-    step.handles.push_back({spec, to.move, grading, to.orientation, to.path});
+    step.handles.push_back({spec, to.move, falloff, to.orientation, to.path});
   }
   step.parameters = state.parameters;
   if (state.selection.mirror) step.mirror = MirrorSpec{*state.selection.mirror, "mirror"};

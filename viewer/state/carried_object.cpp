@@ -6,9 +6,9 @@
 
 namespace lapwing::viewer {
 
-std::shared_ptr<const CarriedFile> open_carried(const std::filesystem::path& file,
-                                                const std::filesystem::path& save) {
-  auto opened = std::make_shared<CarriedFile>(file);
+std::shared_ptr<const AttachmentFile> open_carried(const std::filesystem::path& file,
+                                                   const std::filesystem::path& save) {
+  auto opened = std::make_shared<AttachmentFile>(file);
   opened->save = save;
   // Compute it now, while the user expects to wait, and report faces with missing vertices.
   if (opened->mesh() != nullptr) opened->mesh()->topology();
@@ -28,16 +28,16 @@ std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects) {
   return specs;
 }
 
-std::vector<CarriedFile> carried_at_rest(std::span<const CarriedObject> objects) {
-  std::vector<CarriedFile> files;
+std::vector<AttachmentFile> carried_at_rest(std::span<const CarriedObject> objects) {
+  std::vector<AttachmentFile> files;
   for (const CarriedObject& object : objects) files.push_back(*object.rest);
   return files;
 }
 
-CarriedFiles share(std::vector<CarriedFile> files) {
+CarriedFiles share(std::vector<AttachmentFile> files) {
   CarriedFiles shared;
-  for (CarriedFile& file : files) {
-    shared.push_back(std::make_shared<const CarriedFile>(std::move(file)));
+  for (AttachmentFile& file : files) {
+    shared.push_back(std::make_shared<const AttachmentFile>(std::move(file)));
   }
   return shared;
 }

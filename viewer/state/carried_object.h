@@ -12,8 +12,8 @@ namespace lapwing::viewer {
 
 /// A file that follows the surface, or did in an earlier step.
 struct CarriedObject {
-  std::shared_ptr<const CarriedFile> opened;  ///< as it was read
-  std::shared_ptr<const CarriedFile> rest;    ///< where the open step finds it
+  std::shared_ptr<const AttachmentFile> opened;  ///< as it was read
+  std::shared_ptr<const AttachmentFile> rest;    ///< where the open step finds it
   bool follows = true;                        ///< the open step takes it along; else it stays
 
   const std::filesystem::path& file() const { return rest->file(); }
@@ -21,12 +21,12 @@ struct CarriedObject {
 };
 
 /// Files as a step leaves them.
-using CarriedFiles = std::vector<std::shared_ptr<const CarriedFile>>;
+using CarriedFiles = std::vector<std::shared_ptr<const AttachmentFile>>;
 
 /// Reads `file` to show and carry it. It is saved as `save`, unless that is empty. Both paths are
-/// absolute. Throws what CarriedFile throws.
-std::shared_ptr<const CarriedFile> open_carried(const std::filesystem::path& file,
-                                                const std::filesystem::path& save = {});
+/// absolute. Throws what AttachmentFile throws.
+std::shared_ptr<const AttachmentFile> open_carried(const std::filesystem::path& file,
+                                                   const std::filesystem::path& save = {});
 
 bool any_follows(std::span<const CarriedObject> objects);
 
@@ -34,10 +34,10 @@ bool any_follows(std::span<const CarriedObject> objects);
 std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects);
 
 /// Converts to the files that a run has between steps, and back.
-std::vector<CarriedFile> carried_at_rest(std::span<const CarriedObject> objects);
-CarriedFiles share(std::vector<CarriedFile> files);
+std::vector<AttachmentFile> carried_at_rest(std::span<const CarriedObject> objects);
+CarriedFiles share(std::vector<AttachmentFile> files);
 
-/// Returns the parts of a `Deformed` that a SurfaceCarrier needs, for an edit of `region` that
+/// Returns the parts of a `Deformed` that a AttachmentDeformer needs, for an edit of `region` that
 /// moved `rest` to `positions` with these handle scales. With `joined`, region and scales refer to
 /// `rest` with its seams joined.
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,

@@ -29,10 +29,10 @@ std::size_t bytes_of(const std::array<VertexSet, 2>& change) {
   return (change[0].size() + change[1].size()) * sizeof(Index);
 }
 
-std::vector<Grading> gradings_of(const AppState& state) {
-  std::vector<Grading> gradings;
-  for (const ChosenHandle& handle : state.selection.handles) gradings.push_back(handle.grading);
-  return gradings;
+std::vector<Falloff> falloffs_of(const AppState& state) {
+  std::vector<Falloff> falloffs;
+  for (const ChosenHandle& handle : state.selection.handles) falloffs.push_back(handle.falloff);
+  return falloffs;
 }
 
 // Leaves out attributes, which are small beside the rest.
@@ -56,7 +56,7 @@ Change::Change(const AppState& before, const AppState& after)
     : roi_(difference(before.selection.roi, after.selection.roi)),
       belt_(difference(before.selection.belt, after.selection.belt)),
       handle_counts_{before.selection.handles.size(), after.selection.handles.size()},
-      gradings_(both(gradings_of(before), gradings_of(after))),
+      falloffs_(both(falloffs_of(before), falloffs_of(after))),
       mirror_(both(before.selection.mirror, after.selection.mirror)),
       mirrored_(both(before.mirrored, after.mirrored)),
       belt_fraction_(both(before.selection.belt_fraction, after.selection.belt_fraction)),
@@ -98,7 +98,7 @@ bool Change::is_nothing() const {
            viewer::is_nothing(change.vertices);
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
-         std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !mirror_ &&
+         std::all_of(handles_.begin(), handles_.end(), same) && !falloffs_ && !mirror_ &&
          !mirrored_ && !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !carried_ &&
          !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
@@ -131,8 +131,8 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
     replace(selection.handles[h], handles_[h], from, to);
   }
   selection.handles.resize(handle_counts_[to]);
-  for (std::size_t h = 0; gradings_ && h < handle_counts_[to]; ++h) {
-    selection.handles[h].grading = (*gradings_)[to][h];
+  for (std::size_t h = 0; falloffs_ && h < handle_counts_[to]; ++h) {
+    selection.handles[h].falloff = (*falloffs_)[to][h];
   }
   if (mirror_) selection.mirror = (*mirror_)[to];
   if (mirrored_) state.mirrored = (*mirrored_)[to];
@@ -161,9 +161,9 @@ std::size_t Change::bytes() const {
   std::size_t total = sizeof *this + bytes_of_region(roi_) + bytes_of_region(belt_);
   for (const RegionChange& handle : handles_) total += bytes_of_region(handle);
   constexpr std::size_t kPosition = sizeof(Eigen::Vector3d);
-  if (gradings_) {
-    for (const auto& gradings : *gradings_) {
-      for (const Grading& grading : gradings) total += grading.field.size() * sizeof(double);
+  if (falloffs_) {
+    for (const auto& falloffs : *falloffs_) {
+      for (const Falloff& falloff : falloffs) total += falloff.field.size() * sizeof(double);
     }
   }
   if (settled_) {

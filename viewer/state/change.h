@@ -58,7 +58,7 @@ class Change {
   RegionChange belt_;
   std::array<std::size_t, 2> handle_counts_{};
   std::vector<RegionChange> handles_;    // of the longer list; a missing one counts as empty
-  Both<std::vector<Grading>> gradings_;  // of all handles
+  Both<std::vector<Falloff>> falloffs_;  // of all handles
   Both<std::optional<MirrorPlane>> mirror_;
   Both<std::shared_ptr<const MirroredEdit>> mirrored_;
   Both<std::optional<double>> belt_fraction_;

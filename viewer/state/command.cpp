@@ -9,7 +9,7 @@
 #include "lapwing/deform/modifiers/mirror.h"
 #include "lapwing/region/joined_regions.h"
 #include "lapwing/step/step.h"
-#include "state/step_words.h"
+#include "state/step_text.h"
 #include "state/waypoints.h"
 
 namespace lapwing::viewer {
@@ -28,12 +28,12 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
 }
 
 // Painted weights need one number per vertex, or they could not even be shown.
-void require_grading_here(const AppState& state, const Grading& grading, const std::string& where) {
-  require_grading(grading, where);
+void require_falloff_here(const AppState& state, const Falloff& falloff, const std::string& where) {
+  require_falloff(falloff, where);
   const std::size_t count = state.rest->vertex_count();
-  if (grading.field.empty() || grading.field.size() == count) return;
+  if (falloff.field.empty() || falloff.field.size() == count) return;
   throw InputError(where + ": expected a weight for each of the mesh's " + std::to_string(count) +
-                   " vertices, got " + std::to_string(grading.field.size()));
+                   " vertices, got " + std::to_string(falloff.field.size()));
 }
 
 // Keeps the selected vertices on the new rest shape.
@@ -50,7 +50,8 @@ void carry_selection_over(AppState& state) {
   renew_belt(selection, *state.rest, joined);
 }
 
-// Chooses a joined seam by its leaders, and a seam that is left by all its vertices.
+// Updates the selection after the seam policy has changed: joined seams are chosen by their
+// leaders, open ones by all their vertices.
 void choose_seams_anew(AppState& state) {
   if (!state.joined) return;
   const auto choose_anew = [&](ChosenRegion& region) {
@@ -164,7 +165,7 @@ void let_go_outside_roi(AppState& state) {
   }
   if (selection.belt_fraction || !leaves(selection.belt, held)) return;
   selection.belt = repainted(selection.belt, intersect(selection.belt.vertices, held));
-  if (selection.belt.vertices.empty()) selection.belt_fraction = BorderBelt{}.fraction;
+  if (selection.belt.vertices.empty()) selection.belt_fraction = BoundaryAnchors{}.fraction;
 }
 
 // Returns the region of `part`, which is created if it is a new handle.
@@ -193,10 +194,10 @@ struct Applier {
 
   void operator()(const Choose& command) const {
     commit(state);
-    if (command.grading) require_grading_here(state, *command.grading, "handle");
+    if (command.falloff) require_falloff_here(state, *command.falloff, "handle");
     replace(command.part, choose(command.region, *state.rest, joined_seams(state)));
-    if (command.grading && command.part.role == Part::Role::handle) {
-      state.selection.handles[command.part.handle].grading = *command.grading;
+    if (command.falloff && command.part.role == Part::Role::handle) {
+      state.selection.handles[command.part.handle].falloff = *command.falloff;
     }
   }
   void operator()(const Paint& command) const {
@@ -206,12 +207,12 @@ struct Applier {
     VertexSet vertices = subtract(unite(before.vertices, command.added), command.removed);
     replace(command.part, repainted(before, std::move(vertices)));
   }
-  void operator()(const SetGrading& command) const {
+  void operator()(const SetFalloff& command) const {
     require_handle(state, command.handle);
     ChosenHandle& handle = state.selection.handles[command.handle];
-    if (handle.grading == command.grading) return;
-    require_grading_here(state, command.grading, "handle " + std::to_string(command.handle + 1));
-    handle.grading = command.grading;
+    if (handle.falloff == command.falloff) return;
+    require_falloff_here(state, command.falloff, "handle " + std::to_string(command.handle + 1));
+    handle.falloff = command.falloff;
     state.settled = nullptr;
   }
   void operator()(const RemoveHandle& command) const {
@@ -316,7 +317,7 @@ struct Applier {
       if (at->follows && is_saved_so) return;
       at->follows = true;
       if (!is_saved_so) {
-        auto renamed = std::make_shared<CarriedFile>(*at->rest);
+        auto renamed = std::make_shared<AttachmentFile>(*at->rest);
         renamed->save = save;
         at->rest = std::move(renamed);
       }
@@ -400,12 +401,12 @@ struct CommandDescriber {
                                                : "change ";
     return verb + name_of(command.part);
   }
-  std::string operator()(const SetGrading& command) const {
-    const Grading& grading = command.grading;
+  std::string operator()(const SetFalloff& command) const {
+    const Falloff& falloff = command.falloff;
     const std::string of = "handle " + std::to_string(command.handle + 1);
-    if (!grading.field.empty()) return of + ": painted weights";
-    if (!grading.falloff) return of + with_number(": weight %.4g", grading.weight);
-    return of + with_number(": falloff %.4g", grading.falloff->width);
+    if (!falloff.field.empty()) return of + ": painted weights";
+    if (!falloff.transition) return of + with_number(": weight %.4g", falloff.weight);
+    return of + with_number(": falloff %.4g", falloff.transition->width);
   }
   std::string operator()(const RemoveHandle& command) const {
     return "remove handle " + std::to_string(command.handle + 1);

@@ -21,7 +21,7 @@ struct Part {
 struct Choose {
   Part part;
   RegionSpec region;
-  std::optional<Grading> grading = {};  ///< of a handle; if not set, it keeps its grading
+  std::optional<Falloff> falloff = {};  ///< of a handle; if not set, it keeps its falloff
 };
 
 /// Adds and removes vertices of the part: a stroke of the brush, a lasso, grow, shrink, invert.
@@ -32,9 +32,9 @@ struct Paint {
 };
 
 /// Sets how firmly the handle holds.
-struct SetGrading {
+struct SetFalloff {
   std::size_t handle = 0;
-  Grading grading;
+  Falloff falloff;
 };
 
 struct RemoveHandle {
@@ -43,7 +43,7 @@ struct RemoveHandle {
 
 /// Sets the belt by its width, as a fraction of the ROI's radius, instead of by hand.
 struct SetBeltWidth {
-  double fraction = BorderBelt{}.fraction;
+  double fraction = BoundaryAnchors{}.fraction;
 };
 
 /// Turns mirroring on for the plane, or off without one.
@@ -84,7 +84,7 @@ struct SetParameters {
 /// Lets the file follow the surface from the open step on. A file that was carried before goes on
 /// from where it is. A `save` that is not empty replaces its earlier one.
 struct CarryAlong {
-  std::shared_ptr<const CarriedFile> file;  ///< open_carried
+  std::shared_ptr<const AttachmentFile> file;  ///< open_carried
 };
 
 /// Leaves the file where it is from the open step on. Removes it if no earlier step carried it.
@@ -106,7 +106,7 @@ struct Revise {
 };
 
 /// One action of a user, a test or a recipe.
-using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror,
+using Command = std::variant<Choose, Paint, SetFalloff, RemoveHandle, SetBeltWidth, SetMirror,
                              MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
                              CarryAlong, StopCarrying, Apply, Revise>;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/step/step.h"
-#include "state/step_words.h"
+#include "state/step_text.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -16,7 +16,7 @@ void remove_handles(History& history) {
 }
 
 void choose_belt(History& history, const BeltSpec& belt) {
-  if (const auto* border = std::get_if<BorderBelt>(&belt)) {
+  if (const auto* border = std::get_if<BoundaryAnchors>(&belt)) {
     history.perform(SetBeltWidth{border->fraction});
   } else {
     history.perform(Choose{{Part::Role::belt}, std::get<RegionSpec>(belt)});
@@ -70,8 +70,8 @@ bool is_chosen(const AppState& state, const DeformRequest& step) {
 void grade_handles(History& history, const DeformRequest& step) {
   const auto& handles = history.state().selection.handles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
-    if (handles[h].grading != step.handles[h].grading) {
-      history.perform(SetGrading{h, step.handles[h].grading});
+    if (handles[h].falloff != step.handles[h].falloff) {
+      history.perform(SetFalloff{h, step.handles[h].falloff});
     }
   }
 }
@@ -141,7 +141,7 @@ void carry_along(History& history, const std::vector<CarrySpec>& files) {
       history.perform(CarryAlong{open_carried(spec.file, spec.save)});
       continue;
     }
-    auto file = std::make_shared<CarriedFile>(*at->rest);
+    auto file = std::make_shared<AttachmentFile>(*at->rest);
     file->save = spec.save;
     history.perform(CarryAlong{std::move(file)});
   }

@@ -87,7 +87,7 @@ void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface*
 }
 
 BeltSpec belt_spec(const EditSelection& selection) {
-  if (selection.belt_fraction) return BorderBelt{*selection.belt_fraction, "belt"};
+  if (selection.belt_fraction) return BoundaryAnchors{*selection.belt_fraction, "belt"};
   return spec_of(selection.belt, "belt");
 }
 
@@ -95,31 +95,31 @@ std::vector<HandleSpec> handle_specs(const EditSelection& selection) {
   std::vector<HandleSpec> specs;
   for (const ChosenHandle& handle : selection.handles) {
     specs.push_back(
-        {spec_of(handle, "handle " + std::to_string(specs.size() + 1)), handle.grading});
+        {spec_of(handle, "handle " + std::to_string(specs.size() + 1)), handle.falloff});
   }
   return specs;
 }
 
-std::vector<GradedVertex> graded_vertices(const EditSelection& selection, const Mesh& mesh) {
+std::vector<FalloffVertex> falloff_vertices(const EditSelection& selection, const Mesh& mesh) {
   std::vector<FadingHandle> fading;
-  std::vector<GradedVertex> painted;
+  std::vector<FalloffVertex> painted;
   for (const ChosenHandle& handle : selection.handles) {
-    const std::vector<double>& field = handle.grading.field;
+    const std::vector<double>& field = handle.falloff.field;
     for (std::size_t k = 0; !field.empty() && k < handle.vertices.size(); ++k) {
       const Index v = handle.vertices[k];
       if (field[v] > 0.0 && field[v] < 1.0) painted.push_back({v, fading.size(), field[v]});
     }
-    fading.push_back({fully_held(handle), handle.grading.falloff});
+    fading.push_back({fully_held(handle), handle.falloff.transition});
   }
-  return graded_around(fading, std::move(painted), selection.roi.vertices, selection.belt.vertices,
-                       mesh);
+  return falloff_around(fading, std::move(painted), selection.roi.vertices, selection.belt.vertices,
+                        mesh);
 }
 
 VertexSet fully_held(const ChosenHandle& handle) {
-  if (handle.grading.field.empty()) return handle.vertices;
+  if (handle.falloff.field.empty()) return handle.vertices;
   VertexSet held;
   for (const Index v : handle.vertices) {
-    if (handle.grading.field[v] == 1.0) held.push_back(v);
+    if (handle.falloff.field[v] == 1.0) held.push_back(v);
   }
   return held;
 }

@@ -8,7 +8,7 @@
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
-#include "lapwing/region/grading.h"
+#include "lapwing/region/falloff.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing::viewer {
@@ -41,7 +41,7 @@ ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
 
 /// A handle, and how firmly it holds.
 struct ChosenHandle : ChosenRegion {
-  Grading grading;
+  Falloff falloff;
 
   ChosenHandle() = default;
   ChosenHandle(ChosenRegion region) : ChosenRegion(std::move(region)) {}
@@ -54,14 +54,14 @@ VertexSet fully_held(const ChosenHandle& handle);
 struct EditSelection;
 /// Returns the vertices that handles hold with less than full weight, as `resolve_edit_region`
 /// finds them, without hard targets.
-std::vector<GradedVertex> graded_vertices(const EditSelection& selection, const Mesh& mesh);
+std::vector<FalloffVertex> falloff_vertices(const EditSelection& selection, const Mesh& mesh);
 
 /// The regions of the next edit. Any of them may still be missing.
 struct EditSelection {
   ChosenRegion roi;
   std::vector<ChosenHandle> handles;
   /// The belt's width as a fraction of the ROI's radius. If not set, the belt was chosen by hand.
-  std::optional<double> belt_fraction = BorderBelt{}.fraction;
+  std::optional<double> belt_fraction = BoundaryAnchors{}.fraction;
   ChosenRegion belt;
   /// The selection applies to both sides of this plane.
   std::optional<MirrorPlane> mirror;

@@ -63,7 +63,7 @@ Vector3d GizmoDrag::axis() const {
 
 // Returns the point under the cursor on the part's line or plane.
 Vector3d GizmoDrag::point_on_part(const Vector2d& pixel) const {
-  const SightLine ray = projection_.ray_through(pixel);
+  const Ray ray = projection_.ray_through(pixel);
   const bool along_line = axis_of(part_) >= 0 && !is_plane(part_);
   // Of the planes through a line, use the one that faces the eye most.
   const Vector3d normal = along_line ? Vector3d(axis().cross(toward_eye_).cross(axis())) : axis();
@@ -91,7 +91,7 @@ double GizmoDrag::angle_at(const Vector2d& pixel) const {
     const Vector2d across = pixel - center_pixel_;
     return -std::atan2(across.y(), across.x());
   }
-  const SightLine ray = projection_.ray_through(pixel);
+  const Ray ray = projection_.ray_through(pixel);
   const double t = (gizmo_.center - ray.origin).dot(axis()) / ray.direction.dot(axis());
   const Vector3d across = ray.origin + t * ray.direction - gizmo_.center;
   const Vector3d u = gizmo_.axes.col((axis_of(part_) + 1) % 3);

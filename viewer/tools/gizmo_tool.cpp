@@ -177,13 +177,13 @@ void GizmoTool::take_hold(const Vector2d& pixel, const ToolScene& scene) {
   if (drag_) return;
   cursor_ = pixel;
   snaps_ = false;
-  pulls_ = allows_free_handles(scene.state.parameters) && is_turned_by_nobody(scene);
+  pulls_ = allows_free_handles(scene.state.parameters) && has_no_user_rotation(scene);
   begin(GizmoMode::translate, GizmoPart::view, scene);
   by_button_ = true;
 }
 
 // Returns whether the user has left the orientation alone. If not, a pull must not change it.
-bool GizmoTool::is_turned_by_nobody(const ToolScene& scene) {
+bool GizmoTool::has_no_user_rotation(const ToolScene& scene) {
   const HandleMove& to = scene.state.moves[scene.handle];
   if (to.orientation == HandleOrientation::free) return true;
   const auto* similarity = std::get_if<SimilarityMove>(&to.move);

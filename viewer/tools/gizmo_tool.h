@@ -62,7 +62,7 @@ class GizmoTool final : public SceneTool {
   ToolAnswer confirm(const ToolScene& scene);
   void give_up();
   std::optional<double> typed_number() const;
-  static bool is_turned_by_nobody(const ToolScene& scene);
+  static bool has_no_user_rotation(const ToolScene& scene);
   Move move_before(const ToolScene& scene) const;
 
   GizmoChoices choices_;

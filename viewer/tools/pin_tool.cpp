@@ -47,7 +47,7 @@ ToolAnswer PinTool::handle(const InputEvent& event, const ToolScene& scene) {
   answer.holds = next;
   answer.command = Choose{{Part::Role::handle, next},
                           {ListedVertices{{pick->vertex}}, "pin"},
-                          Grading{.weight = kPinWeight}};
+                          Falloff{.weight = kPinWeight}};
   return answer;
 }
 

@@ -19,7 +19,7 @@ constexpr double kFar = 0.0;
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
 // Returns the distance along the ray (Moeller and Trumbore 1997); infinity if it misses.
-double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const SightLine& ray) {
+double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Ray& ray) {
   const Vector3d p = ray.direction.cross(c - a);
   const double determinant = p.dot(b - a);
   if (determinant == 0.0) return kMiss;
@@ -48,7 +48,7 @@ std::optional<Vector2d> Projection::to_pixel(const Vector3d& point) const {
   return Vector2d(0.5 * (across + Vector2d::Ones()).cwiseProduct(size_));
 }
 
-SightLine Projection::ray_through(const Vector2d& pixel) const {
+Ray Projection::ray_through(const Vector2d& pixel) const {
   const Vector2d across = 2.0 * pixel.cwiseQuotient(size_) - Vector2d::Ones();
   const Vector4d near = world_from_clip_ * Vector4d(across.x(), across.y(), kNear, 1.0);
   const Vector4d far = world_from_clip_ * Vector4d(across.x(), across.y(), kFar, 1.0);
@@ -64,7 +64,7 @@ Vector3d Projection::toward_eye(const Vector3d& point) const {
 double Projection::length_of_pixel(const Vector3d& point) const {
   const auto pixel = to_pixel(point);
   if (!pixel) return 0.0;
-  const SightLine beside = ray_through(*pixel + Vector2d::UnitX());
+  const Ray beside = ray_through(*pixel + Vector2d::UnitX());
   const Vector3d toward = point - beside.origin;
   return (toward - toward.dot(beside.direction) * beside.direction).norm();
 }
@@ -74,7 +74,7 @@ namespace {
 // Returns the first intersection of the ray with a triangle for which `counts` is true.
 template <typename Counts>
 std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const Vector3d> positions,
-                                     const SightLine& ray, const Counts& counts) {
+                                     const Ray& ray, const Counts& counts) {
   double least = kMiss;
   Index first = kNoIndex;
   for (Index t = 0; t < topology.triangles.size(); ++t) {
@@ -107,7 +107,7 @@ SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> p
 
 std::optional<SurfacePoint> pick_triangle(const Topology& topology,
                                           std::span<const Vector3d> positions, Index triangle,
-                                          const SightLine& ray) {
+                                          const Ray& ray) {
   const auto& [a, b, c] = topology.triangles[triangle];
   const double distance = distance_to(positions[a], positions[b], positions[c], ray);
   if (distance == kMiss) return std::nullopt;
@@ -115,14 +115,13 @@ std::optional<SurfacePoint> pick_triangle(const Topology& topology,
 }
 
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
-                                         std::span<const Vector3d> positions,
-                                         const SightLine& ray) {
+                                         std::span<const Vector3d> positions, const Ray& ray) {
   return first_of(topology, positions, ray, [](const Triangle&) { return true; });
 }
 
 std::optional<SurfacePoint> pick_beside(const Topology& topology,
                                         std::span<const Vector3d> positions,
-                                        std::span<const char> left_out, const SightLine& ray) {
+                                        std::span<const char> left_out, const Ray& ray) {
   return first_of(topology, positions, ray, [&](const Triangle& corners) {
     return std::ranges::none_of(corners, [&](Index v) { return left_out[v] != 0; });
   });

@@ -10,7 +10,7 @@
 namespace lapwing::viewer {
 
 /// The ray of points that show at one pixel; `direction` has length 1.
-struct SightLine {
+struct Ray {
   Eigen::Vector3d origin;
   Eigen::Vector3d direction;
 };
@@ -29,7 +29,7 @@ class Projection {
   /// Returns the pixel of `point`, inside the window or not; nullopt if it is behind the eye.
   std::optional<Eigen::Vector2d> to_pixel(const Eigen::Vector3d& point) const;
   /// Returns the ray through a pixel, from the near plane on.
-  SightLine ray_through(const Eigen::Vector2d& pixel) const;
+  Ray ray_through(const Eigen::Vector2d& pixel) const;
   /// Returns the unit vector from `point` to the eye.
   Eigen::Vector3d toward_eye(const Eigen::Vector3d& point) const;
   /// Returns the length of one pixel across the view at `point`; 0 if it is behind the eye.
@@ -54,17 +54,17 @@ struct SurfacePoint {
 /// triangles; the window reads its ID picture instead if it can.
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
                                          std::span<const Eigen::Vector3d> positions,
-                                         const SightLine& ray);
+                                         const Ray& ray);
 
 /// The same without the triangles that have a corner marked in `left_out`, one entry per vertex.
 std::optional<SurfacePoint> pick_beside(const Topology& topology,
                                         std::span<const Eigen::Vector3d> positions,
-                                        std::span<const char> left_out, const SightLine& ray);
+                                        std::span<const char> left_out, const Ray& ray);
 
 /// Returns the point where `ray` meets `triangle`; nullopt if it misses.
 std::optional<SurfacePoint> pick_triangle(const Topology& topology,
                                           std::span<const Eigen::Vector3d> positions,
-                                          Index triangle, const SightLine& ray);
+                                          Index triangle, const Ray& ray);
 
 /// Returns `position` on `triangle` with the nearest corner.
 SurfacePoint surface_point(const Topology& topology, std::span<const Eigen::Vector3d> positions,

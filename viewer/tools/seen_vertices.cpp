@@ -23,7 +23,7 @@ bool SeenVertices::operator()(Index vertex) const {
   const double x = std::floor(pixel->x());
   const double y = std::floor(pixel->y());
   if (!(x >= 0.0 && y >= 0.0 && x < picture_.width && y < picture_.height)) return false;
-  const SightLine sight = projection_.ray_through(*pixel);
+  const Ray sight = projection_.ray_through(*pixel);
   const double tolerance = kPixelsOfDepth * projection_.length_of_pixel(point);
   const auto column = static_cast<Index>(x);
   const auto row = static_cast<Index>(y);
@@ -40,8 +40,7 @@ bool SeenVertices::operator()(Index vertex) const {
 
 // Whether all corners of the triangle are nearer to the eye than the vertex by more than
 // `tolerance`.
-bool SeenVertices::hides(Index triangle, Index vertex, const SightLine& sight,
-                         double tolerance) const {
+bool SeenVertices::hides(Index triangle, Index vertex, const Ray& sight, double tolerance) const {
   const double depth = (positions_[vertex] - sight.origin).dot(sight.direction);
   const Triangle& corners = topology_.triangles[triangle];
   return std::all_of(corners.begin(), corners.end(), [&](Index v) {

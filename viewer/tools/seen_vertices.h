@@ -27,7 +27,7 @@ class SeenVertices {
   bool operator()(Index vertex) const;
 
  private:
-  bool hides(Index triangle, Index vertex, const SightLine& sight, double tolerance) const;
+  bool hides(Index triangle, Index vertex, const Ray& sight, double tolerance) const;
 
   const TrianglePicture picture_;
   const Topology& topology_;

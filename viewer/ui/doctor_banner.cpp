@@ -7,7 +7,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "window/theme.h"
-#include "work/doctor_words.h"
+#include "work/doctor_text.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "editing/detail_transfer_tool.h"
 #include "editing/editor.h"
-#include "editing/layer_desk.h"
 #include "editing/transplant_desk.h"
 #include "ui/doctor_banner.h"
 #include "ui/load_file.h"
@@ -34,7 +34,7 @@ struct Document {
   bool closed_outward;
   Editor editor;
   DoctorBanner banner;
-  LayerDesk desk;
+  DetailTransferTool desk;
   TransplantDesk transplant;
   /// Where Save writes without asking: chosen by the first save, so that the opened file is never
   /// replaced by accident. Empty until then.

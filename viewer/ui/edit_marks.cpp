@@ -255,7 +255,7 @@ void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optiona
 
 }  // namespace
 
-void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
+void EditMarks::draw(const DetailTransferTool& desk, const Editor& editor, const ViewFrame& view,
                      const Vector2d& corner, double pixels_per_unit) {
   if (desk.view() == nullptr) return;
   const double right = corner.x() + desk.view()->view_frame().size.x();
@@ -270,7 +270,7 @@ void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFram
   draw_ends(pen, source, 1, desk.picked_target(), editor.positions());
 }
 
-void EditMarks::draw_pane_names(const LayerDesk& desk, const std::string& target,
+void EditMarks::draw_pane_names(const DetailTransferTool& desk, const std::string& target,
                                 const PictureArea& area, double width) {
   const std::filesystem::path& mesh = desk.draft().sources[desk.current()].mesh;
   const double gap = 0.7 * static_cast<double>(ImGui::GetFontSize());

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "lapwing/step/step.h"
-#include "state/step_words.h"
+#include "state/step_text.h"
 #include "ui/choose.h"
 #include "ui/domain_picture.h"
 #include "ui/explain.h"
@@ -29,7 +29,7 @@ const char* words(Operation operation) {
 }
 
 // While nothing is open, draws what can be begun, and the steps that can be changed.
-void draw_beginnings(LayerDesk& desk, Editor& editor, Operation operation) {
+void draw_beginnings(DetailTransferTool& desk, Editor& editor, Operation operation) {
   const bool coats = operation == Operation::coat;
   ImGui::TextWrapped("%s", words(operation));
   if (ImGui::Button(coats ? "Begin a coat" : "Begin a mix")) desk.begin(editor, operation);
@@ -48,7 +48,7 @@ void draw_beginnings(LayerDesk& desk, Editor& editor, Operation operation) {
 }
 
 // Returns true if another file is to be chosen.
-bool draw_source_file(LayerDesk& desk) {
+bool draw_source_file(DetailTransferTool& desk) {
   const std::size_t k = desk.current();
   const std::filesystem::path& mesh = desk.draft().sources[k].mesh;
   ImGui::Text("source: %s", mesh.empty() ? "this mesh" : mesh.filename().string().c_str());
@@ -60,7 +60,7 @@ bool draw_source_file(LayerDesk& desk) {
   return asked;
 }
 
-void draw_patch(LayerDesk& desk) {
+void draw_patch(DetailTransferTool& desk) {
   SourceView* view = desk.view();
   if (view == nullptr) {
     ImGui::TextDisabled("%s", desk.is_reading() ? "reading the source" : "no source");
@@ -79,7 +79,7 @@ void draw_patch(LayerDesk& desk) {
   }
 }
 
-void draw_target(const LayerDesk& desk, const Editor& editor) {
+void draw_target(const DetailTransferTool& desk, const Editor& editor) {
   const std::size_t count = editor.state().selection.roi.vertices.size();
   if (desk.taken_up()) {
     ImGui::TextWrapped("You are changing step %zu; the steps after it run again.",
@@ -92,7 +92,7 @@ void draw_target(const LayerDesk& desk, const Editor& editor) {
 }
 
 // Draws the sliders whose effect shows while they are dragged.
-void draw_live_sliders(LayerDesk& desk) {
+void draw_live_sliders(DetailTransferTool& desk) {
   CoatSource& source = desk.draft().sources[desk.current()];
   if (const SourceView* view = desk.view()) {
     const double size = view->shown().bounds().diagonal();
@@ -101,7 +101,7 @@ void draw_live_sliders(LayerDesk& desk) {
   draw_slider("amplitude", source.amplitude, -2.0, 2.0, false, "%.2f");
 }
 
-void draw_parameters(LayerDesk& desk, const Editor& editor) {
+void draw_parameters(DetailTransferTool& desk, const Editor& editor) {
   if (!ImGui::TreeNode("How it is computed")) return;
   LayerDraft& draft = desk.draft();
   const double size = editor.bounds().diagonal();
@@ -135,8 +135,8 @@ void draw_pair_list(const char* where, std::vector<VertexPair>& pairs) {
   ImGui::PopID();
 }
 
-void draw_pairs(LayerDesk& desk, Editor& editor) {
-  using Picking = LayerDesk::Picking;
+void draw_pairs(DetailTransferTool& desk, Editor& editor) {
+  using Picking = DetailTransferTool::Picking;
   if (!ImGui::TreeNodeEx("Corresponding points", ImGuiTreeNodeFlags_DefaultOpen)) return;
   CoatSource& source = desk.draft().sources[desk.current()];
   draw_pair_list("inside", source.inner_pairs);
@@ -156,7 +156,7 @@ void draw_pairs(LayerDesk& desk, Editor& editor) {
 
 }  // namespace
 
-std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor, Task task) {
+std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task) {
   std::optional<PathPurpose> purpose;
   const Operation operation = task == Task::coat ? Operation::coat : Operation::mix;
   if (!desk.is_open() || desk.draft().operation != operation) {
@@ -186,7 +186,7 @@ std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor, Tas
   return purpose;
 }
 
-void draw_layer_result(LayerDesk& desk, Editor& editor) {
+void draw_layer_result(DetailTransferTool& desk, Editor& editor) {
   const LayerPreview& preview = desk.preview();
   const WorkStatus step = editor.session().step_status();
   const WorkStatus work = step.busy ? step : preview.status();

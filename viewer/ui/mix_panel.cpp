@@ -21,7 +21,7 @@ void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   }
 }
 
-void draw_painting(LayerDesk& desk, Editor& editor) {
+void draw_painting(DetailTransferTool& desk, Editor& editor) {
   WeightPaint& paint = desk.weight_paint();
   bool paints = desk.is_painting();
   if (ImGui::Checkbox("paint it", &paints)) desk.paint_weight(paints, editor);
@@ -34,7 +34,7 @@ void draw_painting(LayerDesk& desk, Editor& editor) {
 }
 
 template <typename Form>
-void draw_form(const char* label, LayerDesk& desk, Editor& editor) {
+void draw_form(const char* label, DetailTransferTool& desk, Editor& editor) {
   auto& form = desk.draft().weight.form;
   if (!ImGui::RadioButton(label, std::holds_alternative<Form>(form))) return;
   if (std::holds_alternative<Form>(form)) return;
@@ -46,7 +46,7 @@ void draw_form(const char* label, LayerDesk& desk, Editor& editor) {
 
 }  // namespace
 
-void draw_mix_weight(LayerDesk& desk, Editor& editor) {
+void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   if (!ImGui::TreeNodeEx("Where the second source appears", ImGuiTreeNodeFlags_DefaultOpen)) return;
   draw_form<DomainRamp>("over the domain", desk, editor);
   draw_form<DistanceRamp>("around a part", desk, editor);

@@ -7,15 +7,15 @@
 #include <variant>
 
 #include "editing/desk_guides.h"
+#include "editing/detail_transfer_tool.h"
 #include "editing/editor.h"
-#include "editing/layer_desk.h"
 #include "files/file_purpose.h"
 #include "files/recent_files.h"
 #include "lapwing/gpu/devices.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
 #include "preferences/preferences.h"
-#include "state/kept_settling.h"
+#include "state/last_solve_options.h"
 #include "ui/document.h"
 #include "ui/messages.h"
 #include "ui/part_pictures.h"
@@ -27,10 +27,10 @@ namespace lapwing::viewer {
 /// Values that the user is editing. They become a command when the field or slider is released.
 struct PanelDrafts {
   std::optional<double> belt_percent;
-  std::optional<SetGrading> grading;
+  std::optional<SetFalloff> falloff;
   std::optional<SimilarityMove> move;
   std::optional<EditParameters> parameters;
-  KeptSettling settling;
+  LastSolveOptions settling;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to
   std::string part_name;          ///< name of the part to cut
 };
@@ -81,11 +81,11 @@ void draw_transplant_result(TransplantDesk& desk, Editor& editor);
 
 /// Draws the coat or mix of `task`: its source, target and parameters. If none is open, draws how
 /// to begin one. Returns the purpose if the user wants to open another source.
-std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor, Task task);
+std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task);
 /// Draws Apply, Cancel and the result of an open coat or mix.
-void draw_layer_result(LayerDesk& desk, Editor& editor);
+void draw_layer_result(DetailTransferTool& desk, Editor& editor);
 /// Draws the part of the panel for the weight of a mix.
-void draw_mix_weight(LayerDesk& desk, Editor& editor);
+void draw_mix_weight(DetailTransferTool& desk, Editor& editor);
 
 /// Draws the files that follow the surface. Returns the action if the user wants to add one or save
 /// them.
@@ -137,11 +137,11 @@ class EditMarks {
             const Eigen::Vector2d& cursor);
   /// Draws the numbered pairs of points of a coat or mix, on the target and on the source, whose
   /// view is at `corner`.
-  void draw(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
+  void draw(const DetailTransferTool& desk, const Editor& editor, const ViewFrame& view,
             const Eigen::Vector2d& corner, double pixels_per_unit);
   /// Names the two panes of `area`. The source's is `width` wide, in ImGui's units.
-  void draw_pane_names(const LayerDesk& desk, const std::string& target, const PictureArea& area,
-                       double width);
+  void draw_pane_names(const DetailTransferTool& desk, const std::string& target,
+                       const PictureArea& area, double width);
   /// Draws the loops of a transplant's part and hole, and the part's gizmo.
   void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
 

@@ -86,19 +86,19 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
 }
 
 // Draws how firmly the current handle holds. A whole drag of a slider is one step of the history.
-void draw_grading(Editor& editor, PanelDrafts& drafts) {
+void draw_falloff(Editor& editor, PanelDrafts& drafts) {
   const std::size_t handle = editor.handle();
   if (handle >= editor.state().selection.handles.size()) return;
-  const Grading& now = editor.state().selection.handles[handle].grading;
+  const Falloff& now = editor.state().selection.handles[handle].falloff;
   if (!now.field.empty()) {
     ImGui::TextDisabled("this handle holds by painted weights");
     return;
   }
-  if (drafts.grading && drafts.grading->handle != handle) drafts.grading.reset();
-  Grading grading = drafts.grading ? drafts.grading->grading : now;
-  const Transition falloff = grading.falloff.value_or(Transition{});
-  float width = static_cast<float>(falloff.width);
-  float weight = static_cast<float>(grading.weight);
+  if (drafts.falloff && drafts.falloff->handle != handle) drafts.falloff.reset();
+  Falloff falloff = drafts.falloff ? drafts.falloff->falloff : now;
+  const Transition transition = falloff.transition.value_or(Transition{});
+  float width = static_cast<float>(transition.width);
+  float weight = static_cast<float>(falloff.weight);
   const float longest = 0.25F * static_cast<float>(editor.shown().opened_bounds().diagonal());
   bool let_go = false;
   bool changed = ImGui::SliderFloat("falloff", &width, 0.0F, longest,
@@ -110,13 +110,14 @@ void draw_grading(Editor& editor, PanelDrafts& drafts) {
   explain("How firmly this handle holds, beside the surface and the others.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   if (changed) {
-    grading.weight = static_cast<double>(weight);
-    grading.falloff.reset();
-    if (width > 0.0F) grading.falloff = Transition{static_cast<double>(width), falloff.profile};
-    drafts.grading = SetGrading{handle, grading};
+    falloff.weight = static_cast<double>(weight);
+    falloff.transition.reset();
+    if (width > 0.0F)
+      falloff.transition = Transition{static_cast<double>(width), transition.profile};
+    drafts.falloff = SetFalloff{handle, falloff};
   }
   if (!let_go) return;
-  const auto chosen = std::exchange(drafts.grading, std::nullopt);
+  const auto chosen = std::exchange(drafts.falloff, std::nullopt);
   if (chosen) editor.perform(*chosen);
 }
 
@@ -187,7 +188,7 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
   if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
   draw_buttons(editor);
   draw_belt_width(editor, drafts);
-  draw_grading(editor, drafts);
+  draw_falloff(editor, drafts);
   draw_mirror(editor);
   ImGui::PopItemWidth();
 }

@@ -43,7 +43,8 @@ void draw_start_trouble(const std::string& trouble) {
   ImGui::Spacing();
 }
 
-// Draws the newest files as lines. Their folders distinguish files of the same name.
+// Lists the files that were opened last, one per line. Their folders distinguish files of the same
+// name.
 std::optional<fs::path> draw_recent(std::span<const RecentFiles::Item> items) {
   constexpr std::size_t kMost = 6;
   std::optional<fs::path> chosen;

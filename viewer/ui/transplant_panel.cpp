@@ -6,7 +6,7 @@
 
 #include "files/typed_path.h"
 #include "lapwing/step/step.h"
-#include "state/step_words.h"
+#include "state/step_text.h"
 #include "ui/choose.h"
 #include "ui/explain.h"
 #include "ui/panels.h"

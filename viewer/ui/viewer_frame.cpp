@@ -167,7 +167,7 @@ void ViewerApp::keep_preferences() {
 void ViewerApp::update_document() {
   if (!document_) return;
   Editor& editor = document_->editor;
-  LayerDesk& desk = document_->desk;
+  DetailTransferTool& desk = document_->desk;
   TransplantDesk& transplant = document_->transplant;
   editor.update();
   // Both preview on the surface, so the one begun last closes the other.

@@ -90,7 +90,7 @@ void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
 
 // Brings a task to the front that a key or a menu has begun.
 void ViewerApp::follow_task() {
-  const LayerDesk& desk = document_->desk;
+  const DetailTransferTool& desk = document_->desk;
   const Task begun = document_->transplant.is_open()                         ? Task::transplant
                      : !desk.is_open()                                       ? Task::deform
                      : desk.draft().operation == LayerDraft::Operation::coat ? Task::coat

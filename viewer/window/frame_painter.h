@@ -5,14 +5,14 @@
 #include "lapwing/gpu/command_list.h"
 #include "lapwing/render/surface.h"
 #include "window/app.h"
-#include "window/kept_picture.h"
+#include "window/cached_picture.h"
 #include "window/screen.h"
 #include "window/ui_renderer.h"
 
 namespace lapwing::viewer {
 
 /// Draws frames on a screen, one at a time: the picture of the scene, which stays from frame to
-/// frame (KeptPicture), and panels over it. Allocates nothing while the size stays the same. The
+/// frame (CachedPicture), and panels over it. Allocates nothing while the size stays the same. The
 /// context and the screen must outlive it.
 class FramePainter {
  public:
@@ -35,8 +35,8 @@ class FramePainter {
   bool paint(VkExtent2D pixels, const Scene& scene, const ImDrawData& panels, bool at_rest = true);
 
   /// How the last frame got its picture.
-  PictureWay way() const { return way_; }
-  const KeptPicture& picture() const { return picture_; }
+  PictureSource way() const { return way_; }
+  const CachedPicture& picture() const { return picture_; }
   /// Makes the next frame redraw its picture.
   void forget_picture() { picture_.forget(); }
 
@@ -47,8 +47,8 @@ class FramePainter {
 
   gpu::Context& context_;
   Screen& screen_;
-  KeptPicture picture_;
-  PictureWay way_ = PictureWay::keep;
+  CachedPicture picture_;
+  PictureSource way_ = PictureSource::keep;
   UiRenderer ui_;
   gpu::CommandList commands_;
   VkExtent2D fitted_{};  ///< window size that the screen's images fit

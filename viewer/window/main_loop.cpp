@@ -154,7 +154,7 @@ class MainLoop {
   void lay_out_panels() {
     for (int k = 0; k < kFramesPerChange; ++k) {
       lay_out();
-      if (!window_.panels().focus_is_on_its_way()) return;
+      if (!window_.panels().focus_is_pending()) return;
     }
   }
 
@@ -180,7 +180,7 @@ class MainLoop {
     // A window that changed while it was drawn is drawn again.
     const bool at_rest = still_seconds() >= kRestSeconds;
     const bool shown = painter_->paint(pixels_, app_.scene(), *ImGui::GetDrawData(), at_rest);
-    if (painter_->way() != PictureWay::keep) since_change_.restart();
+    if (painter_->way() != PictureSource::keep) since_change_.restart();
     if (shown) {
       losses_ = 0;
     } else {

@@ -67,7 +67,7 @@ void PanelInput::laid_out() {
   popups_changed_ = ImGui::GetCurrentContext()->OpenPopupStack.Size != popups_;
 }
 
-bool PanelInput::focus_is_on_its_way() const {
+bool PanelInput::focus_is_pending() const {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return popups_changed_ || context.NavMoveSubmitted || context.NavNextActivateId != 0;
 }

@@ -26,7 +26,7 @@ class PanelInput {
   void laid_out();
   /// Whether the keyboard focus changes in the next two frames, because a dialog has opened or a
   /// field is about to be typed into.
-  bool focus_is_on_its_way() const;
+  bool focus_is_pending() const;
 
   /// Whether `cursor`, in screen units, is over a panel of the last layout.
   static bool is_over_panel(const Eigen::Vector2d& cursor);

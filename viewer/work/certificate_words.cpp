@@ -29,10 +29,14 @@ std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& 
 }
 
 CertificateWarning not_settled(const Certificate& certificate) {
+  const std::string next =
+      certificate.lacks_hessian
+          ? "There is not enough memory for its Hessian. Choose a smaller ROI, or free memory."
+          : "Allow more iterations, widen the ROI, or move the handle in smaller parts.";
   return {"Not settled after " + std::to_string(certificate.settle_iterations) +
-              formatted(" iterations: one more would move a vertex by %.2g mean edges. Allow more "
-                        "iterations, widen the ROI, or move the handle in smaller parts.",
-                        certificate.settle_last_step),
+              formatted(" iterations: one more would move a vertex by %.2g mean edges. ",
+                        certificate.settle_last_step) +
+              next,
           {}};
 }
 

@@ -12,7 +12,7 @@
 #include "lapwing/session/run_recipe.h"
 #include "lapwing/step/step_files.h"
 #include "state/draft.h"
-#include "state/step_words.h"
+#include "state/step_text.h"
 
 namespace lapwing::viewer {
 
@@ -68,7 +68,7 @@ bool has_path(const Step& step) {
 }
 
 // Returns the largest distance of a vertex, as a share of the diagonal; 1 for other vertices.
-double share_apart(const Positions& a, const Positions& b) {
+double relative_distance(const Positions& a, const Positions& b) {
   if (a.size() != b.size()) return 1.0;
   double largest = 0.0;
   for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
@@ -290,8 +290,8 @@ const Certificate* EditSession::certificate() const {
 }
 
 // Returns the carried files as they are now. Throws if they cannot all be written beside `path`.
-std::vector<CarriedFile> EditSession::carried_for(const fs::path& path) const {
-  std::vector<CarriedFile> files;
+std::vector<AttachmentFile> EditSession::carried_for(const fs::path& path) const {
+  std::vector<AttachmentFile> files;
   std::vector<fs::path> inputs;
   if (file_) inputs.push_back(file_->path);
   for (const auto& file : carried_of(state())) {
@@ -308,7 +308,7 @@ std::vector<CarriedFile> EditSession::carried_for(const fs::path& path) const {
 WriteReport EditSession::save(const fs::path& path) {
   require_settled(state());
   static_cast<void>(format_of(path));
-  const std::vector<CarriedFile> carried = carried_for(path);
+  const std::vector<AttachmentFile> carried = carried_for(path);
   keep_original_of(path);
   FileReplacements files;
   WriteReport report = write_carried(carried, path, files);
@@ -361,7 +361,7 @@ fs::path EditSession::save_recipe(const fs::path& path) {
     checking_recipe_.start([path, shown = positions_of(state())](
                                const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
       const auto run = run_recipe(read_recipe(path), *kernels, progress);
-      return share_apart(run->mesh.positions, shown);
+      return relative_distance(run->mesh.positions, shown);
     });
   }
   return copy;

@@ -147,11 +147,11 @@ class EditSession {
  private:
   void start_journal(const std::filesystem::path& journals, const InterruptedEdit* restored);
   void follow(std::shared_ptr<const DragState> shown = nullptr);
-  std::vector<CarriedFile> carried_for(const std::filesystem::path& path) const;
+  std::vector<AttachmentFile> carried_for(const std::filesystem::path& path) const;
   void keep_original_of(const std::filesystem::path& path);
   void keep_step_if_wanted();
 
-  // The commands that perform a step which was carried out.
+  // The result of background work: commands that apply it to the state, and warnings.
   struct StepResult {
     std::vector<Command> commands;
     std::vector<std::string> warnings;

@@ -355,7 +355,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     } else {
       if (ready.drag) ready.drag->release_memory();
       result = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,
-                              *carry_contacts_, progress);
+                              *attachment_cache_, progress);
     }
   } catch (const Cancelled&) {
     // Whoever cancelled wants nothing.
@@ -384,7 +384,7 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   state.carried.clear();
   if (ready.drag && settles_frames(state)) return follow_drag(request, *ready.drag, progress);
   state.settled = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,
-                                 *carry_contacts_, progress)
+                                 *attachment_cache_, progress)
                       .moved;
   return {state.moves,
           std::make_shared<const DragState>(

@@ -13,7 +13,7 @@
 #include "lapwing/deform/drag_session.h"
 #include "lapwing/elastic/prepared_region.h"
 #include "state/app_state.h"
-#include "work/carry_contacts.h"
+#include "work/attachment_cache.h"
 #include "work/settled_result.h"
 #include "work/worker.h"
 
@@ -124,7 +124,7 @@ class Preparation {
   std::shared_ptr<const DeformSolver> exact() const;
 
   /// What carried objects follow, as results are made and drags are shown.
-  const std::shared_ptr<CarryContacts>& carry_contacts() const { return carry_contacts_; }
+  const std::shared_ptr<AttachmentCache>& attachment_cache() const { return attachment_cache_; }
 
   struct ToDragBy {
     std::shared_ptr<const DragResponse> response;
@@ -177,7 +177,7 @@ class Preparation {
   std::unique_ptr<Kernels> make_kernels() const;
   std::shared_ptr<BlendResponse> upload(const DragResponse& response) const;
 
-  const std::shared_ptr<CarryContacts> carry_contacts_ = std::make_shared<CarryContacts>();
+  const std::shared_ptr<AttachmentCache> attachment_cache_ = std::make_shared<AttachmentCache>();
 
   // All below is guarded by the worker's mutex. Work under a ticket that is not the current one is
   // void.

@@ -10,7 +10,7 @@ namespace {
 
 // Makes `solved` the result of the state, and carries along what follows the surface.
 std::shared_ptr<const MovedVertices> result_of(const AppState& state, const DeformSolver& solver,
-                                               DeformResult solved, CarryContacts& contacts,
+                                               DeformResult solved, AttachmentCache& contacts,
                                                const Progress& progress) {
   const JoinedSurface* joined = joined_seams(state);
   MovedVertices moved = moved_vertices(state.rest->positions, solved.positions);
@@ -49,7 +49,7 @@ std::shared_ptr<const MovedVertices> result_again(const AppState& state, const M
   DeformResult solved =
       solver.solve_from(pose_at(state, kept, positions), motions_of(state), progress);
   solved.positions = std::move(positions);
-  CarryContacts contacts;
+  AttachmentCache contacts;
   return result_of(state, solver, std::move(solved), contacts, progress);
 }
 
@@ -57,8 +57,8 @@ std::shared_ptr<const MovedVertices> result_again(const AppState& state, const M
 
 // In substeps, each part but the first needs a new preparation.
 SettledResult settled_result(const AppState& state, const DragState* from,
-                             const DeformSolver& solver, Kernels& kernels, CarryContacts& contacts,
-                             const Progress& progress) {
+                             const DeformSolver& solver, Kernels& kernels,
+                             AttachmentCache& contacts, const Progress& progress) {
   if (goes_in_substeps(state.parameters, state.moves)) {
     return {state.moves, solve_open_step(state, kernels, progress)};
   }

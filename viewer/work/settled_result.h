@@ -9,7 +9,7 @@
 #include "lapwing/kernels/kernels.h"
 #include "state/draft.h"
 #include "state/journal.h"
-#include "work/carry_contacts.h"
+#include "work/attachment_cache.h"
 
 namespace lapwing::viewer {
 
@@ -23,8 +23,8 @@ struct SettledResult {
 /// `from` if that is of the same region, and otherwise as a run of the recipe does. Throws what
 /// these throw.
 SettledResult settled_result(const AppState& state, const DragState* from,
-                             const DeformSolver& solver, Kernels& kernels, CarryContacts& contacts,
-                             const Progress& progress);
+                             const DeformSolver& solver, Kernels& kernels,
+                             AttachmentCache& contacts, const Progress& progress);
 
 /// Restores the steps of an interrupted edit: a deform whose result was kept has the same bits
 /// again, everything else is carried out as in a run. `edit` and `kernels` must outlive the

@@ -37,7 +37,7 @@ class ScopeInForce::State {
 
   void ask() noexcept {
     if (stopped_ || asking_) return;
-    if (always_asking == 0 && Clock::now() - asked_ < kAskEvery) return;
+    if (always_asking == 0 && Clock::now() - asked_ < kCheckInterval) return;
     asking_ = true;
     try {
       if (!progress_(stage_, fraction_)) throw Cancelled();
@@ -94,11 +94,11 @@ LentScope::Borrowed::~Borrowed() {
   in_force = before_;
 }
 
-Uncancelled::Uncancelled() : before_(in_force) {
+CancellationGuard::CancellationGuard() : before_(in_force) {
   in_force = {};
 }
 
-Uncancelled::~Uncancelled() {
+CancellationGuard::~CancellationGuard() {
   in_force = before_;
 }
 
@@ -117,7 +117,7 @@ bool can_be_cancelled() {
   return in_force.state != nullptr;
 }
 
-bool ask_whether_cancelled() noexcept {
+bool poll_cancelled() noexcept {
   if (in_force.state == nullptr || in_force.given_up != nullptr) return false;
   in_force.state->ask();
   return true;

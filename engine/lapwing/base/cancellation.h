@@ -9,7 +9,7 @@ namespace lapwing {
 
 /// Shortest time between two calls of Progress in long loops. A response within 0.2 s feels
 /// immediate; this leaves most of that for the work between two checks.
-inline constexpr std::chrono::milliseconds kAskEvery{20};
+inline constexpr std::chrono::milliseconds kCheckInterval{20};
 
 /// The scope that the checks of a thread use.
 struct ScopeInForce {
@@ -63,21 +63,21 @@ class LentScope {
   std::atomic<bool> given_up_ = false;
 };
 
-/// While an Uncancelled exists, checks on this thread do nothing, so that files are written
+/// While an CancellationGuard exists, checks on this thread do nothing, so that files are written
 /// completely.
-class Uncancelled {
+class CancellationGuard {
  public:
-  Uncancelled();
-  Uncancelled(const Uncancelled&) = delete;
-  Uncancelled& operator=(const Uncancelled&) = delete;
-  ~Uncancelled();
+  CancellationGuard();
+  CancellationGuard(const CancellationGuard&) = delete;
+  CancellationGuard& operator=(const CancellationGuard&) = delete;
+  ~CancellationGuard();
 
  private:
   ScopeInForce before_;
 };
 
 /// For long loops, every 0.01 to 10 ms. Calls Progress of the current scope, at most every
-/// `kAskEvery`, and throws Cancelled if that returns false. Does nothing without a scope.
+/// `kCheckInterval`, and throws Cancelled if that returns false. Does nothing without a scope.
 void check_cancelled();
 
 /// For loops with iterations as short as reading a clock: every 256th call checks.
@@ -98,7 +98,7 @@ bool can_be_cancelled();
 /// For code that must not throw, such as a thread that waits for its helpers. Calls Progress as
 /// `check_cancelled` does; the next `check_cancelled` then throws. Returns false if this thread has
 /// no Progress to call.
-bool ask_whether_cancelled() noexcept;
+bool poll_cancelled() noexcept;
 
 /// While one exists, every check of the program calls Progress, regardless of the time. For tests
 /// that cancel at every check.

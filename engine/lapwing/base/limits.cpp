@@ -37,8 +37,8 @@ void require_at_most(const Limit& limit, double count, const std::string& what,
                      const std::string& remedy) {
   const double most = most_of(limit);
   if (count <= most) return;
-  throw InputError(what + " " + in_words(count) + " " + limit.things + ", more than the " +
-                   in_words(most) + " that are allowed; " + remedy + ", or set " + limit.variable +
+  throw InputError(what + " " + in_words(count) + " " + limit.things + ", more than the limit of " +
+                   in_words(most) + "; " + remedy + ", or set " + limit.variable +
                    " to a larger number");
 }
 
@@ -56,7 +56,7 @@ std::size_t allowed_memory(std::size_t limit_bytes) {
 void require_memory(std::size_t bytes, const std::string& what, const std::string& remedy) {
   const std::size_t allowed = allowed_memory();
   if (bytes <= allowed) return;
-  throw SolverError(what + " needs " + in_megabytes(bytes) + " of memory, and may take " +
+  throw SolverError(what + " needs " + in_megabytes(bytes) + " of memory, more than the limit of " +
                     in_megabytes(allowed) + "; " + remedy + ", or set " + kMemoryVariable +
                     " to more bytes");
 }

@@ -37,9 +37,9 @@ inline constexpr double kPairsOfTriangle = 100.0;
 /// Returns the limit in force. Throws InputError if the variable is not a number above 0.
 double most_of(const Limit& limit);
 
-/// Throws InputError if `count` exceeds the limit: "`what` N triangles, more than the M that are
-/// allowed; `remedy`, or set LAPWING_... to a larger number". `what` ends with a verb, as in "the
-/// seam would get about".
+/// Throws InputError if `count` exceeds the limit: "`what` N triangles, more than the limit of M;
+/// `remedy`, or set LAPWING_... to a larger number". `what` is the sentence up to the number:
+/// "the seam would get about".
 void require_at_most(const Limit& limit, double count, const std::string& what,
                      const std::string& remedy);
 
@@ -55,8 +55,8 @@ inline constexpr const char* kMemoryVariable = "LAPWING_MOST_MEMORY";
 /// unknown.
 std::size_t allowed_memory(std::size_t limit_bytes = 0);
 
-/// Throws SolverError if `bytes` exceed `allowed_memory()`: "`what` needs N MB of memory, and may
-/// take M MB; `remedy`, ...".
+/// Throws SolverError if `bytes` exceed `allowed_memory()`: "`what` needs N MB of memory, more than
+/// the limit of M MB; `remedy`, ...".
 void require_memory(std::size_t bytes, const std::string& what, const std::string& remedy);
 
 /// Returns a text such as "12 MB", rounded up.

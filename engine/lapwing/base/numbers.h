@@ -14,11 +14,11 @@ namespace lapwing {
 /// large array is then first touched by the threads that fill it. The system provides it page by
 /// page, which takes longer than many computations.
 template <typename T>
-struct Uncleared : std::allocator<T> {
+struct UninitializedAllocator : std::allocator<T> {
   static_assert(std::is_trivially_default_constructible_v<T>);
   template <typename U>
   struct rebind {
-    using other = Uncleared<U>;
+    using other = UninitializedAllocator<U>;
   };
 
   void construct(T* place) noexcept { ::new (static_cast<void*>(place)) T; }
@@ -36,6 +36,6 @@ inline double rounded_to_seven_digits(double x) {
 }
 
 /// A large array of numbers. `resize` leaves new elements uninitialized.
-using Numbers = std::vector<double, Uncleared<double>>;
+using Numbers = std::vector<double, UninitializedAllocator<double>>;
 
 }  // namespace lapwing

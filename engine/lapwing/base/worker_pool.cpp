@@ -33,7 +33,7 @@ constexpr std::chrono::microseconds kHelperLooks{100};
 constexpr std::chrono::microseconds kCallerLooks{50};
 constexpr int kLooksBetweenClocks = 16;
 
-// Number of WorkAlone objects on this thread.
+// Number of SerialScope objects on this thread.
 thread_local int alone = 0;
 
 void pause() {
@@ -118,9 +118,9 @@ void WorkerPool::wait_for_helpers() {
   if (look_for(kCallerLooks, all_left)) return;
   std::unique_lock lock(mutex_);
   caller_sleeps_ = true;
-  while (!idle_.wait_for(lock, kAskEvery, all_left)) {
+  while (!idle_.wait_for(lock, kCheckInterval, all_left)) {
     lock.unlock();
-    ask_whether_cancelled();
+    poll_cancelled();
     lock.lock();
   }
   caller_sleeps_ = false;
@@ -162,11 +162,11 @@ void WorkerPool::leave() {
   idle_.notify_one();
 }
 
-WorkAlone::WorkAlone() {
+SerialScope::SerialScope() {
   ++alone;
 }
 
-WorkAlone::~WorkAlone() {
+SerialScope::~SerialScope() {
   --alone;
 }
 

@@ -54,14 +54,14 @@ class WorkerPool {
   int kept_off_ = -1;  ///< processor that helpers must not use
 };
 
-/// While a WorkAlone exists, its thread uses no helpers of any pool. For threads that divide the
+/// While a SerialScope exists, its thread uses no helpers of any pool. For threads that divide the
 /// processors among themselves.
-class WorkAlone {
+class SerialScope {
  public:
-  WorkAlone();
-  WorkAlone(const WorkAlone&) = delete;
-  WorkAlone& operator=(const WorkAlone&) = delete;
-  ~WorkAlone();
+  SerialScope();
+  SerialScope(const SerialScope&) = delete;
+  SerialScope& operator=(const SerialScope&) = delete;
+  ~SerialScope();
 };
 
 /// Returns the pool of the whole program, with `thread_count()` threads.

@@ -54,7 +54,7 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
 // A running batch.
 class Batch {
  public:
-  Batch(const BatchRequest& request, const BatchWatch& watch)
+  Batch(const BatchRequest& request, const BatchMonitor& watch)
       : watch_(watch),
         file_(request.jobs, request.recipe, request.output.words(), request.sandbox),
         jobs_(part_of(file_.jobs(), request.shard)),
@@ -74,7 +74,7 @@ class Batch {
       std::vector<std::thread> workers;
       for (unsigned t = 0; t < threads; ++t) {
         workers.emplace_back([this] {
-          const WorkAlone alone;
+          const SerialScope alone;
           work();
         });
       }
@@ -169,13 +169,12 @@ class Batch {
       std::rethrow_exception(failure_);
     } catch (const IoError& error) {
       throw IoError(std::string(error.what()) + "; " + std::to_string(count_.done) + " of " +
-                    std::to_string(count_.jobs) +
-                    " jobs are done, and --resume goes on from there");
+                    std::to_string(count_.jobs) + " jobs are done; continue with --resume");
     }
   }
 
-  const BatchWatch& watch_;
-  MeshShelf meshes_;
+  const BatchMonitor& watch_;
+  MeshCache meshes_;
   JobFile file_;
   std::span<const Job> jobs_;
   ResultFolder results_;
@@ -189,7 +188,7 @@ class Batch {
 
 }  // namespace
 
-BatchCount run_batch(const BatchRequest& request, const BatchWatch& watch) {
+BatchCount run_batch(const BatchRequest& request, const BatchMonitor& watch) {
   for (const std::filesystem::path& read : {request.jobs, request.recipe}) {
     if (!read.empty()) ResultFolder::require_no_result(request.folder, read);
   }

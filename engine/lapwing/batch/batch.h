@@ -33,7 +33,7 @@ struct BatchCount {
 };
 
 /// Callbacks of a batch; both may be empty.
-struct BatchWatch {
+struct BatchMonitor {
   /// Called at the start with the jobs done before, and after every job. Calls do not overlap.
   std::function<void(const BatchCount&)> count = {};
   /// Called often, by several threads at once. Returning false ends the batch and discards the jobs
@@ -46,10 +46,10 @@ struct BatchWatch {
 /// before the line of its job (ResultFolder, ResultWriter), so that an interruption loses no
 /// finished job. The results have the same bits for any threads, shards and interruptions, as long
 /// as a thread has the memory for exact preparations. A job that fails becomes a line of
-/// failed.jsonl. The batch is complete unless BatchWatch::go_on ended it.
+/// failed.jsonl. The batch is complete unless BatchMonitor::go_on ended it.
 ///
 /// Throws InputError before the first job if JobFile or ResultFolder do. Throws IoError if a file
 /// of the batch cannot be read or written; finished jobs stay.
-BatchCount run_batch(const BatchRequest& request, const BatchWatch& watch = {});
+BatchCount run_batch(const BatchRequest& request, const BatchMonitor& watch = {});
 
 }  // namespace lapwing

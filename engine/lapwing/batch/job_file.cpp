@@ -38,11 +38,11 @@ bool is_inside_move(const std::string& pointer) {
 
 std::string why_no_name(const std::string& id) {
   if (id.empty()) return "it is empty";
-  if (id == "." || id == "..") return "that is a folder";
+  if (id == "." || id == "..") return "it is a folder";
   if (id.size() > kLongestId) return "it is longer than " + std::to_string(kLongestId) + " bytes";
-  if (id.find('/') != std::string::npos) return "it has a \"/\"";
+  if (id.find('/') != std::string::npos) return "it contains a \"/\"";
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (std::any_of(id.begin(), id.end(), is_control)) return "it has a control character";
+  if (std::any_of(id.begin(), id.end(), is_control)) return "it contains a control character";
   return {};
 }
 
@@ -95,7 +95,7 @@ JobFile::JobFile(const fs::path& path, const fs::path& recipe, std::string_view 
     if (!is_blank(text)) add(line, text, output);
   }
   groups_.clear();
-  require_unlike_ids();
+  require_unique_ids();
 }
 
 const JobFile::Page& JobFile::page(const fs::path& file) {
@@ -118,27 +118,28 @@ JobFile::Line JobFile::read_line(const Job& job) const {
   line.id = std::to_string(job.line);
   if (const auto id = json.find("id"); id != json.end()) {
     if (!id->is_string() && !id->is_number()) {
-      throw InputError(line.where + ": /id: expected a text in quotes or a number");
+      throw InputError(line.where + ": /id: expected a string or a number");
     }
     line.id = id->is_string() ? id->get<std::string>() : id->dump();
   }
   if (const std::string why = why_no_name(line.id); !why.empty()) {
-    throw InputError(line.where + ": /id: it becomes the name of a file, and cannot: " + why);
+    throw InputError(line.where + ": /id: the id cannot be a file name: " + why);
   }
   line.file = default_recipe_;
   if (const auto recipe = json.find("recipe"); recipe != json.end()) {
     if (!recipe->is_string() && !recipe->is_object()) {
-      throw InputError(line.where + ": /recipe: expected a file in quotes, or a recipe");
+      throw InputError(line.where + ": /recipe: expected a file name in quotes or a recipe");
     }
     line.file = recipe->is_string() ? folder_ / recipe->get<std::string>() : fs::path();
     if (recipe->is_object()) line.recipe = *recipe;
   } else if (default_recipe_.empty()) {
     throw InputError(line.where +
-                     ": it has no \"recipe\"; add one, or give one for all with --recipe");
+                     ": the line has no \"recipe\"; add one, or give one for all lines with "
+                     "--recipe");
   }
   if (const auto set = json.find("set"); set != json.end()) {
     if (!set->is_object()) {
-      throw InputError(line.where + ": /set: expected an object of values by JSON pointer");
+      throw InputError(line.where + ": /set: expected an object of JSON pointers and values");
     }
     line.set = *set;
   }
@@ -161,8 +162,8 @@ void JobFile::add(std::size_t number, std::string_view text, std::string_view ou
     } else {
       const bool is_named = line.file != default_recipe_ && !sandbox_.empty();
       if (is_named && !is_inside(line.file, sandbox_)) {
-        throw InputError(line.where + ": /recipe: " + line.file.string() + " is outside of " +
-                         sandbox_.string() + "; put it there, or leave out --sandbox");
+        throw InputError(line.where + ": /recipe: " + line.file.string() + " is outside " +
+                         sandbox_.string() + "; move it there, or omit --sandbox");
       }
       const Page& recipe = page(line.file);
       if (!recipe.error.empty()) throw InputError(line.where + ": " + recipe.error);
@@ -183,15 +184,15 @@ void JobFile::add(std::size_t number, std::string_view text, std::string_view ou
 }
 
 // Jobs with errors write no files, so their ids may repeat.
-void JobFile::require_unlike_ids() const {
+void JobFile::require_unique_ids() const {
   std::unordered_map<std::string_view, std::size_t> lines;
   for (const Job& job : jobs_) {
     if (!job.error.empty()) continue;
     const auto [at, is_new] = lines.try_emplace(job.id, job.line);
     if (is_new) continue;
-    throw InputError(name_ + ":" + std::to_string(job.line) + ": line " +
-                     std::to_string(at->second) + " has the id \"" + job.id +
-                     "\", too; give each line an id of its own");
+    throw InputError(name_ + ":" + std::to_string(job.line) + ": the id \"" + job.id +
+                     "\" is already used in line " + std::to_string(at->second) +
+                     "; give each line a different id");
   }
 }
 

@@ -60,7 +60,7 @@ class JobFile {
   };
 
   void add(std::size_t line, std::string_view text, std::string_view output);
-  void require_unlike_ids() const;
+  void require_unique_ids() const;
   Line read_line(const Job& job) const;
   const Page& page(const std::filesystem::path& file);
 

@@ -28,7 +28,7 @@ LineFile::LineFile(fs::path path)
   // On file systems without locks, two runs into one folder go unnoticed.
   if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw IoError(path_.string() +
-                  ": another run is writing it; let that end, or name another folder");
+                  ": another run is writing it; wait until it ends, or choose another folder");
   }
   const FileBytes bytes = FileBytes::read(path_);
   const std::size_t whole = bytes.view().rfind('\n') + 1;  // 0 for none

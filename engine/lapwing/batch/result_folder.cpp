@@ -45,7 +45,8 @@ void ResultFolder::require_no_result(const fs::path& folder, const fs::path& rea
     return;
   }
   throw InputError(read.string() +
-                   " is where the batch writes what comes out; rename it, or name another folder");
+                   " has the name of a file that the batch writes; rename it, or choose another "
+                   "folder");
 }
 
 ResultFolder::ResultFolder(fs::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
@@ -62,15 +63,15 @@ ResultFolder::ResultFolder(fs::path folder, std::span<const Job> jobs, std::opti
   try {
     fs::create_directories(folder_);
   } catch (const fs::filesystem_error& error) {
-    throw IoError("cannot make the folder " + folder_.string() + ": " + error.code().message() +
-                  "; name another");
+    throw IoError("cannot create the folder " + folder_.string() + ": " + error.code().message() +
+                  "; choose another");
   }
   const std::vector<fs::path> others = files_like(folder_, kAnyResults);
   for (const fs::path& other : others) {
     const bool is_mine = is_whole_ || other == results_path_ || other == folder_ / "results.jsonl";
     if (resume || !is_mine) continue;
-    throw InputError(folder_.string() + " has results already (" + other.filename().string() +
-                     "); go on from them with --resume, or name another folder");
+    throw InputError(folder_.string() + " already has results (" + other.filename().string() +
+                     "); continue with --resume, or choose another folder");
   }
   results_ = std::make_unique<LineFile>(results_path_);
   fs::remove(failed_path_);

@@ -19,14 +19,14 @@ using Json = nlohmann::ordered_json;
 void require_no_input(const fs::path& path, const RunResult& result) {
   for (const fs::path& input : result.inputs) {
     if (!is_same_file(path, input)) continue;
-    throw InputError(path.string() + " is what the recipe reads; name another folder or id");
+    throw InputError(path.string() + " is an input of the recipe; choose another folder or id");
   }
 }
 
 // Names all carried files after the job, beside its result.
 std::vector<std::string> name_carried(const Job& job, const fs::path& folder, RunResult& result) {
   std::vector<std::string> names;
-  for (CarriedFile& file : result.carried) {
+  for (AttachmentFile& file : result.carried) {
     names.push_back(job.id + "-" + file.file().stem().string() + "-carried" +
                     file.file().extension().string());
     file.save = folder / names.back();
@@ -57,7 +57,7 @@ std::string BatchOutput::words() const {
   return "displacements " + std::to_string(size_of(*displacements));
 }
 
-ResultWriter::ResultWriter(fs::path folder, BatchOutput output, const MeshShelf& meshes,
+ResultWriter::ResultWriter(fs::path folder, BatchOutput output, const MeshCache& meshes,
                            fs::path first_mesh)
     : folder_(std::move(folder)),
       output_(std::move(output)),
@@ -108,8 +108,8 @@ std::string ResultWriter::write(const Job& job, const Recipe& recipe, RunResult&
                           rest->face_vertices() == result.mesh.face_vertices();
     if (!is_alike) {
       throw InputError(
-          "the recipe makes other triangles, which have no displacements from the mesh as it was "
-          "read; write meshes with --format, or keep the triangles (\"remesh\": \"none\")");
+          "the recipe changes the connectivity, so displacements are undefined; write meshes with "
+          "--format, or keep the connectivity (\"remesh\": \"none\")");
     }
     rest_name = write_rest(recipe, *rest);
     require_targets(result.carried, path, result.inputs);

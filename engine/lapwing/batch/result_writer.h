@@ -28,7 +28,7 @@ class ResultWriter {
  public:
   /// `meshes` must outlive the object. `first_mesh` is the mesh file of the first job, whose rest
   /// mesh is rest.ply. Throws InputError if the extension is not that of a mesh format.
-  ResultWriter(std::filesystem::path folder, BatchOutput output, const MeshShelf& meshes,
+  ResultWriter(std::filesystem::path folder, BatchOutput output, const MeshCache& meshes,
                std::filesystem::path first_mesh);
 
   /// Writes `result` of `recipe`: a mesh, such as ID.ply, or ID.npy, the displacements from the
@@ -46,7 +46,7 @@ class ResultWriter {
 
   std::filesystem::path folder_;
   BatchOutput output_;
-  const MeshShelf& meshes_;
+  const MeshCache& meshes_;
   std::filesystem::path first_mesh_;
   std::mutex mutex_;
   std::set<std::string> rests_;  ///< written so far

@@ -67,15 +67,15 @@ class Descent {
 
   Json& element(Json& json, const std::string& key, bool is_last) const {
     if (!json.is_array()) {
-      fail(here() + " is neither an object nor a list: nothing is inside it; set it as a whole");
+      fail(here() + " is neither an object nor a list; set it as a whole");
     }
     if (is_last && key == "-") return json.emplace_back();
     const std::optional<std::size_t> place = list_place(key);
     if (place && *place < json.size()) return json[*place];
     const std::string count = std::to_string(json.size());
-    fail(here() + " is a list of " + count + " and has no \"" + key + "\"; it takes " +
+    fail(here() + " is a list of " + count + " and has no \"" + key + "\"; use " +
          (json.empty() ? "" : "0 to " + std::to_string(json.size() - 1) + ", or ") +
-         "\"-\" to add one at the end");
+         "\"-\" to append an element");
   }
 
   const std::string& pointer_;
@@ -94,7 +94,7 @@ void set_json(Json& document, const std::string& pointer, Json value, const std:
   for (std::size_t begin = 1; begin <= pointer.size();) {
     const std::size_t end = std::min(pointer.find('/', begin), pointer.size());
     const auto key = key_of(std::string_view(pointer).substr(begin, end - begin));
-    if (!key) descent.fail("a ~ is written ~0, and a / inside a key ~1");
+    if (!key) descent.fail("in a key, write ~ as ~0 and / as ~1");
     at = &descent.step(*at, *key, end == pointer.size());
     begin = end + 1;
   }

@@ -45,8 +45,8 @@ struct Coater::State {
     for (const HeldVertex& anchor : target.held) {
       if (target_patch.own_number(anchor.vertex) == kNoIndex) {
         throw InputError("vertex " + std::to_string(anchor.vertex) +
-                         " is to be held, but is not in the target patch; enlarge the patch, or "
-                         "leave the vertex out");
+                         " is held, but it is outside the target patch; enlarge the patch, or "
+                         "release the vertex");
       }
       const VertexSet own = own_numbers(part, {anchor.vertex});
       held.push_back({own.front(), anchor.displacement});
@@ -117,8 +117,8 @@ void Coater::State::make_system(const Progress& progress) {
   const VertexSet& unknowns = constraints.unknowns.vertices;
   if (unknowns.empty()) {
     throw InputError(
-        "the target patch has no inner vertices to coat; choose a larger one, or a "
-        "finer mesh");
+        "the target patch has no inner vertices to coat; choose a larger patch, or "
+        "a finer mesh");
   }
   if (holds_long_waves()) {
     const auto weights = laplacian_weights(part.topology, rest, options.weights);
@@ -145,9 +145,9 @@ void Coater::State::make_system(const Progress& progress) {
         std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints, *pattern,
                                           EnergyTerms{options.weights, 0.0}, timings);
   } catch (const SolverError&) {  // its message names a vertex of the part
-    throw SolverError("the system of the target patch around vertex " +
+    throw SolverError("the system of the target patch is singular near vertex " +
                       std::to_string(free.front()) +
-                      " is singular; look for damage with `lapwing check`");
+                      "; run `lapwing check` to find degenerate triangles");
   }
   holds = holds_in_order(constraints.W);
 }

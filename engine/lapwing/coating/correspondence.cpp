@@ -30,9 +30,10 @@ Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& p
   const std::string name = "vertex " + std::to_string(v);
   const std::string patch = "the " + std::string(kSides[which]) + " patch";
   if (own == kNoIndex) {
-    throw InputError(place + ": " + name + " is not in " + patch + ", whose " +
-                     std::to_string(side.patch.vertices.size()) + " vertices begin with " +
-                     std::to_string(side.patch.vertices.front()) + "; choose one of them");
+    throw InputError(place + ": " + name + " is not in " + patch + ", which has " +
+                     std::to_string(side.patch.vertices.size()) +
+                     " vertices; choose one of them, such as vertex " +
+                     std::to_string(side.patch.vertices.front()));
   }
   const auto& loop = side.patch.loop;
   const bool on_loop = std::find(loop.begin(), loop.end(), own) != loop.end();
@@ -42,12 +43,12 @@ Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& p
              (side.positions[b] - side.positions[own]).squaredNorm();
     });
     throw InputError(place + ": " + name + " lies inside " + patch +
-                     ", and a boundary pair needs a vertex of its border; the nearest is " +
+                     ", but a boundary pair needs a vertex on its boundary; the nearest is " +
                      std::to_string(side.patch.vertices[nearest]));
   }
   if (!boundary && on_loop) {
-    throw InputError(place + ": " + name + " lies on the border of " + patch +
-                     ", which inner pairs leave alone; give it in \"boundary_pairs\"");
+    throw InputError(place + ": " + name + " lies on the boundary of " + patch +
+                     ", but inner pairs need inner vertices; give it in \"boundary_pairs\"");
   }
   return own;
 }
@@ -57,8 +58,9 @@ void require_pair_count(const CorrespondenceOptions& options, const std::string&
   const std::size_t wanted = pin_count(options.domain);
   if (count == 0 || count == wanted) return;
   throw InputError(where + "/boundary_pairs: the " +
-                   (wanted == 1 ? "disk takes one pair" : "square takes four pairs") +
-                   ", in order around the border, got " + std::to_string(count));
+                   (wanted == 1 ? "disk needs one pair"
+                                : "square needs four pairs in order around the boundary") +
+                   ", got " + std::to_string(count));
 }
 
 BoundaryPins pins_of(const PlacedPatch& side, std::size_t which,
@@ -88,13 +90,13 @@ DomainMap map_of(const PlacedPatch& side, std::size_t which, Domain domain,
 [[noreturn]] void fail_contradicting(const CorrespondenceOptions& options, const WarpReport& report,
                                      const std::string& where) {
   std::string text = where +
-                     "/inner_pairs: these pairs cannot be met together without folding the "
+                     "/inner_pairs: these pairs cannot all be satisfied without folding the "
                      "map:";
   for (const Index p : report.unmet) {
     const VertexPair& pair = options.inner_pairs[p];
     text += " [" + std::to_string(pair[0]) + ", " + std::to_string(pair[1]) + "]";
   }
-  throw InputError(text + ". Leave out one of them, or correct it");
+  throw InputError(text + ". Remove or correct one of them");
 }
 
 // Returns the places in the domain to which the inner pairs pull the source's vertices.
@@ -110,8 +112,8 @@ std::vector<PointPull> pulls_of(const PlacedPatch& source, const PlacedPatch& ta
                                    [&](const PointPull& pull) { return pull.vertex == from; });
     if (same != pulls.end()) {
       throw InputError(place + ": vertex " + std::to_string(options.inner_pairs[p][0]) +
-                       " of the source is in pair " + std::to_string(same - pulls.begin()) +
-                       " too; a vertex can lie in one place only");
+                       " of the source is also in pair " + std::to_string(same - pulls.begin()) +
+                       "; give each vertex in one pair only");
     }
     pulls.push_back({from, target_map.points[to]});
   }
@@ -140,7 +142,7 @@ double best_turn(const DomainMap& map, std::span<const PointPull> pulls) {
 // Rotates the source's map about the centre of the domain. Its pins become the boundary vertices
 // nearest to the target's.
 void turn(double angle, const Patch& source, std::span<const Index> target_pins,
-          const DomainMap& target, LaidPatch& laid) {
+          const DomainMap& target, FlattenedPatch& laid) {
   const Eigen::Vector2d center = center_of(target.domain);
   const Eigen::Rotation2Dd rotation(angle);
   for (Eigen::Vector2d& point : laid.map.points) point = center + rotation * (point - center);
@@ -166,18 +168,18 @@ void meet_inner_pairs(const Patch& source, std::span<const PointPull> pulls,
 
 }  // namespace
 
-LaidPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
-              const std::string& where) {
+FlattenedPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
+                   const std::string& where) {
   const auto index = static_cast<std::size_t>(which);
-  LaidPatch laid;
+  FlattenedPatch laid;
   laid.pins_are_chosen = options.boundary_pairs.empty();
   laid.pins = pins_of(side, index, options, where);
   laid.map = map_of(side, index, options.domain, laid.pins, where);
   return laid;
 }
 
-Correspondence correspond(const PlacedPatch& source, LaidPatch laid_source,
-                          const PlacedPatch& target, LaidPatch laid_target,
+Correspondence correspond(const PlacedPatch& source, FlattenedPatch laid_source,
+                          const PlacedPatch& target, FlattenedPatch laid_target,
                           const CorrespondenceOptions& options, const std::string& where) {
   Correspondence result;
   const auto pulls = pulls_of(source, target, options, where, laid_target.map);
@@ -201,8 +203,8 @@ Correspondence correspond(const PlacedPatch& source, LaidPatch laid_source,
 
 Correspondence correspond(const PlacedPatch& source, const PlacedPatch& target,
                           const CorrespondenceOptions& options, const std::string& where) {
-  LaidPatch laid_source;
-  LaidPatch laid_target;
+  FlattenedPatch laid_source;
+  FlattenedPatch laid_target;
   parallel_invoke([&] { laid_source = lay(source, MapSide::source, options, where); },
                   [&] { laid_target = lay(target, MapSide::target, options, where); });
   return correspond(source, std::move(laid_source), target, std::move(laid_target), options, where);

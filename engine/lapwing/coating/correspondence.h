@@ -43,18 +43,18 @@ struct Correspondence {
 enum class MapSide { source, target };
 
 /// A patch mapped to the domain, before any warp.
-struct LaidPatch {
+struct FlattenedPatch {
   BoundaryPins pins;
   bool pins_are_chosen = false;  ///< by default_pins, rather than given
   DomainMap map;
 };
 
 /// The first half of `correspond`, for one side. Throws what `correspond` throws.
-LaidPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
-              const std::string& where);
+FlattenedPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
+                   const std::string& where);
 /// The second half, which brings both sides together.
-Correspondence correspond(const PlacedPatch& source, LaidPatch laid_source,
-                          const PlacedPatch& target, LaidPatch laid_target,
+Correspondence correspond(const PlacedPatch& source, FlattenedPatch laid_source,
+                          const PlacedPatch& target, FlattenedPatch laid_target,
                           const CorrespondenceOptions& options, const std::string& where);
 
 /// Parameterizes both patches, warps the source's map until the inner pairs meet, and locates every

@@ -75,7 +75,7 @@ Positions Fairing::smooth(std::span<const Vector3d> other, double length, const 
   const double t = std::pow(length / (2.0 * std::numbers::pi), 2);
   BlockRows rows = rows_;
   for (double& value : rows.values) value *= t;
-  solver_->factor(pattern_->normal().normal_matrix(rows, masses_));
+  solver_->factorize(pattern_->normal().normal_matrix(rows, masses_));
 
   // Solves for the displacement, whose right-hand side is small: (M + t^2 D'MD) u = -t^2 D'MD v.
   const std::size_t n = free().size();

@@ -11,8 +11,8 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/stage.h"
-#include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/ring_areas.h"
+#include "lapwing/coating/sizing_field.h"
 #include "lapwing/deform/certificate.h"
 
 namespace lapwing {
@@ -36,17 +36,17 @@ void require_valid(const Patch& patch, const Positions& positions, double relati
   for (const Index v : patch.vertices) {
     if (positions[v].allFinite()) continue;
     throw SolverError(
-        where + ": the result has positions that are not finite, vertex " + std::to_string(v) +
-            " for one, so the mesh was left as it was; run `lapwing check` on source and "
-            "target, and see that \"amplitude\" and \"scale\" are no larger than needed",
+        where + ": the result has a non-finite position at vertex " + std::to_string(v) +
+            ", so the mesh is unchanged; run `lapwing check` on source and target, and reduce "
+            "\"amplitude\" or \"scale\"",
         {v});
   }
   if (!(relative_residual <= kLargestResidual)) {
     std::ostringstream text;
-    text << where << ": the solution misses the equations by " << relative_residual << " (at most "
-         << kLargestResidual
-         << " is allowed), so the mesh was left as it was; remesh the target patch with `lapwing "
-            "remesh`, or choose a smaller one";
+    text << where << ": the relative residual of the solution is " << relative_residual
+         << ", above the limit of " << kLargestResidual
+         << ", so the mesh is unchanged; remesh the target patch with `lapwing remesh`, or choose "
+            "a smaller patch";
     throw SolverError(text.str());
   }
 }
@@ -138,17 +138,18 @@ void LayeredCoat::meet() {
 
 void LayeredCoat::remesh_where_coarse(const Progress& progress) {
   if (request_.parameters.remesh == Remeshing::none) return;
-  std::vector<CarriedLength> lengths;
+  std::vector<SizingField> lengths;
   for (const Layer& layer : layers_) {
-    CarriedLength length(layer.source.coating(), target_->patch(), target_->own_positions(),
-                         layer.map.points);
+    SizingField length(layer.source.coating(), target_->patch(), target_->own_positions(),
+                       layer.map.points);
     if (!length.asks_for_remeshing()) continue;
     if (length.vertex_estimate() > kMostVertices) {
       warnings_.push_back(
           layer.source.asked().where +
-          ": the source is so much finer than the target that the patch would get " +
+          ": the source is so much finer than the target that the patch would need " +
           std::to_string(static_cast<std::size_t>(length.vertex_estimate())) +
-          " vertices; it gets fewer, and the finest detail is lost. `lapwing remesh` makes more");
+          " vertices; it gets fewer, and the finest detail is lost. To keep it, refine the target "
+          "with `lapwing remesh` first");
       length.limit_vertices(kMostVertices);
     }
     lengths.push_back(std::move(length));
@@ -280,12 +281,10 @@ void LayeredCoat::note_held_scales() {
     const std::size_t held = coater_->scales()[k].held;
     if (100 * held <= count) continue;
     std::ostringstream text;
-    text << layers_[k].source.asked().where << ": " << held << " of the target patch's " << count
-         << " vertices are laid so close together on the source that the coating would be more "
-            "than "
-         << kLargestLocalScale
-         << " times as large there as the patches' sizes say; it is held to that. Choose a rounder "
-            "patch, without horns or legs, or give \"scale\"";
+    text << layers_[k].source.asked().where << ": at " << held << " of the target patch's " << count
+         << " vertices, the local scale of the coating would exceed " << kLargestLocalScale
+         << " times the scale of the patches, so it is limited to that. Choose a rounder patch, "
+            "without horns or legs, or give \"scale\"";
     warnings_.push_back(text.str());
   }
 }
@@ -297,8 +296,8 @@ void LayeredCoat::note_wide_transition() {
   if (share >= kMostOfIt) return;
   std::ostringstream text;
   text << request_.where << ": the transition of " << options_.transition.width
-       << " is wider than the target patch is deep, so that at most " << std::lround(100.0 * share)
-       << "% of the coating arrives; choose a larger patch or a narrower \"transition\"";
+       << " exceeds the depth of the target patch, so at most " << std::lround(100.0 * share)
+       << "% of the coating is visible; choose a larger patch or a narrower \"transition\"";
   warnings_.push_back(text.str());
 }
 

@@ -93,7 +93,7 @@ class LayeredCoat {
     SourceSide source;
     CorrespondenceOptions pairs;  ///< target vertices in numbers of the current mesh
     double amplitude = 1.0;
-    LaidPatch laid_target = {};
+    FlattenedPatch laid_target = {};
     Correspondence map = {};
   };
   template <class Body>

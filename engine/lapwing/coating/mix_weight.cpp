@@ -12,7 +12,7 @@ namespace {
 std::vector<double> distances_to(const RegionSpec& spec, const Mesh& mesh) {
   const VertexSet region = resolve(spec, mesh);
   if (region.empty()) {
-    throw InputError(spec.where + ": the region holds no vertex; name at least one");
+    throw InputError(spec.where + ": the region has no vertices; name at least one");
   }
   auto distances = geodesic_distances(mesh.topology(), mesh.positions, region);
   // Unreachable vertices get a finite distance, since an infinity cannot be interpolated.
@@ -31,8 +31,8 @@ void require_weights(const std::vector<double>& field, const Mesh& mesh, const s
   }
   for (std::size_t v = 0; v < field.size(); ++v) {
     if (field[v] >= 0.0 && field[v] <= 1.0) continue;
-    throw InputError(where + "/field/" + std::to_string(v) + ": expected 0 to 1, got " +
-                     std::to_string(field[v]));
+    throw InputError(where + "/field/" + std::to_string(v) +
+                     ": expected a number from 0 to 1, got " + std::to_string(field[v]));
   }
 }
 
@@ -47,8 +47,8 @@ struct Weigher {
   std::vector<double> operator()(const DomainRamp& ramp) const {
     if (map.domain != Domain::square) {
       throw InputError(where +
-                       "/domain_v: only the square domain has a v; choose the square, or weigh by "
-                       "distance");
+                       "/domain_v: only the square domain has a coordinate v; set \"domain\" to "
+                       "\"square\", or use \"distance_to\"");
     }
     if (ramp.from == ramp.to) {
       throw InputError(where + "/domain_v: the ramp has no extent; give two different numbers");

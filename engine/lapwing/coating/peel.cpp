@@ -74,8 +74,8 @@ Peeled peel(const Mesh& mesh, const PeelRequest& request, const Progress& progre
   }
   if (peeled.moved.empty()) {
     peeled.warnings.push_back(request.region.where +
-                              ": every vertex of the region is on its border, which stays, so "
-                              "nothing came off; choose a larger region");
+                              ": every vertex of the region is on its boundary, which stays "
+                              "fixed, so no detail was removed; choose a larger region");
     return peeled;
   }
   peeled.mean_coating = std::sqrt(squares / static_cast<double>(peeled.moved.size()));

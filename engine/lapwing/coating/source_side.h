@@ -26,7 +26,7 @@ class SourceSide {
 
   /// Maps the surface without its detail to the domain, so that detail does not influence the map.
   void lay(const CorrespondenceOptions& pairs);
-  const LaidPatch& laid() const { return laid_; }
+  const FlattenedPatch& laid() const { return laid_; }
   PlacedPatch placed() const { return {coating_.patch, coating_.smooth}; }
 
   const CoatSource& asked() const { return source_; }
@@ -36,7 +36,7 @@ class SourceSide {
   SharedSource shared_;  ///< null if the target is the source
   const Mesh& mesh_;
   Coating coating_;
-  LaidPatch laid_;
+  FlattenedPatch laid_;
 };
 
 }  // namespace lapwing

@@ -21,16 +21,17 @@ void TargetSide::choose_handles(std::span<const MovedHandle> handles) {
     const std::string& where = handle.region.where;
     const VertexSet vertices = resolve(handle.region, mesh());
     if (vertices.empty()) {
-      throw InputError(where + ": the handle holds no vertex; name at least one");
+      throw InputError(where + ": the handle has no vertices; name at least one");
     }
     if (const VertexSet outside = subtract(vertices, patch_.vertices); !outside.empty()) {
       throw InputError(where + ": the handle leaves the target patch at " + name_vertices(outside) +
-                           "; enlarge the patch, or leave them out of the handle",
+                           "; enlarge the patch, or remove them from the handle",
                        outside);
     }
     if (const VertexSet shared = intersect(vertices, chosen); !shared.empty()) {
       throw InputError(where + ": the handle shares " + name_vertices(shared) +
-                           " with another; leave them out of one of the two (\"minus\" does that)",
+                           " with another handle; remove them from one of the two, for example "
+                           "with \"minus\"",
                        shared);
     }
     chosen = unite(chosen, vertices);
@@ -61,7 +62,7 @@ std::string TargetSide::remesh(const std::function<double(const Vector3d&)>& len
     extras.pop_back();
   }
   const RemeshResult& remeshed = finer->remeshed;
-  finer->now = places_in(remeshed.kept, given_mesh_.vertex_count());
+  finer->now = inverse_index(remeshed.kept, given_mesh_.vertex_count());
   finer->inner = remeshed.region;
   std::erase_if(finer->inner, [&](Index v) { return remeshed.kept[v] != kNoIndex; });
   if (finer->inner.empty()) finer->inner = remeshed.region;

@@ -29,15 +29,16 @@ Vector3d area_normal(const Triangle& t, std::span<const Vector3d> p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
 }
 
-// Twice the area over the square of the longest side: how high it is, relative to its length.
-bool has_a_side(const Triangle& t, std::span<const Vector3d> p) {
+// Whether the height over the longest side exceeds kThinnestTriangle.
+bool is_not_degenerate(const Triangle& t, std::span<const Vector3d> p) {
   const double longest =
       std::max({(p[t[1]] - p[t[0]]).squaredNorm(), (p[t[2]] - p[t[1]]).squaredNorm(),
                 (p[t[0]] - p[t[2]]).squaredNorm()});
   return area_normal(t, p).norm() > kThinnestTriangle * longest;
 }
 
-// Those that touch `roi`, ascending. Each is looked at from its first corner there.
+// Returns the flipped triangles that touch `roi`, ascending. Each is tested at its first corner in
+// `roi`.
 std::vector<Index> flipped_triangles(std::span<const Index> roi, std::span<const char> in_roi,
                                      std::span<const Matrix3d> rotation_of,
                                      const Topology& topology, std::span<const Vector3d> rest,
@@ -50,7 +51,7 @@ std::vector<Index> flipped_triangles(std::span<const Index> roi, std::span<const
         const Triangle& corners = topology.triangles[t];
         const auto first =
             std::find_if(corners.begin(), corners.end(), [&](Index v) { return in_roi[v] != 0; });
-        if (*first != roi[r] || !has_a_side(corners, rest)) continue;
+        if (*first != roi[r] || !is_not_degenerate(corners, rest)) continue;
         Matrix3d turn = Matrix3d::Zero();
         for (const Index v : corners) {
           turn += in_roi[v] != 0 ? rotation_of[v] : Matrix3d(Matrix3d::Identity());
@@ -78,7 +79,7 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
   return free;
 }
 
-// `measure_shape`, and the rotation of each ring, by vertex of the mesh; nothing elsewhere.
+// Does what `measure_shape` does. Returns the rotations of the rings, per vertex of the mesh.
 std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topology& topology,
                                          std::span<const Vector3d> rest,
                                          std::span<const Vector3d> current,
@@ -132,7 +133,7 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
   certificate.flipped_triangles = flipped.size();
   certificate.first_flipped_triangles.assign(
       flipped.begin(), flipped.begin() + std::min(flipped.size(), kListedTriangles));
-  // Only what has turned far can be inside out.
+  // Only a surface that has turned far can be inside out.
   if (!flipped.empty() || certificate.largest_rotation_degrees > kFarTurnDegrees) {
     const Inversion inversion = measure_inversion(roi, topology, rest, current);
     certificate.inside_out_share = inversion.share;
@@ -144,10 +145,9 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
   return rotations;
 }
 
-// Says what to try against folds.
+// Returns advice against folds.
 std::string advice(const Certificate& c) {
-  const std::string move =
-      "Move the handle less, rotate it with its motion, or go in several steps";
+  const std::string move = "Move the handle less, rotate it with its motion, or use several steps";
   return c.region_is_whole ? move + "." : move + ", or enlarge the region.";
 }
 
@@ -184,17 +184,17 @@ std::vector<std::string> warnings_of(const Certificate& c) {
         << " iterations: one more would move a vertex by " << c.settle_last_step
         << " mean edge lengths. "
         << (c.lacks_hessian
-                ? "The Hessian of so many vertices cannot be factored in the memory that there is. "
-                  "Choose a smaller region, or free memory."
-                : "Raise \"max_iterations\" of \"settle\", or make the motion in smaller parts.");
+                ? "The Hessian does not fit into the available memory. Choose a smaller region, or "
+                  "free memory."
+                : "Raise \"max_iterations\" of \"settle\", or move in smaller steps.");
     warnings.push_back(text.str());
   }
   if (misses_handles(c)) {
     std::ostringstream text;
-    text << "a handle misses its place by " << c.handle_error << ", "
-         << 100.0 * c.handle_error / c.rest_diagonal << "% of the mesh's diagonal, on a way of "
+    text << "a handle misses its place by " << c.handle_error << " ("
+         << 100.0 * c.handle_error / c.rest_diagonal << "% of the mesh's diagonal) on a path of "
          << c.asked_motion
-         << ": raise \"constraint_weight\" or the handle's \"weight\", or hold it with \"hard\"";
+         << ": raise \"constraint_weight\" or the handle's \"weight\", or set \"hard\"";
     warnings.push_back(text.str());
   }
   if (c.inside_out_share > kMostInsideOut) {
@@ -215,7 +215,7 @@ std::vector<std::string> warnings_of(const Certificate& c) {
   if (ratio > kLongEdge) {
     std::ostringstream text;
     text << "the edge from vertex " << c.largest_edge_stretch_vertices[0] << " to "
-         << c.largest_edge_stretch_vertices[1] << " became " << ratio
+         << c.largest_edge_stretch_vertices[1] << " is now " << ratio
          << " times as long. Move the handle less"
          << (c.region_is_whole ? "." : ", or enlarge the region.");
     warnings.push_back(text.str());
@@ -231,15 +231,15 @@ void require_valid(const Certificate& certificate) {
                             std::isfinite(c.largest_scale) && std::isfinite(c.settle_last_step);
   if (!c.all_finite || !all_measured) {
     throw SolverError(
-        "the result has positions or distances that are not finite, so the mesh was left as it "
-        "was; run `lapwing check` on it, and see that the handle's motion is finite");
+        "the result has non-finite positions or distances, so the mesh is unchanged; run "
+        "`lapwing check` on it, and make sure that the handle's motion is finite");
   }
   if (!(certificate.relative_residual <= kLargestResidual)) {
     std::ostringstream text;
-    text << "the solution misses the equations by " << certificate.relative_residual << " (at most "
-         << kLargestResidual
-         << " is allowed), so the mesh was left as it was; the region is nearly unanchored: add "
-            "belt vertices, or raise constraint_weight";
+    text << "the relative residual of the solution is " << certificate.relative_residual
+         << ", above the limit of " << kLargestResidual
+         << ", so the mesh is unchanged. The region is nearly unconstrained: add belt vertices, or "
+            "raise constraint_weight";
     throw SolverError(text.str());
   }
 }

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
+// Number of vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
 constexpr std::size_t kCoarseVertices = 3500;
 
 }  // namespace
@@ -31,7 +31,7 @@ CoarseProxy::CoarseProxy(const EditSystem& fine, std::unique_ptr<CoarseRegion> c
       energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
                     static_cast<double>(fine.region.roi.size())),
       is_held_(surface().kept.size(), 1),
-      coarse_of_(places_in(surface().kept, fine.rest->size())) {
+      coarse_of_(inverse_index(surface().kept, fine.rest->size())) {
   for (const Index c : coarse_->edit->region.roi) is_held_[c] = 0;
   for (const Index c : coarse_->edit->region.belt) is_held_[c] = 1;
   for (const VertexSet& handle : coarse_->edit->region.handles) {
@@ -67,7 +67,7 @@ MinimizerTarget CoarseProxy::target_of(const MinimizerTarget& fine) {
   return {next_wanted_, stretch_, forces_, free_handles_};
 }
 
-// With the transforms of the surface that was evaluated last.
+// Returns a pose with the transforms of the last evaluated surface.
 CoarseEmbedding::Pose CoarseProxy::pose_at(std::vector<Vector3d> displacement) {
   const RegionRings& rings = coarse_->edit->laplacian->rings();
   CoarseEmbedding::Pose pose{std::move(displacement),
@@ -100,7 +100,7 @@ void CoarseProxy::move(const MinimizerTarget& target, const TimeBudget& budget, 
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
   int iterations = 0;
-  // Whether another iteration takes no time that the caller wants.
+  // Whether another iteration leaves the caller the time it needs.
   const auto has_time = [&](double ms) {
     if (iterations < kFewestIterations || !budget || budget(ms + prolongation_ms_ + next_ms))
       return true;

@@ -12,31 +12,32 @@
 
 namespace lapwing {
 
-/// In mean edges. If the last step of a frame is longer, the surface is far from its minimum. The
-/// last steps of a proxy are 0.0003 to 0.02 if a mesh leans or is lifted, and up to 3 if limbs
-/// cross or twist. The first step of a surface that was prolongated is 0.01 to 0.1, and 0.6 for
-/// steep details.
+/// In mean edge lengths. If the last step of a frame is longer, the surface is far from its
+/// minimum. The last steps of a proxy are 0.0003 to 0.02 if a mesh leans or is lifted, and up to 3
+/// if limbs cross or twist. The first step of a surface that was prolongated is 0.01 to 0.1, and
+/// 0.6 for steep details.
 inline constexpr double kLongStep = 0.05;
 
 /// The coarse proxy of a drag: the same edit on a surface of a few thousand vertices, whose
 /// iterations take half a millisecond at any size of the region. The fine surface is prolongated
 /// from it. The proxy finds how limbs swing and bend; the fine surface then smooths what
-/// prolongation left rough. The gradient that remains there, restricted, becomes a force on the
-/// proxy, so that both come to rest at the same pose although their energies differ (defect
-/// correction; Brandt, Dinar, "Multigrid solutions to elliptic flow problems", 1979).
+/// prolongation left rough. The gradient that remains on the fine surface is restricted and acts on
+/// the proxy as a force. Both surfaces then share one minimum although their energies differ
+/// (defect correction; Brandt, Dinar, "Multigrid solutions to elliptic flow problems", 1979).
 class CoarseProxy {
  public:
   /// Returns null if no proxy is needed, or if the region cannot be decimated. `fine` must outlive
   /// the object.
   static std::unique_ptr<CoarseProxy> make(const EditSystem& fine);
 
-  /// Starts at the fine surface, displaced by `u` for `target`; both are of the fine mesh.
+  /// Starts at the fine surface, displaced by `u` for `target`. Both belong to the fine mesh.
   void begin(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Minimizes the proxy for `target` by four to eight iterations and prolongates to `u`. If the
   /// last call ended far from the minimum, the iterations use the Hessian of the pose. More than
-  /// four are made only if `budget` covers another one, the prolongation and `next_ms`, which the
-  /// caller wants afterwards. If `next_ms` cannot fit anyway, iterations may use its time.
+  /// four iterations run only if `budget` covers another one, the prolongation and the `next_ms`
+  /// that the caller needs afterwards. If `next_ms` does not fit in any case, iterations may use
+  /// its time.
   void move(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
             std::span<Eigen::Vector3d> u);
 
@@ -44,7 +45,7 @@ class CoarseProxy {
   void settle(const MinimizerTarget& target, const Progress& progress,
               std::span<Eigen::Vector3d> u);
 
-  /// The rotations of the target's free handles, as the last call left them.
+  /// The rotations of the target's free handles after the last call.
   std::vector<Eigen::Matrix3d> handle_rotations() { return minimizer_.handle_rotations(); }
 
   /// Takes the gradient of the fine energy (half of it, per vertex of the fine mesh) at the fine

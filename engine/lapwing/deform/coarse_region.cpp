@@ -5,7 +5,7 @@
 namespace lapwing {
 namespace {
 
-// `region` in the numbers of what is left; `own` per vertex of the mesh.
+// Returns the kept part of `region` in coarse indices; `own` maps vertices of the mesh to these.
 EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
   const auto kept = [&](const VertexSet& set) {
     VertexSet left;
@@ -19,7 +19,7 @@ EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
   coarse.belt = kept(region.belt);
   for (const VertexSet& handle : region.handles) coarse.handles.push_back(kept(handle));
   coarse.handle_weights = region.handle_weights;
-  for (GradedVertex graded : region.graded) {
+  for (FalloffVertex graded : region.graded) {
     graded.vertex = own[graded.vertex];
     if (graded.vertex != kNoIndex) coarse.graded.push_back(graded);
   }
@@ -43,8 +43,8 @@ std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t 
     const std::scoped_lock lock(coarse->level->preparing);
     coarse->edit = std::make_unique<const EditSystem>(
         coarse->level->prepared, surface.rest,
-        kept_of(fine.region, places_in(surface.kept, fine.rest->size())), fine.options, Progress(),
-        true);
+        kept_of(fine.region, inverse_index(surface.kept, fine.rest->size())), fine.options,
+        Progress(), true);
   } catch (const InputError&) {
     return nullptr;
   } catch (const SolverError&) {

@@ -14,8 +14,8 @@ struct CoarseRegion {
   std::unique_ptr<const EditSystem> edit;
 };
 
-/// Has about `count` vertices in the region. Returns null if the region cannot be decimated
-/// (CoarseSurfaces), or if the remaining vertices no longer anchor it.
+/// Returns a decimated edit with about `count` vertices in the region. Returns null if the region
+/// cannot be decimated (CoarseSurfaces), or if the remaining vertices no longer anchor it.
 std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count);
 
 }  // namespace lapwing

@@ -7,9 +7,9 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/modifiers/bound_request.h"
 #include "lapwing/deform/modifiers/joined_request.h"
 #include "lapwing/deform/modifiers/mirrored_request.h"
+#include "lapwing/deform/modifiers/resolved_request.h"
 #include "lapwing/deform/modifiers/substeps.h"
 #include "lapwing/deform/modifiers/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -21,15 +21,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A request on its way, whose mesh follows the handles part by part.
+// A request in progress, which moves its mesh part by part.
 struct Work {
-  const BoundRequest& bound;
+  const ResolvedRequest& bound;
   Kernels& kernels;
   DeformWorkspace& workspace;
   const Progress& progress;
   Deformed& result;
   const Positions& start;
-  std::vector<Eigen::Matrix3d> transforms = {};  // of each ring, product over the parts so far
+  std::vector<Eigen::Matrix3d> transforms = {};  // of each ring, multiplied over the parts so far
 
   // Targets are approached in parts, as handles are.
   EditRegion region_at(double to) const {
@@ -42,7 +42,7 @@ struct Work {
     return region;
   }
 
-  // The last one where it serves.
+  // Reuses the last solver if possible.
   const DeformSolver& solver_of(EditRegion region) const {
     const Positions& rest = result.mesh.positions;
     const DeformOptions& options = bound.request.parameters;
@@ -71,7 +71,7 @@ struct Work {
     }
   }
 
-  // From share `from` of the motions to share `to`.
+  // Carries out the motions from share `from` to share `to`.
   Certificate carry_out(double from, double to) {
     const DeformSolver& solver = solver_of(region_at(to));
     const HandleMotions motions = bound.handle_motions(from, to);
@@ -108,8 +108,8 @@ struct Work {
   }
 };
 
-// "3 loose parts of 310 vertices (from vertices 4, 90 and 200 on)".
-std::string words_of_parts(const std::vector<const VertexSet*>& parts) {
+// "3 loose components with 310 vertices, starting at vertex 4, 90, 200".
+std::string describe_parts(const std::vector<const VertexSet*>& parts) {
   constexpr std::size_t kNamed = 8;
   std::size_t vertices = 0;
   std::string names;
@@ -118,24 +118,25 @@ std::string words_of_parts(const std::vector<const VertexSet*>& parts) {
     if (k < kNamed) names += (k == 0 ? "" : ", ") + std::to_string(parts[k]->front());
     if (k == kNamed) names += ", ...";
   }
-  return std::to_string(parts.size()) + (parts.size() == 1 ? " loose part" : " loose parts") +
-         " of " + std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") +
-         " (from vertex " + names + " on)";
+  return std::to_string(parts.size()) +
+         (parts.size() == 1 ? " loose component" : " loose components") + " with " +
+         std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") +
+         ", starting at vertex " + names;
 }
 
 void add_loose_parts(const EditRegion& region, const auto& add) {
   std::vector<const VertexSet*> parts;
   for (const LoosePart& part : region.loose) parts.push_back(&part.vertices);
   if (!parts.empty()) {
-    add(words_of_parts(parts) + ": carried along with the surface nearest to them");
+    add(describe_parts(parts) + ": carried along with the nearest surface");
   }
   if (region.turns_freely) {
-    add("belt and handles hold the surface on one line alone, about which it could turn freely; it "
-        "turns as little as it can");
+    add("belt and handles lie on one line, about which the surface can rotate freely; it rotates "
+        "as little as possible");
   }
   parts.clear();
   for (const VertexSet& part : region.left_out) parts.push_back(&part);
-  if (!parts.empty()) add(words_of_parts(parts) + ": left where they are");
+  if (!parts.empty()) add(describe_parts(parts) + ": left in place");
 }
 
 void add_notes(const DeformRequest& request, Deformed& result) {
@@ -148,7 +149,7 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
   const auto add = [&](const std::string& text) {
     result.warnings.push_back(request.where + ": " + text);
   };
-  if (const std::string text = winding_warning(request, result.wound_degrees); !text.empty()) {
+  if (const std::string text = winding_warning(request, result.winding_degrees); !text.empty()) {
     add(text);
   }
   for (const std::string& text : warnings_of(result.certificate)) add(text);
@@ -163,8 +164,8 @@ DeformRequest unmoved(DeformRequest request) {
   return request;
 }
 
-// Disks are measured along the surface, which costs a fifth of a solve. Targets are not kept: they
-// vary.
+// Caches the region, since disks are measured along the surface, which costs a fifth of a solve.
+// Requests with targets are not cached, because targets vary.
 EditRegion region_of(const DeformRequest& request, const Mesh& mesh, DeformWorkspace& workspace) {
   if (!request.targets.empty()) return resolve_edit_region(request, mesh);
   DeformRequest asked = unmoved(request);
@@ -177,16 +178,16 @@ EditRegion region_of(const DeformRequest& request, const Mesh& mesh, DeformWorks
   return last->region;
 }
 
-// The faces of `mesh` as they are, of a request without a mirror. Warns of nothing.
+// Deforms `mesh` without joining seams, for a request without a mirror. Adds no warnings.
 Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                         DeformWorkspace& workspace, const Progress& progress) {
   if (request.targets.rows.empty() && !request.targets.file.empty()) {
     throw InputError(request.targets.where + ": " + request.targets.file.string() +
-                     " has not been read; give its rows");
+                     " was not read; read the file and pass its rows");
   }
   if (!request.carry.empty()) {
     throw InputError(request.where + ": " + request.carry.front().file.string() +
-                     " is not carried here; give its points to carry_points");
+                     " cannot be carried by this function; pass its points to carry_points");
   }
   if (request.handles.empty() && request.targets.empty()) {
     throw InputError(request.where + ": nothing is moved; give at least one handle or target");
@@ -203,20 +204,20 @@ Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernel
   for (const VertexSet& handle : result.region.handles) {
     centroids.push_back(handle_frame(handle, start).centroid);
   }
-  const BoundRequest bound{request, result.region, result.mesh.topology(), centroids};
+  const ResolvedRequest bound{request, result.region, result.mesh.topology(), centroids};
   Work work{bound, kernels, workspace, progress, result, start};
   result.certificate = result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts();
-  result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
+  result.winding_degrees = winding_degrees(bound, largest, start, result.mesh.positions);
   return result;
 }
 
-// Null where nothing is joined.
+// Returns null if nothing is joined.
 JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& workspace) {
   if (policy == SeamPolicy::leave) return nullptr;
   std::optional<JoinedSurface>& joined = workspace.joined;
   const bool was_there = joined && !joined->empty();
   if (!was_there || !joined->is_closed_at(mesh.positions)) {
-    if (was_there) {  // what is kept may be of the topology that goes
+    if (was_there) {  // these may refer to the old topology
       workspace.resolved.reset();
       workspace.solver.reset();
       workspace.prepared.reset();
@@ -233,7 +234,7 @@ JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& 
 EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh) {
   std::vector<HandleSpec> handles;
   for (const MovedHandle& handle : request.handles) {
-    handles.push_back({handle.region, handle.grading});
+    handles.push_back({handle.region, handle.falloff});
   }
   return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose,
                              request.targets);

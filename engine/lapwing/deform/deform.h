@@ -20,37 +20,36 @@
 
 namespace lapwing {
 
-/// How a deform was carried out, and how well.
+/// How a deformation was computed, and its quality.
 struct DeformReport {
   std::string solver;
-  double turn_degrees = 0.0;  ///< the largest turn of a handle, as written: 260 is 260
-  /// How far the surface came out wound about the same axis (winding.h).
-  std::optional<double> wound_degrees = {};
-  std::size_t commits = 1;  ///< parts it was carried out in, each the rest shape of the next
-  /// Of all parts as one, from the surface before the request to the one after it; residual and
-  /// settling are the worst of the parts, the iterations those of all.
+  double turn_degrees = 0.0;  ///< largest turn of a handle as written, e.g. 260
+  /// Accumulated rotation of the surface about the same axis (winding.h).
+  std::optional<double> winding_degrees = {};
+  std::size_t commits = 1;  ///< number of parts; the result of each is the rest shape of the next
+  /// Measured from the surface before the request to the one after it. Residual and settling are
+  /// the worst of the parts, iterations their sum.
   Certificate certificate;
 };
 
-/// What `deform` makes of a mesh. How each vertex moved and turned is a question of its own, to
-/// `vertex_motion`.
+/// The result of `deform`. `vertex_motion` computes how each vertex moved and turned.
 struct Deformed : DeformReport {
-  Mesh mesh;  ///< the one given, with other positions
-  /// For a person: what is not as it should be, where, and what to change. Empty when all is well.
+  Mesh mesh;  ///< the input mesh with new positions
+  /// Messages for the user: what is wrong, where, and what to change. Empty for a good result.
   std::vector<std::string> warnings;
-  /// For a person, too: what was done that the request does not say by itself. No cause for worry.
+  /// Harmless messages for the user: what was done beyond the literal request.
   std::vector<std::string> notes;
-  EditRegion region;  ///< the vertices that the request's regions chose
+  EditRegion region;  ///< the request's regions, resolved to vertices
   /// The stretch S_i that scaling handles ask of the surface, per vertex: symmetric and positive
   /// definite, the identity outside the region. Empty if no handle changes its size.
   std::vector<Eigen::Matrix3d> rest_stretch;
   StageTimings timings;  ///< of all parts together
 };
 
-/// Carries out `request` on a mesh with any polygons, on the CPU. Coincident seam vertices are
-/// joined unless the request says otherwise, and move together; the result has the polygons of
-/// `mesh`. Each call prepares from scratch: use DeformSolver for repeated edits of one region.
-/// Throws InputError for a request that does not fit the mesh, and what DeformSolver throws.
+/// Carries out `request` on a polygon mesh, on the CPU. Coincident seam vertices are joined and
+/// move together unless the request says otherwise. The result has the polygons of `mesh`. Each
+/// call prepares from scratch: use DeformSolver for repeated edits of one region. Throws InputError
+/// for a request that does not fit the mesh, and what DeformSolver throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
@@ -65,16 +64,16 @@ struct ResolvedRegion {
   EditRegion region;
 };
 
-/// What one request prepares for the next one on the same mesh.
+/// Data that a request leaves for the next one on the same mesh.
 struct DeformWorkspace {
   std::optional<ResolvedRegion> resolved = {};    ///< for the same regions
   std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
-  std::optional<DeformSolver> solver = {};        ///< for all the same but the handles' motions
-  std::optional<JoinedSurface> joined = {};       ///< once seams were looked for
+  std::optional<DeformSolver> solver = {};        ///< if only the handles' motions differ
+  std::optional<JoinedSurface> joined = {};       ///< set after the search for seams
 };
 
 /// The same on any device. `kernels` must outlive `workspace`, and so must one mesh that shares the
-/// topology of `mesh`; the result is such a mesh. Stages reported: "mirror" if the request has one,
+/// topology of `mesh`, such as the result. Stages reported: "mirror" if the request has one,
 /// "region", those of DeformSolver, "solve", and "certify" if there are several parts.
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});

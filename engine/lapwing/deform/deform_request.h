@@ -14,23 +14,23 @@
 
 namespace lapwing {
 
-/// What becomes of seams (JoinedSurface) in an edit.
+/// How an edit treats seams (JoinedSurface).
 enum class SeamPolicy {
-  join,   ///< the surface is edited as if it had none, and they stay closed
-  leave,  ///< their sides are boundaries, and move apart
+  join,   ///< seams stay closed, and the surface is edited as if it had none
+  leave,  ///< the sides of a seam are boundaries and move apart
 };
 
-/// How a deformation is computed, whatever it moves.
+/// How a deformation is computed, independent of its handles.
 struct DeformParameters : DeformOptions {
-  /// A larger turn of a handle is made in equal parts of at most this many degrees, each committed:
-  /// its result is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
+  /// Splits a larger turn of a handle into equal parts of at most this many degrees. The result of
+  /// each part is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
   std::optional<double> commit_every = {};
   LoosePolicy loose = LoosePolicy::carry;
   SeamPolicy seams = SeamPolicy::join;
   bool operator==(const DeformParameters&) const = default;
 };
 
-/// A file that follows the surface (SurfaceCarrier), and where it goes.
+/// A file that follows the surface (AttachmentDeformer), and where its result is saved.
 struct CarrySpec {
   std::filesystem::path file;       ///< as written
   std::filesystem::path save = {};  ///< as written; empty: beside the result
@@ -40,25 +40,24 @@ struct CarrySpec {
 struct MovedHandle {
   RegionSpec region;
   Move move;
-  Grading grading = {};
+  Falloff falloff = {};
   HandleOrientation orientation = HandleOrientation::kept;
-  /// Moves that the handle went through before `move`, each from the rest position. Moves at the
-  /// same place in the lists of all handles belong together. Far moves have several results; the
-  /// result is the one that this path leads to. All paths have the same length; a handle without
-  /// one goes by equal shares of its move. A request that is carried out in several parts ignores
-  /// the paths.
+  /// Waypoints before `move`, each a move from the rest position. Entries with the same index in
+  /// all handles belong together. Far moves have several minima; the path decides which one is
+  /// found. All paths have the same length; a handle without a path moves in equal shares of
+  /// `move`. A request that is carried out in several parts ignores the paths.
   std::vector<Move> path = {};
   bool operator==(const MovedHandle&) const = default;
 };
 
-/// Bend the ROI by moving its handles: all of an edit but the mesh. {"op": "deform"} in recipes.
+/// An edit without its mesh: bends the ROI by moving its handles. {"op": "deform"} in recipes.
 struct DeformRequest {
   RegionSpec roi;
-  BeltSpec belt = BorderBelt{};
+  BeltSpec belt = BoundaryAnchors{};
   std::vector<MovedHandle> handles;
-  TargetSpec targets;  ///< with the handles, at least one
+  TargetSpec targets;  ///< at least one handle or target in all
   DeformParameters parameters;
-  /// All of the above is done on both sides of a plane (`mirrored_request`).
+  /// Applies the edit on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};
   /// Files that follow the surface. Steps of recipes carry them; `deform` itself throws InputError
   /// if there are any.
@@ -71,8 +70,8 @@ struct DeformRequest {
   }
 };
 
-/// What the regions and targets of a request without a mirror come to on `mesh`. Throws what the
-/// other `resolve_edit_region` does.
+/// Resolves the regions and targets of a request without a mirror on `mesh`. Throws what the other
+/// `resolve_edit_region` throws.
 EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh);
 
 }  // namespace lapwing

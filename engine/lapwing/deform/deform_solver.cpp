@@ -28,25 +28,25 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
   return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress);
 }
 
-// Whether nothing asks the surface to leave its rest.
+// Whether all prescribed displacements are 0.
 bool rests(const EditSystem& edit, std::span<const Vector3d> wanted) {
   return std::ranges::all_of(wanted, [](const Vector3d& d) { return d.isZero(0.0); }) &&
          std::ranges::all_of(edit.laplacian->springs(),
                              [](const Spring& spring) { return spring.wanted.isZero(0.0); });
 }
 
-// A result is in double precision whatever the device; and a device that is the processor in
-// disguise takes about three times as long as the CPU twins (measured on lavapipe).
+// Results need double precision on any device. A software device takes about three times as long as
+// the CPU twins (measured on lavapipe).
 bool minimizes_on(const DeviceInfo& device) {
   return device.float64 && device.frames;
 }
 
-// The RSI system knows nothing of scales.
+// The RSI system has no scale forces.
 bool has_scale_forces(const EditSystem& edit) {
   return edit.options.response == LinearResponse::tangent;
 }
 
-// What the scales that handles ask for and the springs pull the unknowns by; empty for nothing.
+// Returns the forces of the handles' scales and of the springs on the unknowns; empty for none.
 Numbers linear_forces(const EditSystem& edit, const HandleWeights* weights,
                       std::span<const double> parameters) {
   Numbers forces = spring_forces(edit.laplacian->springs(), edit.constraints.unknowns);
@@ -241,7 +241,7 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
     if (!u[v].isZero(0.0)) result.positions[v] += u[v];
   }
   for (const Target& of_vertex : edit.region.targets) {
-    // To the bit: the sum of place and displacement is rounded.
+    // Set exactly, since the sum of position and displacement is rounded.
     if (edit.region.hard_targets && of_vertex.is_vertex()) {
       result.positions[of_vertex.corners[0]] = of_vertex.position;
     }

@@ -41,10 +41,10 @@ struct DeformResult {
 ///     DeformSolver solver(mesh.positions, topology, region, {}, kernels);
 ///     mesh.positions = solver.solve(motions).positions;
 ///
-/// Does not change after construction: all members may be called from several threads. A
-/// DragSession moves the surface frame by frame. `topology` and `kernels` must outlive the solver;
-/// positions are copied. Memory is about 4 kB a vertex with settling, whose first minimization
-/// takes as much again, and 8 kB without.
+/// Does not change after construction: all members may be called from several threads. Use a
+/// DragSession to move the surface frame by frame. `topology` and `kernels` must outlive the
+/// solver; positions are copied. Memory is about 4 kB a vertex with settling, whose first
+/// minimization takes as much again, and 8 kB without.
 class DeformSolver {
  public:
   /// Prepares: factors the n x n system, which the minimizer uses, and without settling also the
@@ -56,8 +56,8 @@ class DeformSolver {
   DeformSolver(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// The same with what `prepared` keeps of earlier preparations: "constraints" comes in place of
-  /// "pattern" and "order", and of the others only what is to be done. Same bits.
+  /// The same, but reuses what `prepared` keeps of earlier preparations. The stage "constraints"
+  /// replaces "pattern" and "order", and stages without work are left out. Same bits.
   DeformSolver(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
@@ -74,29 +74,29 @@ class DeformSolver {
   /// are too far, SolverError if the certificate does not hold, Cancelled.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for motions with accumulated turns: the surface is wound the way that its handles
-  /// went, as far as it can hold that. Throws InputError for a handle whose orientation is free
-  /// unless the options settle with soft constraints.
+  /// The same for motions with accumulated turns. The surface winds as its handles turned, as far
+  /// as it can hold the winding. Throws InputError for a handle whose orientation is free unless
+  /// the options settle with soft constraints.
   DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
 
-  /// The same along a path: the surface is minimized at each motion of `path` in turn, from where
-  /// it was before, and then at `motions`. Far motions have several minima; the path decides which
-  /// one is found. Large regions follow the path on their coarse proxy; only its first motion, and
-  /// each one to which a handle turns by more than 90 degrees, are minimized on the surface itself.
-  /// Such a turn starts from rest again.
+  /// The same along a path: minimizes at each motion of `path` in turn, starting from the previous
+  /// minimum, and then at `motions`. Far motions have several minima; the path decides which one is
+  /// found. Large regions follow the path on their coarse proxy; only its first motion, and each
+  /// one to which a handle turns by more than 90 degrees, are minimized on the surface itself. Such
+  /// a turn starts from rest again.
   DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
                            const Progress& progress = {}) const;
 
-  /// The same from a pose of this region (DragSession::state): the minimum that the pose leads to,
-  /// so that a drag ends in what it has shown. The pose is ignored if it is empty, if the options
-  /// do not settle, or if a handle has since turned by more than 90 degrees.
+  /// The same, starting from a pose of this region (DragSession::state), so that a drag ends in the
+  /// minimum that it has shown. The pose is ignored if it is empty, if the options do not settle,
+  /// or if a handle has since turned by more than 90 degrees.
   DeformResult solve_from(const DragState& pose, const HandleMotions& motions,
                           const Progress& progress = {}) const;
 
-  /// How the surface follows `handles` linearly, by which a Drag goes: 12 right-hand sides each of
-  /// the 3n x 3n system, which with settling is factored for this call; stage "response". If it
-  /// exceeds the memory limit and the options settle, the columns are a DragPreview's, and
-  /// DragResponse::why_not_exact says so.
+  /// Returns the linear response of the surface to `handles`, for Drag. Solves 12 right-hand sides
+  /// per handle with the 3n x 3n system, which this call factors if the options settle; stage
+  /// "response". If the options settle and the system exceeds the memory limit, the columns are
+  /// those of a DragPreview, and DragResponse::why_not_exact says so.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
                                                   const Progress& progress = {}) const;
   /// The same for all handles.
@@ -112,7 +112,7 @@ class DeformSolver {
   const EditRegion& region() const;
   const StageTimings& timings() const;
   std::string_view solver_name() const;
-  std::size_t unknown_count() const;  ///< vertices solved for
+  std::size_t unknown_count() const;  ///< number of unknown vertices
 
  private:
   friend class DragSession;

@@ -13,7 +13,7 @@
 
 namespace lapwing {
 
-/// The memory that a minimization writes to. One thread at a time.
+/// The memory of a minimization. Serves one thread at a time.
 struct MinimizerWorkspace {
   MinimizerWorkspace(const EditSystem& edit, Kernels& kernels);
   MinimizerWorkspace(const MinimizerWorkspace&) = delete;
@@ -23,17 +23,17 @@ struct MinimizerWorkspace {
   EnergyMinimizer minimizer;
 };
 
-/// What a DeformSolver holds, and a DragSession uses.
+/// The members of a DeformSolver, which a DragSession uses too.
 struct DeformSolverState {
   std::shared_ptr<const EditSystem> edit;
   Kernels* kernels = nullptr;
   CpuKernels cpu;
-  Kernels* minimizer_kernels = nullptr;  ///< the one or the other
+  Kernels* minimizer_kernels = nullptr;  ///< `kernels` or `cpu`
   StageTimings timings;
   std::unique_ptr<const HandleWeights> weights;    ///< null if the edit takes no rest stretch
   std::shared_ptr<const ResponseSystem> response;  ///< null if the edit settles
 
-  /// Takes the unused workspace, or makes one. Thread-safe, like `give_back`.
+  /// Returns the unused workspace, or a new one. Thread-safe, like `give_back`.
   std::shared_ptr<MinimizerWorkspace> take_workspace() const;
   /// Keeps `workspace` for the next minimization, unless another one is kept already.
   void give_back(std::shared_ptr<MinimizerWorkspace> workspace) const;
@@ -59,9 +59,9 @@ class BorrowedWorkspace {
   std::shared_ptr<MinimizerWorkspace> workspace_;
 };
 
-/// Minimizes `u`, displacements of the whole mesh, for `target`, by the fine surface alone. Starts
-/// at `pose`, moved on by the linear response to what the handles have changed since, or if that is
-/// null at the handle weights. Sets the rotations of free handles in `target`.
+/// Minimizes `u`, displacements of the whole mesh, for `target`, without a coarse proxy. Starts at
+/// `pose` plus the linear response to the change of the handles since. If `pose` is null, starts at
+/// the handle weights. Sets the rotations of free handles in `target`.
 MinimizerResult minimize_from(const DragState* pose, const EditSystem& edit,
                               const HandleWeights& weights, EnergyMinimizer& minimizer,
                               MotionTarget& target, std::span<Eigen::Vector3d> u,

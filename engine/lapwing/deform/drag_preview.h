@@ -15,7 +15,7 @@ namespace lapwing {
 
 struct EditSystem;
 
-/// A linear drag that is ready long before the exact one. Laplacian coordinates and edges keep
+/// A linear drag that is ready long before the exact response. Laplacian coordinates and edges keep
 /// their rest directions, so it needs only the n x n system (L'Om L + K + W) u = W d and four
 /// columns per handle (its coordinates x, y, z and 1), not the 3n x 3n system and twelve. Exact for
 /// translations; details do not rotate.
@@ -29,18 +29,19 @@ class DragPreview {
   /// must outlive the object; positions are copied. Throws what DeformSolver does.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
-  /// The same with what `prepared` keeps: without "pattern" and "order" where that is of use, but
-  /// with "constraints" in their place.
+  /// The same, but reuses what `prepared` keeps. The stage "constraints" then replaces "pattern"
+  /// and "order".
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
-  /// The same for a drag that moves `handles` alone: response() has columns for those.
+  /// The same for a drag that moves only `handles`: response() has columns only for these.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options, std::span<const std::size_t> handles,
               const Progress& progress = {});
 
-  /// As DeformSolver's. The poses of a preview and of a solver made from it are the same.
+  /// As DeformSolver::response. Poses are interchangeable between a preview and a solver made from
+  /// it.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
-  /// For a drag of other handles: four right-hand sides each.
+  /// The same for `handles`. Solves four right-hand sides per handle.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;
 
   const EditRegion& region() const;

@@ -28,17 +28,17 @@ struct DragSession::State {
 
   DragState pose;
   std::vector<double> parameters;     // of pose.motions
-  std::vector<Vector3d> wanted;       // by pose.motions
+  std::vector<Vector3d> wanted;       // prescribed by pose.motions
   std::vector<Eigen::Matrix3d> stretch;  // S_i of pose.motions; empty for the identity
-  Positions next;                     // the displacement of the frame at hand; else unused memory
+  Positions next;                     // the displacement of the current frame; else unused memory
   std::vector<Vector3d> next_wanted;  // unused memory between frames
 
   Predictor predictor;
   std::unique_ptr<CoarseProxy> coarse;  // null until it is built, and if the region needs none
   bool coarse_is_at_pose = false;
-  bool lacks_time = false;        // whether a frame of this drag has not settled in its time
+  bool lacks_time = false;        // whether a frame of this drag did not settle in its time
   double iteration_ms = 0.0;      // of the fine surface
-  double ending_ms = 0.0;         // what follows the iterations in a frame
+  double ending_ms = 0.0;         // after the iterations of a frame
   std::vector<Vector3d> pull;     // the gradient at the fine surface
   BackgroundTask<std::unique_ptr<CoarseProxy>> coarse_task;  // last: it uses the solver
 
@@ -58,7 +58,7 @@ struct DragSession::State {
     return workspace->minimizer;
   }
 
-  // Starts `next` with a displacement.
+  // Sets `next` to a displacement.
   void copy_to_next(const Positions& displacement) {
     constexpr std::size_t kVerticesPerTask = 4096;
     if (next.empty()) next.assign(edit.rest->size(), Vector3d::Zero());
@@ -68,8 +68,8 @@ struct DragSession::State {
     });
   }
 
-  // Sets `next` by the coarse proxy, in the time that is left.
-  void carry_by_coarse(MotionTarget& target, bool is_at_pose, const TimeBudget& budget) {
+  // Sets `next` by the coarse proxy, within the budget.
+  void step_by_proxy(MotionTarget& target, bool is_at_pose, const TimeBudget& budget) {
     if (!is_at_pose) coarse->begin({wanted, stretch}, pose.displacement);
     copy_to_next(pose.displacement);
     const auto ask = [&](double ms) { return budget(ms + ending_ms); };
@@ -86,11 +86,11 @@ struct DragSession::State {
   bool carry_at_rest(MotionTarget& target, bool is_at_pose) {
     if (!is_at_pose || minimizer().uses_hessian()) return false;
     const double before = minimizer().energy(target.settle_target(), pose.displacement);
-    carry_by_coarse(target, is_at_pose, {});
+    step_by_proxy(target, is_at_pose, {});
     return minimizer().energy(target.settle_target(), next) < before;
   }
 
-  // Minimizes `next` as far as there is time, at least by one iteration if it `must`.
+  // Minimizes `next` as far as the budget allows, by at least one iteration if `must`.
   MinimizerResult minimize(MotionTarget& target, bool at_rest, bool must, const TimeBudget& budget,
                            const Progress& progress) {
     if (!must && budget && !budget(iteration_ms)) {
@@ -138,7 +138,7 @@ struct DragSession::State {
 DragSession::DragSession(std::shared_ptr<const DeformSolver> solver) {
   const DeformSolverState& internals = *solver->state_;
   if (!internals.edit->options.settle) {
-    throw InputError("a drag can be minimized only with \"settle\" in the deform options");
+    throw InputError("a drag session requires settling; set \"settle\" in the deform options");
   }
   state_ = std::make_unique<State>(std::move(solver), internals);
 }
@@ -210,7 +210,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     const bool is_short = budget && (s.lacks_time || !budget(s.iteration_ms));
     by_coarse = is_short && s.coarse != nullptr;
     if (by_coarse) {
-      s.carry_by_coarse(target, coarse_was_there, budget);
+      s.step_by_proxy(target, coarse_was_there, budget);
     } else {
       s.next = s.predictor.predict(edit, s.wanted, target.wanted, s.pose.displacement);
     }

@@ -36,19 +36,19 @@ class DragSession {
   /// Starts another drag, at a pose of the solver's region or at rest.
   void begin(DragState start = {});
 
-  /// Moves on to `motions`. The surface is as near to its minimum as `budget` leaves time for
-  /// (EnergyMinimizer::follow); with the same motions again it goes on, and once settled nothing
-  /// moves. The first frame from rest starts at the handle weights, and so does a frame in which a
-  /// handle has turned by more than 90 degrees since the last. Throws InputError for motions that
-  /// do not fit, SolverError if the surface is not finite, Cancelled, each time with the state as
-  /// it was.
+  /// Computes the next frame of the drag, with the handles at `motions`. Minimizes as far as
+  /// `budget` allows (EnergyMinimizer::follow). A call with the same motions continues the
+  /// minimization, and changes nothing once the surface has settled. The first frame from rest
+  /// starts at the handle weights, and so does a frame in which a handle has turned by more than 90
+  /// degrees since the last. Throws InputError for motions that do not fit, SolverError if the
+  /// surface is not finite, and Cancelled. An error leaves the state unchanged.
   const DragState& step(const HandleMotions& motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
-  /// The same with turns that add up from frame to frame, as TurnTracker follows them.
+  /// The same, with turns accumulated from frame to frame by TurnTracker.
   const DragState& step(std::span<const Eigen::Affine3d> motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
 
-  /// Where the surface is.
+  /// The current pose.
   const DragState& state() const;
 
   /// Gives the minimizer's memory to the solver until the next frame, so that a `solve_from` after

@@ -6,7 +6,7 @@
 
 namespace lapwing {
 
-/// Where the surface of an edit is in a drag, or after it. Empty at rest.
+/// A pose of a surface during or after a drag. Empty at rest.
 struct DragState {
   /// The handles' motions. A handle with free orientation has the rotation that was found.
   HandleMotions motions;

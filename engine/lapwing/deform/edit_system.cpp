@@ -17,11 +17,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of each vertex, for its rows, its ring packed for the processor, the steps that L-BFGS remembers
-// and what preparing holds for a while; measured at 0.1 and 0.4 million, beside mesh and factor.
+// Memory per vertex for its rows, its packed ring, the L-BFGS history and temporaries of the
+// preparation, without mesh and factor. Measured at 0.1 and 0.4 million vertices.
 constexpr std::size_t kBytesToSettle = 3100;
 
-// Regions of fewer vertices are settled by frames without a coarse surface.
+// Drags of regions with fewer vertices need no coarse surface.
 constexpr std::size_t kSmallRegion = 6500;
 
 void check(const DeformOptions& options) {
@@ -99,7 +99,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   } else {
     parallel_invoke(assemble, [&] { build.analyze(); });
   }
-  // Nobody waits for a preview here, and a 3n x 3n system comes next.
+  // Without a preview nobody waits here, and a 3n x 3n system comes next.
   if (!is_previewed) build.analyze_hessian();
   timings.add(stage, watch.elapsed_ms());
   watch.restart();
@@ -156,15 +156,14 @@ std::shared_ptr<const ResponseSystem> EditSystem::response(Kernels& kernels,
   return factors->response(terms(), laplacian, options, kernels, progress, stages);
 }
 
-// With `number` the place among all handles or targets. What is not a number fails by its
-// certificate.
+// `number` is the index among all handles or targets. NaN passes here and fails in the certificate.
 void EditSystem::require_near(double distance, const char* what, std::size_t number) const {
   if (size == 0.0 || !(distance > kFarthestMove * size)) return;
   std::ostringstream text;
-  text << what << ' ' << number << " is to go by " << distance << ", more than " << kFarthestMove
-       << " times the size of the region, " << size
-       << ": so far out its positions could not hold the surface's shape. Move it less, or move "
-          "the whole mesh";
+  text << what << ' ' << number << " moves " << distance << ", over " << kFarthestMove
+       << " times the region's size (" << size
+       << "). Coordinates that large lose the surface's shape. Move it less, or move the whole "
+          "mesh";
   throw InputError(text.str());
 }
 
@@ -179,7 +178,7 @@ void EditSystem::set_parameters(std::size_t handle, const Eigen::Affine3d& motio
   motion_parameters(frames[handle], motion, parameters);
   const HandleFrame& frame = frames[handle];
   for (std::size_t k = 0; k < kMotionParameters; ++k) {
-    // Of one vertex the linear part moves nothing.
+    // The linear part does not move a handle of one vertex.
     const double share = k % 4 == 3 ? 1.0 : frame.extent / frame.radius;
     require_near(share * std::abs(parameters[k]), "handle", handle);
   }
@@ -219,13 +218,13 @@ std::vector<std::size_t> EditSystem::all_handles() const {
   return all;
 }
 
-// Calls visit(handle, vertex) for whatever handles ask to go somewhere.
+// Calls visit(handle, vertex) for each vertex whose displacement a handle prescribes.
 template <typename Visit>
 void EditSystem::for_wanted(const Visit& visit) const {
   for (std::size_t h = 0; h < frames.size(); ++h) {
     for (const Index v : region.handles[h]) visit(h, v);
   }
-  for (const GradedVertex& graded : region.graded) visit(graded.handle, graded.vertex);
+  for (const FalloffVertex& graded : region.graded) visit(graded.handle, graded.vertex);
   for (const LoosePart& part : region.loose) {
     for (const LooseAnchor& anchor : part.anchors) {
       if (anchor.handle < frames.size()) visit(anchor.handle, anchor.vertex);

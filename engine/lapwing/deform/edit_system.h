@@ -18,11 +18,11 @@
 
 namespace lapwing {
 
-/// Of the region's size: no handle and no target may be asked to go farther. Positions there are
-/// 2e-9 of that size apart, and the surface between still has a shape.
+/// The largest motion of a handle or target, in sizes of the region. There, positions are rounded
+/// to 2e-9 of that size, so the surface still has a shape.
 inline constexpr double kFarthestMove = 1e7;
 
-/// One edit made ready: what its preview, its solver and its drags share. Does not change after
+/// A prepared edit, shared by its preview, its solver and its drags. Does not change after
 /// construction.
 struct EditSystem {
   /// Stages "pattern" and "order", or "constraints" if `prepared` has both, and "laplacian", the n
@@ -40,7 +40,7 @@ struct EditSystem {
   double size = 0.0;                ///< of the region with its rings (require_extent)
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
-  std::shared_ptr<const std::vector<Spring>> springs;  ///< the targets that are not given; or null
+  std::shared_ptr<const std::vector<Spring>> springs;  ///< of the soft targets; or null
   std::shared_ptr<FactorCache> factors;                ///< of all edits over these unknowns
   std::shared_ptr<const LaplacianSystem> laplacian;    ///< factored
   LooseParts loose;                                    ///< of the region
@@ -59,34 +59,35 @@ struct EditSystem {
   /// The column_count() parameters of one motion per handle. Throws InputError for another number,
   /// and for a motion farther than kFarthestMove.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
-  /// Of those of `handles` alone, one after the other.
+  /// The same for `handles` only, one after the other.
   void set_parameters(std::span<const Eigen::Affine3d> motions,
                       std::span<const std::size_t> handles, std::span<double> parameters) const;
 
   /// Whether nothing but handles holds the region: no belt, no target, and no neighbour outside it.
   bool is_held_by_handles_alone() const;
 
-  /// 0, 1, ... to the last.
+  /// The indices of all handles, ascending.
   std::vector<std::size_t> all_handles() const;
 
-  /// Whether handles that scale stretch the rest shape of the surface. The RSI system does without,
-  /// unless it settles.
+  /// Whether scaling handles stretch the rest shape of the surface: not with the RSI system, unless
+  /// the edit settles.
   bool takes_rest_stretch() const {
     return options.settle || options.response == LinearResponse::tangent;
   }
 
-  /// Whether it is settled, and too large for a frame of a drag to settle it as it is.
+  /// Whether the edit settles and its region is too large to minimize in a frame without a coarse
+  /// proxy.
   bool needs_coarse_surface() const;
 
-  /// What the handles' motions ask for, over the whole mesh; 0 off the handles and the anchors of
-  /// loose parts.
+  /// The displacements prescribed by the handles, over the whole mesh; 0 off the handles and the
+  /// anchors of loose parts.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
   /// The same in place. O(handle vertices): `wanted` must be the output of an earlier call, or
   /// empty.
   void wanted_displacement(std::span<const double> parameters,
                            std::vector<Eigen::Vector3d>& wanted) const;
 
-  /// That and what hard targets ask for.
+  /// These and the displacements prescribed by hard targets.
   std::vector<Eigen::Vector3d> asked_displacement(std::span<const double> parameters) const;
   /// The same in place.
   void asked_displacement(std::span<const double> parameters,

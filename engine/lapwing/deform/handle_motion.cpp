@@ -21,7 +21,7 @@ HandleFrame handle_frame(std::span<const Index> vertices,
                          std::span<const Eigen::Vector3d> positions) {
   HandleFrame frame;
   if (vertices.empty()) return frame;
-  // Relative to the first vertex, so that a mesh far from the origin loses nothing.
+  // Relative to the first vertex, so that a mesh far from the origin loses no precision.
   const Eigen::Vector3d origin = positions[vertices.front()];
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Index v : vertices) sum += positions[v] - origin;

@@ -9,22 +9,22 @@
 
 namespace lapwing {
 
-/// Where the handles of an edit go. Each list has one entry per handle.
+/// The motions of an edit's handles. Each list has one entry per handle.
 struct HandleMotions {
   /// Affine maps from the rest position.
   std::vector<Eigen::Affine3d> maps;
-  /// The turns that the rotations of the maps came about by, which may be more than half a turn.
+  /// The accumulated turns behind the rotations of the maps, possibly beyond 180 degrees.
   std::vector<Eigen::AngleAxisd> turns;
-  /// Not 0 for a handle whose orientation is free: its centre goes where the map says and its shape
-  /// is stretched as the map stretches it, but it turns as the surface wants. The map's rotation
-  /// says only where settling starts. Empty if no handle is free.
+  /// Not 0 if the handle's orientation is free: the map prescribes its centre and stretch, and the
+  /// minimization finds its rotation. The map's rotation is only the starting point. Empty if no
+  /// handle is free.
   std::vector<char> is_free = {};
 
   bool is_free_handle(std::size_t h) const { return h < is_free.size() && is_free[h] != 0; }
   bool any_free() const;
 };
 
-/// Maps whose rotations came about by the shortest turns.
+/// Returns the motions of `maps` with the shortest turns.
 HandleMotions handle_motions(std::span<const Eigen::Affine3d> maps);
 
 /// Numbers that describe one handle's motion: a 3 x 3 linear part and a translation.
@@ -37,7 +37,7 @@ inline constexpr std::size_t kMotionParameters = 12;
 struct HandleFrame {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double radius = 1.0;
-  double extent = 0.0;  ///< the same, and 0 for one vertex
+  double extent = 0.0;  ///< the radius, but 0 for a single vertex
 };
 HandleFrame handle_frame(std::span<const Index> vertices,
                          std::span<const Eigen::Vector3d> positions);
@@ -46,21 +46,21 @@ HandleFrame handle_frame(std::span<const Index> vertices,
 void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
                        std::span<double> parameters);
 
-/// u of a point at `position` by the 12 numbers of its handle.
+/// Returns u(`position`) for the 12 parameters of its handle.
 Eigen::Vector3d handle_displacement(const HandleFrame& frame, std::span<const double> parameters,
                                     const Eigen::Vector3d& position);
 
-/// The rotation of `motion` as a turn of 0 to 180 degrees: that of the polar decomposition of its
-/// linear part.
+/// Returns the rotation of `motion` as a turn of 0 to 180 degrees, by the polar decomposition of
+/// its linear part.
 Eigen::AngleAxisd shortest_turn(const Eigen::Affine3d& motion);
 
-/// `motion` carried out in part, `share` 0 (the identity) to 1 (all of it): its rotation, which
-/// came about by `turn`, turns by the share of that angle, its stretch S becomes (1 - share) I +
-/// share S, and the handle's centroid goes straight.
+/// Interpolates `motion` from the identity (`share` 0) to the whole motion (1). The rotation,
+/// reached by `turn`, takes that share of its angle, the stretch S becomes (1 - share) I + share S,
+/// and the handle's centroid moves on a line.
 Eigen::Affine3d partial_motion(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
                                const Eigen::Vector3d& centroid, double share);
 
-/// `map` with another rotation: it stretches alike and takes `centroid` to the same place.
+/// Returns `map` with another rotation, but the same stretch and the same image of `centroid`.
 Eigen::Affine3d turned_to(const Eigen::Affine3d& map, const Eigen::Vector3d& centroid,
                           const Eigen::Matrix3d& rotation);
 

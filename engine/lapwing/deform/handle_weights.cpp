@@ -15,8 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Whether `value` of all handles is the same: the rounding of a rotation makes its scale differ
-// from 1 by less.
+// Whether `value` is the same for all handles, up to the rounding error in the scale of a rotation.
 bool is_one_number(std::size_t handles, const auto& value) {
   constexpr double kRounding = 1e-12;
   if (handles == 0) return true;
@@ -51,7 +50,7 @@ std::vector<std::vector<double>> HandleWeights::solved_columns(
   std::vector<std::vector<double>> fields;
   std::vector<double> b(3 * n);
   std::vector<Vector3d> wanted(system_.rest->size(), Vector3d::Zero());
-  // Three at a time, as x, y and z.
+  // Solves three columns at a time, as x, y and z.
   for (std::size_t first = 0; first < columns.size(); first += 3) {
     const std::size_t count = std::min<std::size_t>(3, columns.size() - first);
     std::vector<Vector3d> of_handle;
@@ -63,7 +62,7 @@ std::vector<std::vector<double>> HandleWeights::solved_columns(
       for (const Index v : system_.region.handles[h]) wanted[v] = values;
       of_handle.push_back(values);
     }
-    for (const GradedVertex& g : system_.region.graded) wanted[g.vertex] = of_handle[g.handle];
+    for (const FalloffVertex& g : system_.region.graded) wanted[g.vertex] = of_handle[g.handle];
     laplacian.right_hand_side(wanted, b);
     laplacian.solve_in_place(std::span(b).first(count * n), count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -110,7 +109,7 @@ std::vector<Vector3d> HandleWeights::displacement(std::span<const Affine3d> moti
                                                   const RestStretch& rest_stretch) const {
   const EditSystem& s = system_;
   const VertexSet& roi = s.region.roi;
-  // Of each handle: its turn, its centroid, and how that moves.
+  // Per handle: its turn, its centroid, and the centroid's displacement.
   constexpr std::size_t kNumbers = 9;
   std::vector<std::array<double, kNumbers>> of_handle(motions.size());
   for (std::size_t h = 0; h < motions.size(); ++h) {

@@ -44,8 +44,8 @@ class HandleWeights {
                                                   const ValueOfHandle& value) const;
 
   const EditSystem& system_;
-  std::vector<double> sum_;     ///< of all handles' shares, per vertex of the region
-  std::vector<double> factor_;  ///< by which a solution is to be taken, likewise
+  std::vector<double> sum_;     ///< of all weights, per vertex of the region
+  std::vector<double> factor_;  ///< multiplies a solution, per vertex of the region
 };
 
 }  // namespace lapwing

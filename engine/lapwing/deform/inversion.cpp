@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostVertices = 4096;
 
-// Twice the area of the triangles around `v`, along their mean normal.
+// Returns the sum of the area normals of the triangles around `v`, each twice the area long.
 Vector3d area_normal_at(Index v, const Topology& topology, std::span<const Vector3d> p) {
   Vector3d sum = Vector3d::Zero();
   for (const Index t : topology.vertex_triangles[v]) {

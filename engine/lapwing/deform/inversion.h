@@ -11,7 +11,7 @@ namespace lapwing {
 /// How much of a surface has been turned inside out.
 struct Inversion {
   double share = 0.0;       ///< of the region's area that has an opposite side, 0 to 1
-  Index vertex = kNoIndex;  ///< one in the middle of it; kNoIndex if the share is 0
+  Index vertex = kNoIndex;  ///< one near its middle; kNoIndex if the share is 0
 };
 
 /// At rest a ray from a vertex into the solid meets the opposite side of the surface. If that point

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kCoordinates = kMotionParameters / 3;
 
-// How the region follows each coordinate function of handle `h`.
+// Adds the response of the region to each coordinate function of handle `h`.
 void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
   const HandleFrame& frame = system.frames[h];
   const Positions& rest = *system.rest;
@@ -24,7 +24,7 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
     one[v].x() = 1.0;
   };
   for (const Index v : system.region.handles[h]) give(v);
-  for (const GradedVertex& graded : system.region.graded) {
+  for (const FalloffVertex& graded : system.region.graded) {
     if (graded.handle == h) give(graded.vertex);
   }
   for (const LoosePart& part : system.region.loose) {

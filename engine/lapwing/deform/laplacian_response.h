@@ -13,10 +13,11 @@ namespace lapwing {
 /// (ResponseColumns along axes).
 Numbers laplacian_response(const EditSystem& system, std::span<const std::size_t> handles);
 
-/// Whether the targets of an edit count beside what its handles ask for.
+/// Whether the springs of an edit's targets act besides its handles.
 enum class Springs { pull, ignored };
 
-/// The same for one motion, which asks for `wanted`: the displacement of every vertex.
+/// The same for one motion with the prescribed displacements `wanted`. Returns the displacement of
+/// every vertex.
 std::vector<Eigen::Vector3d> laplacian_displacement(const EditSystem& system,
                                                     std::span<const Eigen::Vector3d> wanted,
                                                     Springs springs = Springs::pull);

@@ -35,7 +35,7 @@ FreeHandle free_handle(const EditSystem& edit, std::size_t handle, const Eigen::
     free.to_centre.push_back(centre - (*edit.rest)[v]);
   };
   for (const Index v : edit.region.handles[handle]) add(v);
-  for (const GradedVertex& graded : edit.region.graded) {
+  for (const FalloffVertex& graded : edit.region.graded) {
     if (graded.handle == handle) add(graded.vertex);
   }
   return free;
@@ -50,8 +50,8 @@ MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
   edit.set_parameters(motions.maps, target.parameters);
   if (motions.any_free() && (!edit.options.settle || edit.options.hard)) {
     throw InputError(
-        "a handle whose orientation is free needs a surface that settles, with soft constraints; "
-        "set its orientation, or leave out \"hard\" and \"settle\"");
+        "a handle with free orientation requires settling with soft constraints; keep its "
+        "orientation, or remove \"hard\" and \"settle\": false");
   }
   target.wanted = std::move(wanted);
   edit.asked_displacement(target.parameters, target.wanted);
@@ -86,7 +86,7 @@ HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const 
     const Vector3d& centroid = edit.frames[h].centroid;
     const Eigen::Affine3d turned =
         turned_to(motions.maps[h], centroid, nearest_rotation(pose.maps[h].linear()));
-    // A handle that has not moved keeps its bits, although they were rounded in another way.
+    // A handle that has not moved keeps its bits, although the new ones are rounded differently.
     constexpr double kRounding = 1e-12;
     const Vector3d place = turned * centroid;
     const double size = place.norm() + centroid.norm() + edit.frames[h].radius;

@@ -11,7 +11,7 @@
 
 namespace lapwing {
 
-/// What moved handles ask of the surface of an edit.
+/// The constraints on a surface for given motions of its handles.
 struct MotionTarget {
   HandleMotions motions;
   std::vector<double> parameters;  ///< of `motions` (EditSystem::set_parameters)
@@ -22,10 +22,10 @@ struct MotionTarget {
   MinimizerTarget settle_target() const { return {wanted, stretch.of_vertices, {}, free_handles}; }
 };
 
-/// Returns the target for `motions`. `wanted` is memory: the field of an earlier target of the same
-/// edit, which makes the cost O(handle vertices), or empty. Throws InputError for another number of
-/// motions than handles, for motions that are too far, and for free handles unless the edit settles
-/// with soft constraints.
+/// Returns the target for `motions`. Reuses the memory of `wanted`, which is empty or the field of
+/// an earlier target of the same edit. The latter makes the cost O(handle vertices). Throws
+/// InputError for another number of motions than handles, for motions that are too far, and for
+/// free handles unless the edit settles with soft constraints.
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
                            std::vector<Eigen::Vector3d> wanted = {});
 
@@ -33,23 +33,23 @@ MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
 void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d> rotations,
                         MotionTarget& target);
 
-/// `motions` with the free handles turned as they are in `pose`, the motions of a pose.
+/// Returns `motions` with the rotations that free handles have in `pose`, the motions of a pose.
 HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& edit);
 
 /// Whether a handle has turned by more than kFarTurnDegrees. Beyond that the direction of the turn
 /// matters, and a linear response cannot represent it.
 bool any_turned_far(std::span<const Eigen::AngleAxisd> turns);
-/// The same for what has changed from `last` to `now`.
+/// The same for the change of the turns from `last` to `now`.
 bool any_turned_far_since(const HandleMotions& last, const HandleMotions& now);
 
-/// Where minimizing starts without a pose: the displacement of every vertex by the handle weights,
-/// and by the targets of the edit.
+/// Returns the start of a minimization without a pose: the displacement of every vertex by the
+/// handle weights and the edit's targets.
 std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
                                                      const HandleWeights& weights,
                                                      const MotionTarget& target);
 
-/// Moves belt and handles in `u` as they are held: the belt stays where it is in `last`, and
-/// handles go on from there by what `wanted` differs from `last_wanted`.
+/// Sets the held vertices in `u`. The belt stays as in `last`; handles move on from there by
+/// `wanted` - `last_wanted`.
 void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_wanted,
                std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> last,
                std::span<Eigen::Vector3d> u);

@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Matrix3d rotation_matrix(const AxisRotation& rotation) {
-  // The formula leaves negative zeros behind at 0 degrees.
+  // At 0 degrees the formula gives negative zeros.
   if (rotation.degrees == 0.0) return Matrix3d::Identity();
   const double radians = rotation.degrees * std::numbers::pi / 180.0;
   return Eigen::AngleAxisd(radians, rotation.axis.normalized()).toRotationMatrix();
@@ -47,8 +47,8 @@ Affine3d part_of(const MatrixMove& move, const Vector3d& handle_centroid, double
   if (share == 1.0) return whole;
   if (is_mirror(move)) {
     throw InputError(
-        "a matrix that mirrors cannot be carried out in parts: no motion leads from a handle to "
-        "its mirror image");
+        "a matrix that mirrors cannot be divided into substeps, because no continuous motion leads "
+        "to a mirror image; use a matrix with a positive determinant");
   }
   return partial_motion(whole, shortest_turn(whole), handle_centroid, share);
 }

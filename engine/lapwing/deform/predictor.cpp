@@ -9,10 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How much of the recent change is repeated: less than all of it, because it contains what its
-// frames had left to minimize, too.
+// The repeated share of the recent change. It is below 1 because the change also contains the
+// minimization that earlier frames had left.
 constexpr double kTrust = 0.75;
-// By what a frame counts when the next one comes.
+// Weight of a frame relative to the next one.
 constexpr double kShareOfOlder = 0.5;
 
 void add_change(std::vector<Vector3d>& recent, std::span<const Vector3d> from,
@@ -28,8 +28,8 @@ void Predictor::clear() {
   recent_u_.clear();
 }
 
-// The share of the recent way of the handles' vertices that comes nearest to `change`, in least
-// squares.
+// Returns the share of the recent displacement of the handles' vertices that is closest to
+// `change`, in the least-squares sense.
 double Predictor::repeated_share(const EditSystem& edit, std::span<const Vector3d> change) const {
   double along = 0.0;
   double square = 0.0;

@@ -14,11 +14,11 @@ namespace lapwing {
 /// linear response of the n x n system. All fields are per vertex of the edit's mesh.
 class Predictor {
  public:
-  /// Forgets all frames.
+  /// Clears the history of frames.
   void clear();
 
-  /// The displacement expected where handles want `wanted`, from the pose `u`, at which they wanted
-  /// `last_wanted`. One solve.
+  /// Returns the predicted displacement for the prescribed displacements `wanted`, from the pose
+  /// `u` with the prescribed displacements `last_wanted`. Costs one solve.
   std::vector<Eigen::Vector3d> predict(const EditSystem& edit,
                                        std::span<const Eigen::Vector3d> last_wanted,
                                        std::span<const Eigen::Vector3d> wanted,
@@ -32,7 +32,7 @@ class Predictor {
  private:
   double repeated_share(const EditSystem& edit, std::span<const Eigen::Vector3d> change) const;
 
-  // The weighted sums of what the frames changed; empty without a frame.
+  // Weighted sums of the changes of all frames; empty without a frame.
   std::vector<Eigen::Vector3d> recent_wanted_;
   std::vector<Eigen::Vector3d> recent_u_;
 };

@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Rethrows the error at hand as one of its kind that says which motion it came of.
+// Rethrows the current error, with the index of its motion in the message.
 [[noreturn]] void rethrow_of_motion(std::size_t k) {
   const std::string place = "motion " + std::to_string(k) + ": ";
   try {
@@ -36,7 +36,7 @@ namespace {
   }
 }
 
-// What the threads of one `solve_many` have in common.
+// State shared by the threads of one `solve_many`.
 struct SharedCount {
   std::size_t count;
   std::atomic<std::size_t> next = 0;
@@ -54,8 +54,8 @@ struct SharedCount {
   double fraction() const { return static_cast<double>(done) / static_cast<double>(count); }
 };
 
-// The motion about `center` that adds `length` to entry (a, b) of the linear part, or for b = 3
-// goes so far along axis a.
+// Returns the motion about `center` that adds `length` to entry (a, b) of the linear part. If b is
+// 3, it translates by `length` along axis a.
 Affine3d unit_motion(const Vector3d& center, double length, Eigen::Index a, Eigen::Index b) {
   Affine3d motion = Affine3d::Identity();
   if (b == 3) {
@@ -67,7 +67,7 @@ Affine3d unit_motion(const Vector3d& center, double length, Eigen::Index a, Eige
   return motion;
 }
 
-// By what motions of single handles of a request move the handles of its edit, which has those and
+// Converts motions of single handles of a request to parameters of its edit, which also contains
 // their mirror images.
 class HandleParameters {
  public:
@@ -80,7 +80,7 @@ class HandleParameters {
     return images_.empty() ? handle : images_[handle];
   }
 
-  // The parameters of `moved`, handles of the edit in ascending order, where `handle` goes by
+  // Sets the parameters of `moved`, handles of the edit in ascending order, if `handle` moves by
   // `motion` and the others rest.
   void set_parameters(std::size_t handle, const Affine3d& motion,
                       std::span<const std::size_t> moved, std::span<double> parameters) const {
@@ -123,7 +123,7 @@ PreparedDeform::PreparedDeform(Mesh mesh, DeformRequest request, const Progress&
 Deformed PreparedDeform::solved(const DeformRequest& request, const Progress& progress) {
   is_at_rest_ = false;
   Deformed result = deform(mesh_, request, kernels_, workspace_, progress);
-  is_at_rest_ = result.commits == 1;  // else that of the last part
+  is_at_rest_ = result.commits == 1;  // else the solver is that of the last part
   return result;
 }
 
@@ -156,8 +156,7 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
   for (const std::size_t h : handles) {
     if (h < request_.handles.size()) continue;
     throw InputError("the edit has " + std::to_string(request_.handles.size()) +
-                     " handles, but the response to handle " + std::to_string(h) +
-                     " was asked for; they are numbered from 0");
+                     " handles, numbered from 0; handle " + std::to_string(h) + " does not exist");
   }
   const ProgressScope scope(progress);
   if (!is_at_rest_) solved(request_, progress);
@@ -190,7 +189,7 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
     for (std::size_t k = 0; k < kMotionParameters; ++k, column += n) {
       const auto a = static_cast<Eigen::Index>(k / 4);
       const auto b = static_cast<Eigen::Index>(k % 4);
-      // Of the mesh's size, so that rounding is that of its coordinates.
+      // A motion of the mesh's size, so that rounding matches its coordinates.
       const double by = b == 3 ? length : 1.0;
       motions.set_parameters(h, unit_motion(center, by, a, b), drag->handles(), parameters);
       for (double& parameter : parameters) parameter /= by;
@@ -234,7 +233,7 @@ void PreparedDeform::solve_many(std::size_t count, const MovesOf& moves_of, cons
   std::vector<std::jthread> others;
   for (std::size_t t = 1; t < std::min(wanted, count); ++t) {
     others.emplace_back([&] {
-      const WorkAlone alone;
+      const SerialScope alone;
       try {
         PreparedDeform own(mesh_, request_, heard_aside);
         work(own, heard_aside);
@@ -244,7 +243,7 @@ void PreparedDeform::solve_many(std::size_t count, const MovesOf& moves_of, cons
     });
   }
   {
-    std::optional<WorkAlone> alone;
+    std::optional<SerialScope> alone;
     if (!others.empty()) alone.emplace();
     work(*this, heard_here);
   }

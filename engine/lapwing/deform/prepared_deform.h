@@ -12,17 +12,17 @@
 
 namespace lapwing {
 
-/// How the surface of an edit follows some of its handles to first order. With L the linear part of
-/// a handle's motion less the identity, and s the way of its centre (L c + t for a motion x ->
-/// (I + L) x + t), a vertex is at
+/// The response of a surface to some of its handles, to first order. Let L be the linear part of a
+/// handle's motion minus the identity, and s = L c + t the displacement of its centre c, for a
+/// motion x -> (I + L) x + t. The position of a vertex is
 ///     rest[v] + sum over handles h and axes a of
 ///               sum_b L_h(a, b) columns[h](a, b)[v] + s_h(a) columns[h](a, 3)[v].
 struct SurfaceResponse {
-  /// About which the linear part of each handle's motion counts: the centroid of its vertices.
+  /// Per handle the centre c, the centroid of its vertices.
   std::vector<Eigen::Vector3d> centers;
   std::size_t vertex_count = 0;  ///< of the whole mesh
-  /// For each handle its 12 columns, (0, 0), (0, 1), ... (2, 3), each of vertex_count
-  /// displacements; those of (a, 3) are per length, the others lengths.
+  /// For each handle 12 columns, (0, 0), (0, 1), ... (2, 3), of vertex_count displacements each.
+  /// Columns (a, 3) are dimensionless, the others lengths.
   std::vector<Eigen::Vector3d> columns;
   /// Why details do not turn (DragResponse::why_not_exact); empty if they do.
   std::string why_not_exact;
@@ -32,50 +32,50 @@ struct SurfaceResponse {
   }
 };
 
-/// A request that is prepared once and carried out for many motions of its handles: data sets,
-/// fits, anything that asks for thousands of results of one edit. The processor computes it.
+/// Prepares a request once and carries it out for many motions of its handles, on the CPU. Meant
+/// for data sets and fits, which need thousands of results of one edit.
 ///
 ///     PreparedDeform arm(mesh, request);
 ///     const Deformed raised = arm.solve(moves);
 ///
-/// One object serves one thread at a time; `solve_many` goes on all.
+/// One object serves one thread at a time; `solve_many` uses several threads itself.
 class PreparedDeform {
  public:
-  /// Prepares, which takes what `deform` takes but for settling; the moves and paths in `request`
-  /// do not count. Throws what `deform` throws, so that nothing but moves can be wrong afterwards.
+  /// Takes the time of `deform` without settling. Ignores the moves and paths in `request`. Throws
+  /// what `deform` throws, so that only moves can be wrong afterwards.
   PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress = {});
 
   const Mesh& mesh() const { return mesh_; }  ///< at rest
   const DeformRequest& request() const { return request_; }
   const EditRegion& region() const { return region_; }
 
-  /// What `deform` makes of the request with these moves, one per handle, bit for bit. Throws what
-  /// that throws, and InputError for another number of moves.
+  /// Returns the result of `deform` for these moves, one per handle, bit for bit. Throws what
+  /// `deform` throws, and InputError for another number of moves.
   Deformed solve(std::span<const Move> moves, const Progress& progress = {});
-  /// The same with other orientations than the request's, one per handle.
+  /// The same with `orientations`, one per handle, in place of the request's.
   Deformed solve(std::span<const Move> moves, std::span<const HandleOrientation> orientations,
                  const Progress& progress = {});
 
-  /// How the surface follows each of `handles`, numbers in the request, with the others at rest: 12
-  /// right-hand sides a handle and no solve of the whole, so that frames can be added up from it.
-  /// What `solve` makes without settling is that to 1e-6 of the mesh's diagonal, but for loose
-  /// parts, which solve turns and this moves to first order. The images of mirrored handles go
-  /// along; what targets ask for is not in it. If the exact system does not fit (why_not_exact) it
-  /// is a DragPreview's, in which details do not turn. Memory is 288 bytes a vertex and handle, and
-  /// as much again is kept. Stages "response", and those of preparing where a solve has left
-  /// another pose behind. Throws InputError for a handle that the request does not have,
-  /// SolverError where memory is short, Cancelled.
+  /// Returns the linear response to each of `handles`, indices in the request, with the others at
+  /// rest. Solves 12 right-hand sides per handle. Sums of its columns match `solve` without
+  /// settling to 1e-6 of the mesh's diagonal, except for loose parts, which `solve` rotates and
+  /// this moves to first order. Mirror images of the handles move along; targets have no effect. If
+  /// the exact system does not fit (why_not_exact), the response is a DragPreview's, in which
+  /// details do not turn. The result takes 288 bytes per vertex of the mesh and handle. Computing
+  /// it needs up to as much again, or twice that with a mirror. Stages "response", and those of
+  /// preparing if a solve has left another pose. Throws InputError for a handle that the request
+  /// does not have, SolverError if memory is short, Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
-  /// The moves of result `k`, and what is done with it. Both are called by any of the threads; each
-  /// k comes once, in no order.
+  /// Returns the moves of result `k`, and receives the result. Both are called from any of the
+  /// threads, once per k, in no order.
   using MovesOf = std::function<std::vector<Move>(std::size_t k)>;
   using Take = std::function<void(std::size_t k, Deformed&& result)>;
 
-  /// `count` results, each as `solve` makes it, on `threads` threads (0: all that the process may
-  /// run on), each of which prepares for itself: memory is that of so many. The first error ends it
-  /// and is thrown here, its message begun with "motion K: ". `progress` hears stage "solve_many",
-  /// on the calling thread alone, and cancels all.
+  /// Computes `count` results as `solve` does, on `threads` threads (0: all processors of the
+  /// process). Each thread prepares its own solver, so memory grows with their number. The first
+  /// error stops all and is thrown here, with "motion K: " before its message. Reports stage
+  /// "solve_many", on the calling thread only; `progress` can cancel all.
   void solve_many(std::size_t count, const MovesOf& moves_of, const Take& take,
                   unsigned threads = 0, const Progress& progress = {});
 
@@ -87,7 +87,7 @@ class PreparedDeform {
   CpuKernels kernels_;
   DeformWorkspace workspace_;
   EditRegion region_;
-  bool is_at_rest_ = false;  ///< the workspace's solver is that of the rest pose
+  bool is_at_rest_ = false;  ///< whether the workspace's solver is at the rest pose
 };
 
 }  // namespace lapwing

@@ -77,9 +77,9 @@ Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
                  "drag fewer handles at a time, or choose a smaller region");
   Numbers basis(column * kMotionParameters * handles.size());
   Numbers x(kMotionParameters * n);
-  // Over the whole mesh, so made once.
+  // Allocated once, since it spans the whole mesh.
   std::vector<Vector3d> wanted;
-  std::vector<Vector3d> u;  // where parts are loose
+  std::vector<Vector3d> u;  // only for loose parts
   if (!system.loose.empty()) u.assign(system.rest->size(), Vector3d::Zero());
   for (std::size_t at = 0; at < handles.size(); ++at) {
     const std::size_t h = handles[at];
@@ -90,7 +90,7 @@ Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
       q[h * kMotionParameters + k] = 1.0;
       return q;
     };
-    // Of one more unit of the handle's scale.
+    // The growth for one more unit of the handle's scale.
     std::vector<double> growth_of_roi(system.region.roi.size(), 0.0);
     Numbers force;
     if (shares != nullptr) {
@@ -111,7 +111,7 @@ Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
     for (std::size_t k = 0; k < kMotionParameters; ++k) {
       const std::vector<double> q = unit(k);
       system.wanted_displacement(q, wanted);
-      // Vertices that move but are not solved for are handles with hard constraints, and loose.
+      // Moving vertices that are not unknowns are hard handles and loose parts.
       const auto displacement_of = [&](Index v) -> Vector3d {
         const Index i = unknowns.of_vertex[v];
         return i == kNoIndex ? wanted[v] : Eigen::Map<const Vector3d>(x.data() + k * n + 3 * i);

@@ -17,15 +17,15 @@ Numbers scale_forces(const EditSystem& system, std::span<const double> growth);
 /// Returns the mean scale of a handle's motion to first order, minus 1.
 double growth_of(const HandleFrame& frame, std::span<const double> parameters);
 
-/// How the surface answers each parameter of `handles`: columns as in ResponseColumns. `response`
-/// is the 3n x 3n system of `system`. `shares` null: no scale forces, as the RSI system has it.
-/// Stage "response" is reported, handle by handle.
+/// Returns the linear response to each parameter of `handles`, as columns of ResponseColumns.
+/// `response` is the 3n x 3n system of `system`. If `shares` is null there are no scale forces, as
+/// for the RSI system. Reports stage "response", handle by handle.
 Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
                        std::span<const std::size_t> handles, const HandleWeights* shares,
                        const Progress& progress);
 
-/// The same for one motion, whose parameters ask for `wanted` and `forces` (empty for none): the
-/// displacement of every vertex, by a single right-hand side.
+/// Returns the displacement of every vertex for one motion, with prescribed displacements `wanted`
+/// and `forces` (empty for none). Solves a single right-hand side.
 std::vector<Eigen::Vector3d> linear_displacement(const EditSystem& system,
                                                  const ResponseSystem& response,
                                                  std::span<const Eigen::Vector3d> wanted,

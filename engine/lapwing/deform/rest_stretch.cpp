@@ -18,9 +18,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// By this much the stretch of a rotation differs from the identity through rounding.
+// Rounding error of the stretch of a rotation.
 constexpr double kEqualStretches = 1e-12;
-// The tangential moment of a ring on a line is singular, but for this share.
+// Regularizes the tangential moment, which is singular for a ring on a line.
 constexpr double kCollinearRing = 1e-12;
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
@@ -29,7 +29,7 @@ bool are_equal(const Matrix3d& a, const Matrix3d& b) {
   return (a - b).norm() <= kEqualStretches * b.norm();
 }
 
-// What all handles share: with a belt, which stays, nothing; else the stretch nearest to none.
+// Returns the stretch nearest to the identity if only handles hold the region, else the identity.
 Matrix3d common_stretch(const EditSystem& system, std::span<const Matrix3d> of_handles) {
   if (!system.is_held_by_handles_alone()) return Matrix3d::Identity();
   return *std::min_element(
@@ -38,7 +38,7 @@ Matrix3d common_stretch(const EditSystem& system, std::span<const Matrix3d> of_h
       });
 }
 
-// Returns u of the map x -> common x + u that the handles' stretches make.
+// Returns u of the smooth map x -> common x + u that interpolates the handles' stretches.
 std::vector<Vector3d> smooth_map(const EditSystem& system, std::span<const Matrix3d> of_handles,
                                  const Matrix3d& common) {
   std::vector<Eigen::Affine3d> stretching;
@@ -63,14 +63,14 @@ class RingStretch {
         common_(common),
         u_(u) {}
 
-  // S_i; `common` where the ring has no tangent plane.
+  // Returns S_i, or `common` if the ring has no tangent plane.
   Matrix3d operator()(Index i) const {
     const Vector3d normal = normal_at(i);
     if (normal.isZero(0.0)) return common_;
     Tangents tangents;
     tangents.col(0) = normal.unitOrthogonal();
     tangents.col(1) = normal.cross(tangents.col(0));
-    // The slope of u is fitted, and not that of x + u, whose edges leave the tangent plane.
+    // Fits the gradient of u, not of x + u, whose edges leave the tangent plane.
     Matrix3d change = Matrix3d::Zero();
     Matrix3d moment = Matrix3d::Zero();
     for (std::size_t e = topology_.rings.starts[i]; e < topology_.rings.starts[i + 1]; ++e) {

@@ -9,7 +9,7 @@
 
 namespace lapwing {
 
-/// What the handles' stretches ask of the surface.
+/// The stretch that scaling handles prescribe for the surface.
 struct RestStretch {
   /// S_i of every ring, per vertex of the mesh: symmetric and positive definite, the identity
   /// outside the region. Empty if no handle changes its size.
@@ -19,24 +19,22 @@ struct RestStretch {
   std::vector<Eigen::Vector3d> u;  ///< per vertex of the mesh; empty for 0
 };
 
-/// The rest stretch that the handles' motions ask for. What is stretched is the shape that a ring
-/// keeps, so that a handle that scales widens or narrows the surface around it without pushing it
-/// along.
+/// Computes the rest stretch for the handles' motions. It stretches the rest shape of the rings, so
+/// a scaling handle widens or narrows the surface around it without pushing it along.
 ///
-/// A smooth map x -> x + u is made from the handles' stretches alone, each about the handle's
-/// centroid and without its rotation and translation; u solves the n x n system. S_i is the stretch
-/// of the ring's linear fit to that map in the tangent plane, and along the normal the geometric
-/// mean of the two tangential stretches. If handles alone hold the region and all stretch alike, by
-/// P, every S_i is P, so that a uniform scaling of all that is held scales the mesh exactly.
+/// The smooth map x -> x + u interpolates the handles' stretches, each about the handle's centroid,
+/// without rotations and translations; u solves the n x n system. S_i is the stretch of the ring's
+/// linear fit to that map in the tangent plane, and along the normal the geometric mean of the two
+/// tangential stretches. If only handles hold the region and all have the same stretch P, every S_i
+/// is P. A uniform scaling of all handles then scales the mesh exactly.
 ///
-/// The n x n system of `system` is held. Costs one solve of three right-hand sides.
+/// The n x n system of `system` must be factored. Costs one solve of three right-hand sides.
 RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions);
 
-/// Whether every motion is a rotation with a translation, but for rounding: no handle changes its
-/// size.
+/// Whether every motion is a rotation and a translation, up to rounding.
 bool are_rigid(std::span<const Eigen::Affine3d> motions);
 
-/// By how much each stretch changes sizes: the cube root of its determinant.
+/// Returns the mean scale of each stretch, the cube root of its determinant.
 std::vector<double> mean_scales(std::span<const Eigen::Matrix3d> stretches);
 
 }  // namespace lapwing

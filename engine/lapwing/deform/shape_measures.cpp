@@ -22,7 +22,7 @@ Vector3d stretched(std::span<const Matrix3d> stretch, Index i, const Vector3d& r
   return stretch.empty() ? rest : Vector3d(stretch[i] * rest);
 }
 
-// |length' / length - 1| of an edge; below 0 for one without length.
+// Returns |length' / length - 1| of an edge, or a negative value if its length is 0.
 double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
                   std::span<const Vector3d> current, std::span<const Matrix3d> stretch) {
   const Vector3d edge = rest[i] - rest[j];
@@ -31,7 +31,7 @@ double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
   return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
 }
 
-// Of the edges of one ring or of several.
+// Accumulated over the edges of one or several rings.
 struct RowStretches {
   double sum_of_squares = 0.0;
   std::size_t count = 0;
@@ -61,7 +61,7 @@ RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const
   return row;
 }
 
-// delta_i and L(v'_i), from differences: positions far from the origin lose nothing.
+// delta_i and L(v'_i). Computed from differences, so meshes far from the origin lose no precision.
 struct Laplacians {
   Vector3d was = Vector3d::Zero();
   Vector3d is = Vector3d::Zero();

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Sine of half of 30 degrees: what is left of a whole turn below that may point anywhere, by
-// rounding or by a hand that is not quite steady.
+// Sine of half of 30 degrees. Closer to a whole turn, rounding or an unsteady hand determines the
+// axis.
 const double kUncertainAxis = std::sin(15.0 * std::numbers::pi / 180.0);
 
 }  // namespace

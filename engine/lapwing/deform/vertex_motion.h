@@ -10,25 +10,25 @@
 
 namespace lapwing {
 
-/// How each vertex moved from one pose of a mesh to another; one entry per vertex in each list.
+/// The motion of each vertex from one pose of a mesh to another, one entry per vertex in each list.
 struct VertexMotion {
   Positions displacements;
-  /// How the ring of the vertex turned (`fit_rotation`, as the certificate measures it), about the
-  /// origin's axes: of length 1 and with w >= 0, see `unit_quaternion`. Exactly the identity where
-  /// neither the vertex nor its ring moved.
+  /// Rotation of the vertex's ring (`fit_rotation`), as a `unit_quaternion`. Exactly the identity
+  /// if neither the vertex nor its ring moved.
   std::vector<Eigen::Quaterniond> rotations;
   /// `edge_stretch` of the ring: the root mean square of |length' / length - 1| of its edges; 0
   /// without a ring.
   std::vector<double> stretch;
 };
 
-/// The motion of every vertex from `rest` to `current`. Linear time, on all processors. Of what
-/// `deform` did: vertex_motion(before.positions, deformed.mesh.positions, before.topology()).
+/// Returns the motion of every vertex from `rest` to `current`. Linear time, on all processors. For
+/// a result of `deform`: vertex_motion(before.positions, deformed.mesh.positions,
+/// before.topology()).
 VertexMotion vertex_motion(std::span<const Eigen::Vector3d> rest,
                            std::span<const Eigen::Vector3d> current, const Topology& topology);
 
-/// The same where only `rows` are known to have moved: all others are at rest, to the last bit,
-/// also where their ring holds one of `rows`.
+/// The same if only `rows` have moved. All other vertices get no motion, bit for bit, even if their
+/// ring contains one of `rows`.
 VertexMotion vertex_motion(std::span<const Index> rows, std::span<const Eigen::Vector3d> rest,
                            std::span<const Eigen::Vector3d> current, const Topology& topology);
 
@@ -36,7 +36,7 @@ VertexMotion vertex_motion(std::span<const Index> rows, std::span<const Eigen::V
 /// positive. `rotation_angle` is 2 acos(w), in radians.
 Eigen::Quaterniond unit_quaternion(const Eigen::Matrix3d& R);
 
-/// `fit_rotation` of ring i, and exactly the identity where nothing of it moved.
+/// Returns `fit_rotation` of ring i, or exactly the identity if nothing in the ring moved.
 Eigen::Matrix3d ring_rotation(Index i, std::span<const Index> ring,
                               std::span<const Eigen::Vector3d> rest,
                               std::span<const Eigen::Vector3d> current);

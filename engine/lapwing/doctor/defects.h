@@ -27,7 +27,7 @@ inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::self_inters
 
 enum class Severity {
   info,     ///< nothing is wrong
-  warning,  ///< legal to edit; the effect is worth knowing
+  warning,  ///< editing works; the effect is worth knowing
   error,    ///< cannot be edited there
 };
 

@@ -199,8 +199,8 @@ class Finder {
     throw InputError(
         "the boxes of the " + std::to_string(items_.size()) + " triangles overlap in more than " +
         std::to_string(static_cast<long long>(most_pairs_)) +
-        " pairs, which would all be compared for intersections; remove repeated faces by `lapwing "
-        "check MESH --fix OUT`, split off fans of very many triangles, or set " +
+        " pairs, the limit for comparing them. Remove repeated faces with `lapwing check MESH "
+        "--fix OUT`, split fans of very many triangles, or set " +
         kMostPairs.variable + " to a larger number");
   }
 

@@ -22,8 +22,8 @@ class BackgroundTask {
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-  /// Starts `make`, whose checks (check_cancelled) throw when it has to stop. Only the first call
-  /// has an effect.
+  /// Starts `make`, in which check_cancelled throws if it has to stop. Only the first call has an
+  /// effect.
   template <typename Make>
   void begin(Make make) {
     if (std::exchange(has_begun_, true)) return;
@@ -34,7 +34,7 @@ class BackgroundTask {
     try {
       made_ = std::async(std::launch::async, run);
     } catch (const std::system_error&) {
-      // Without another thread `take` computes it.
+      // Without another thread `take` computes the result.
       made_ = std::async(std::launch::deferred, run);
     }
   }
@@ -44,10 +44,10 @@ class BackgroundTask {
   bool is_made() const {
     return is_pending() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
   }
-  /// Waits for the result, and rethrows what the computation threw; after `begin`, once. Throws
-  /// Cancelled.
+  /// Waits for the result and rethrows the computation's exception. Call once, after `begin`.
+  /// Throws Cancelled.
   T take() {
-    while (made_.wait_for(kAskEvery) == std::future_status::timeout) check_cancelled();
+    while (made_.wait_for(kCheckInterval) == std::future_status::timeout) check_cancelled();
     return made_.get();
   }
 

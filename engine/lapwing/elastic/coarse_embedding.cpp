@@ -26,7 +26,7 @@ constexpr std::size_t kMotionsPerTask = 256;
 constexpr std::size_t kCarriedPerTask = 1024;
 constexpr std::size_t kBoundPerTask = 128;
 
-// `v`, its ring, and the rings of that.
+// Returns `v`, its ring, and the rings of its neighbours.
 std::vector<Index> two_rings_around(Index v, const Adjacency& rings) {
   std::vector<Index> around{v};
   const auto ring = rings[v];
@@ -65,12 +65,12 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
   origin_ = vertices_.empty() ? Vector3d::Zero() : (*rest_)[vertices_.front()];
   std::vector<Index> owners;
   for (const Index v : vertices_) owners.push_back(coarse.owners[v]);
-  const Adjacency owned = all_places_in(owners, coarse.kept.size());
+  const Adjacency owned = inverse_lists(owners, coarse.kept.size());
   parallel_for(coarse.kept.size(), kBoundPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) bind(static_cast<Index>(c), owned[c]);
   });
 
-  // Which nodes each coarse vertex is, so that forces are gathered without two threads at one.
+  // The nodes of each coarse vertex, so that threads gather forces without write conflicts.
   std::vector<Index> nodes;
   nodes.reserve(kEmbeddingNodes * embedded_.size());
   for (const EmbeddedVertex& embedded : embedded_) {
@@ -78,7 +78,7 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
       nodes.push_back(embedded.weights[node] > 0.0 ? embedded.nodes[node] : kNoIndex);
     }
   }
-  bound_to_ = all_places_in(nodes, coarse.kept.size());
+  bound_to_ = inverse_lists(nodes, coarse.kept.size());
 }
 
 // Binds to the nearest vertices of the two rings around the owner, by weights (1 - d / D)^2. D is
@@ -86,12 +86,12 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
 // changes.
 void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
   if (owned.empty()) return;
-  // The nearest first as far as the rings tell, so that most of the others are seen to be too far.
+  // Roughly sorted by distance, so that most later vertices are rejected early.
   const std::vector<Index> near = two_rings_around(owner, coarse_.topology.rings);
   std::vector<Vector3d> places;
   for (const Index c : near) places.push_back(coarse_.rest[c]);
   std::vector<double> squares(near.size());
-  // Of the nearest, and the next one.
+  // The nearest vertices, and the next one.
   struct Candidate {
     double square;
     Index node;
@@ -153,8 +153,8 @@ std::vector<Vector3d> CoarseEmbedding::restrict_forces(std::span<const Vector3d>
   const Positions& rest = coarse_.rest;
   const std::size_t count = coarse_.kept.size();
   const auto place = [&](std::size_t c) -> Vector3d { return rest[c] + pose.displacement[c]; };
-  // A moment at a coarse vertex acts as forces w x e_k on its ring, where sum_k e_k x (w x e_k) is
-  // the moment.
+  // A moment at a coarse vertex acts as forces w x e_k on its ring, with w such that sum_k e_k x (w
+  // x e_k) is the moment.
   std::vector<Vector3d> pulls(count, Vector3d::Zero());
   std::vector<Vector3d> turns(count, Vector3d::Zero());
   constexpr std::size_t kCoarsePerTask = 64;

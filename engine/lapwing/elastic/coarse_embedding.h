@@ -12,21 +12,22 @@
 
 namespace lapwing {
 
-/// A surface with fewer vertices in place of a region and what borders it.
+/// A surface with fewer vertices that replaces a region and its border.
 struct CoarseSurface {
-  std::vector<Index> kept;  ///< own vertex -> that of the fine mesh
-  /// Per vertex of the fine mesh, the own vertex it went into; kNoIndex far from the region.
+  std::vector<Index> kept;  ///< coarse vertex -> vertex of the fine mesh
+  /// Per vertex of the fine mesh, the coarse vertex it was merged into; kNoIndex far from the
+  /// region.
   std::vector<Index> owners;
-  Positions rest;  ///< of its own vertices
+  Positions rest;  ///< of the coarse vertices
   Topology topology;
 };
 
 /// Binds each vertex of a fine region to up to eight coarse vertices near it, which it follows
 /// rigidly, by weights that fall off smoothly (embedded deformation: Sumner, Schmid, Pauly, 2007).
-/// 96 bytes a vertex.
+/// 96 bytes per vertex.
 class CoarseEmbedding {
  public:
-  /// `rest` is that of the fine mesh; `coarse` must outlive the object.
+  /// `rest` belongs to the fine mesh; `coarse` must outlive the object.
   CoarseEmbedding(std::shared_ptr<const Positions> rest, const VertexSet& roi,
                   const CoarseSurface& coarse);
 
@@ -52,11 +53,11 @@ class CoarseEmbedding {
   const std::shared_ptr<const Positions> rest_;
   const CoarseSurface& coarse_;
   const EmbeddingLoops& loops_;
-  std::vector<Index> vertices_;           ///< those that move, but for loose parts
-  std::vector<EmbeddedVertex> embedded_;  ///< of each
-  /// Coarse vertex -> kEmbeddingNodes * place in embedded_ + which of its nodes.
+  std::vector<Index> vertices_;           ///< moving vertices, without loose parts
+  std::vector<EmbeddedVertex> embedded_;  ///< per entry of vertices_
+  /// Coarse vertex -> kEmbeddingNodes * index in embedded_ + index of its node.
   Adjacency bound_to_;
-  Eigen::Vector3d origin_;  ///< near the surface
+  Eigen::Vector3d origin_;  ///< a point near the surface
 };
 
 }  // namespace lapwing

@@ -6,13 +6,13 @@
 namespace lapwing {
 namespace {
 
-// Of a handle of fewer vertices each counts.
+// Handles of at most this many vertices keep all of them.
 constexpr std::size_t kSmallHandle = 16;
 
 enum Group : Index { kFree, kBelt, kFirstHandle };
 
-// Per vertex of the mesh: what it may be merged with. Vertices outside the region stay, as do those
-// that something asks of by number.
+// Returns the group of each vertex of the mesh; only vertices of one group may merge. Keeps
+// vertices outside the region, of small handles and of targets.
 std::vector<Index> groups_of(const EditRegion& region, std::size_t vertices) {
   std::vector<Index> groups(vertices, kKeptGroup);
   for (const Index v : region.roi) groups[v] = kFree;
@@ -41,13 +41,13 @@ std::vector<Triangle> triangles_of(const VertexSet& roi, const Topology& topolog
   return triangles;
 }
 
-// A region and what borders it, in numbers of their own, so that decimating a part of a mesh costs
-// no more than that part.
+// A region and its border with local indices, so that the cost of decimation does not depend on the
+// size of the mesh.
 struct Near {
   NumberedTriangles surface;
   Positions rest;
   std::vector<Index> groups;
-  std::size_t outside = 0;  // vertices that are not of the region
+  std::size_t outside = 0;  // number of vertices outside the region
 };
 
 Near near_of(const VertexSet& roi, const Topology& topology, const Positions& rest,

@@ -12,7 +12,7 @@
 
 namespace lapwing {
 
-/// A coarse surface, how a region is carried along with it, and what edits on it share.
+/// A coarse surface, the embedding of a region in it, and the preparation that edits on it share.
 struct CoarseLevel {
   CoarseLevel(CoarseSurface of, std::shared_ptr<const Positions> rest, const VertexSet& roi)
       : surface(std::move(of)),
@@ -27,13 +27,13 @@ struct CoarseLevel {
   std::mutex preparing;
 };
 
-/// The coarse surfaces of edits with one ROI of one mesh. If handles, belt and targets are those of
-/// the last edit, its surface serves the next one, whatever the weights. Thread-safe.
+/// The coarse surfaces of edits with one ROI of one mesh. Reuses the last surface for the next edit
+/// if handles, belt and targets are the same, for any weights. Thread-safe.
 class CoarseSurfaces {
  public:
-  /// The surface with about `count` vertices in the region; `rest` is the same pointer for the same
-  /// positions. Returns null if more than half of the vertices would remain, because too many are
-  /// held one by one.
+  /// Returns the surface with about `count` vertices in the region. `rest` is the same pointer for
+  /// the same positions. Returns null if more than half of the vertices would remain because too
+  /// many must be kept.
   std::shared_ptr<CoarseLevel> of(const EditRegion& region, const Topology& topology,
                                   const std::shared_ptr<const Positions>& rest, std::size_t count);
 
@@ -42,7 +42,7 @@ class CoarseSurfaces {
   struct Last {
     std::shared_ptr<const Positions> rest;
     std::size_t count = 0;
-    std::vector<Index> groups;  // per vertex of the mesh: what it may be merged with
+    std::vector<Index> groups;  // per vertex of the mesh (groups_of)
     std::shared_ptr<CoarseLevel> level;
   };
 

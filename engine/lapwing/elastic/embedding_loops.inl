@@ -2,7 +2,7 @@
 // embedding_loops_*.cpp inside an unnamed namespace. Calls nothing that has external linkage: the
 // linker would be free to take another instruction set's copy.
 
-// Arithmetic on it is as good where a register holds half of it.
+// Four doubles, also efficient if a register holds only two.
 typedef double Row __attribute__((vector_size(sizeof(double) * 4), may_alias));
 
 static inline __attribute__((always_inline)) double sum_of(Row row) {

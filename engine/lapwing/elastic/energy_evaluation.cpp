@@ -37,10 +37,10 @@ bool EnergyMinimizer::State::is_at(const MinimizerTarget& target,
   return has_stretch_of(target);
 }
 
-// Sets `at` to the surface `u`. Free if it is that already.
+// Sets `at` to the surface `u`. Does nothing if it is that already.
 void EnergyMinimizer::State::place(const MinimizerTarget& target, std::span<const Vector3d> u) {
   if (is_at(target, u)) return;
-  is_placed = false;  // also if what follows is cancelled
+  is_placed = false;  // also if the evaluation is cancelled
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
   weights.resize(n);
@@ -66,11 +66,11 @@ void EnergyMinimizer::State::place(const MinimizerTarget& target, std::span<cons
   forces.resize(target.forces.empty() ? 0 : 3 * n);
   if (!forces.empty()) read_unknowns(target.forces, forces);
   read_unknowns(u, at.x);
-  place_again();
+  reevaluate();
 }
 
-// After another surface than `at` was evaluated.
-void EnergyMinimizer::State::place_again() {
+// Evaluates `at` again after another surface was evaluated.
+void EnergyMinimizer::State::reevaluate() {
   evaluate(at);
   is_placed = true;
 }
@@ -92,8 +92,8 @@ void EnergyMinimizer::State::place_springs() {
   springs.clear();
   if (system.springs().empty()) return;
   const Unknowns& unknowns = system.constraints().unknowns;
-  const std::vector<Index> row_of = places_in(rings.vertices, unknowns.of_vertex.size());
-  const std::vector<Index> place_of = places_in(rings.unknown_rows, rings.vertices.size());
+  const std::vector<Index> row_of = inverse_index(rings.vertices, unknowns.of_vertex.size());
+  const std::vector<Index> place_of = inverse_index(rings.unknown_rows, rings.vertices.size());
   for (const Spring& spring : system.springs()) {
     PlacedSpring& placed = springs.emplace_back(PlacedSpring{spring, {}, {}});
     for (std::size_t c = 0; c < 3; ++c) {
@@ -103,13 +103,13 @@ void EnergyMinimizer::State::place_springs() {
   }
 }
 
-// Reuses what is known of a handle that has not changed.
+// Reuses the data of a handle that has not changed.
 void EnergyMinimizer::State::place_free_handles(const MinimizerTarget& target) {
   const std::size_t count = target.free_handles.size();
   if (count == 0 && free_rotations.empty()) return;
   const std::vector<Index> row_of =
-      places_in(rings.vertices, system.constraints().unknowns.of_vertex.size());
-  const std::vector<Index> place_of = places_in(rings.unknown_rows, rings.vertices.size());
+      inverse_index(rings.vertices, system.constraints().unknowns.of_vertex.size());
+  const std::vector<Index> place_of = inverse_index(rings.unknown_rows, rings.vertices.size());
   free_rotations.resize(count);
   for (std::size_t h = 0; h < count; ++h) {
     const FreeHandle& handle = target.free_handles[h];
@@ -150,7 +150,7 @@ void EnergyMinimizer::State::finish(std::span<Vector3d> u) const {
   for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(at.x, k);
 }
 
-// Energy and gradient at point.x, with the rotations that are best there.
+// Evaluates energy and gradient at point.x, with the best rotations.
 void EnergyMinimizer::State::evaluate(Point& point) {
   is_placed = false;
   const std::size_t n = system.size();

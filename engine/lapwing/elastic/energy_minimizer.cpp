@@ -32,8 +32,8 @@ constexpr int kBeforeHessian = 3;
 constexpr int kHessianPeriod = 20;
 constexpr int kNever = std::numeric_limits<int>::max();
 
-// A step is accepted if E falls by this share of what its slope promises (Armijo 1966), or by less
-// than rounding shows.
+// A step is accepted if E falls by this share of the linear prediction (Armijo 1966), up to
+// rounding.
 constexpr double kShareOfSlope = 1e-4;
 constexpr double kRounding = 1e-13;
 // The line search gives up below this share of the full step.
@@ -76,8 +76,8 @@ EnergyMinimizer::State::State(Kernels& kernels, const LaplacianSystem& laplacian
   }
 }
 
-// Forgets what was minimized before.
-void EnergyMinimizer::State::begin_anew() {
+// Clears the state of earlier minimizations.
+void EnergyMinimizer::State::reset_history() {
   history.forget();
   preconditioner = given_preconditioner;
   at_rest = false;
@@ -98,9 +98,9 @@ bool EnergyMinimizer::State::is_hessian_due() const {
   return preconditioner != nullptr && taken >= next_factorization;
 }
 
-// At `at`, where the rotations were fitted last. The history is kept from one Hessian of a pose to
-// the next: both miss the same directions of compression, in which the energy is softer. It is
-// cleared when the kind of the first Hessian changes.
+// Factorizes the Hessian at the pose `at`, at which the rotations were fitted last. The history is
+// kept from one Hessian of a pose to the next: both miss the same directions of compression, in
+// which the energy is softer. It is cleared when the kind of the first Hessian changes.
 void EnergyMinimizer::State::factorize_hessian() {
   const bool had_hessian = by_hessian;
   by_hessian = preconditioner->factorize(rotations->transforms(), displacement);
@@ -111,7 +111,7 @@ void EnergyMinimizer::State::factorize_hessian() {
 }
 
 // Under strong compression the Hessian is a poor model of the energy.
-void EnergyMinimizer::State::leave_hessian() {
+void EnergyMinimizer::State::fall_back_to_factor() {
   by_hessian = false;
   use_factor_for_turns();
   may_end_by_factor = true;
@@ -131,8 +131,8 @@ void EnergyMinimizer::State::use_factor_for_turns() {
   }
 }
 
-// Steps go along -direction. `slope` is half that of E, `step` in mean edge lengths. `accurate`
-// stands for Preconditioner::solve_accurately_in_place.
+// Finds `direction`; steps go along -direction. `slope` is half that of E, `step` in mean edge
+// lengths. `accurate` selects Preconditioner::solve_accurately_in_place.
 EnergyMinimizer::State::Sums EnergyMinimizer::State::find_direction(bool accurate) {
   history.first_loop(at.gradient, direction);
   for (const FreeRotation& rotation : free_rotations) rotation.rotate_to_factor(direction);
@@ -158,7 +158,7 @@ EnergyMinimizer::State::Sums EnergyMinimizer::State::find_direction(bool accurat
   return sums;
 }
 
-// `next` becomes the surface that is so much of the direction away from `at`.
+// Sets `next` to the surface `at` - `length` * direction.
 void EnergyMinimizer::State::go(double length) {
   parallel_for(at.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) next.x[i] = at.x[i] - length * direction[i];
@@ -168,9 +168,9 @@ void EnergyMinimizer::State::go(double length) {
   if (by_hessian) correct();
 }
 
-// A step by the Hessian takes vertices along straight lines, so that what turns is stretched, the
-// more the finer the mesh. One step of the n x n system at the rotations of `next` takes that
-// stretch out again. It never raises E, which at fixed rotations is that system's quadratic.
+// A step by the Hessian moves vertices along straight lines and so stretches rotating parts, more
+// on finer meshes. One step of the n x n system at the rotations of `next` removes that stretch. It
+// never raises E, which at fixed rotations is that system's quadratic.
 void EnergyMinimizer::State::correct() {
   correction = next.gradient;
   system.solve_in_elimination_order(correction, 3);
@@ -180,7 +180,7 @@ void EnergyMinimizer::State::correct() {
   evaluate(next);
 }
 
-// Goes from `at` to `next` by as much of the direction as lowers E; returns false if no part does.
+// Sets `next` to a step along the direction that lowers E. Returns false if there is none.
 bool EnergyMinimizer::State::step(double slope) {
   for (FreeRotation& rotation : free_rotations) rotation.begin_step(direction);
   for (double length = 1.0; length >= kShortestStep;) {
@@ -190,21 +190,21 @@ bool EnergyMinimizer::State::step(double slope) {
     if (fall <= kShareOfSlope * promised + kRounding * std::abs(at.energy)) {
       return true;
     }
-    // The least point of the parabola through what is known.
+    // The minimum of the interpolating parabola.
     const double least = std::isfinite(fall) ? -0.5 * promised / (fall - promised) : 0.0;
     length *= std::clamp(least, 0.1, 0.5);
   }
   return false;
 }
 
-// After `next` was evaluated.
-void EnergyMinimizer::State::take_next() {
+// Makes `next` the current point. `next` must have been evaluated last.
+void EnergyMinimizer::State::accept_next() {
   std::swap(at, next);
   is_placed = true;
 }
 
-// Whether the minimizer would end by a step of the n x n factor, which may be far shorter than what
-// long limbs have left to bend. It may end by a step that is next to nothing.
+// Whether the minimizer would end by a step of the n x n factor. Such a step may be far shorter
+// than the remaining bend of long limbs, so it may end only by a tiny one.
 bool EnergyMinimizer::State::must_end_by_hessian() const {
   constexpr double kNextToNothing = 1e-4;
   return !may_end_by_factor && !by_hessian && preconditioner != nullptr &&
@@ -228,7 +228,7 @@ double EnergyMinimizer::energy(const MinimizerTarget& target, std::span<const Ve
 
 MinimizerResult EnergyMinimizer::settle(const MinimizerTarget& target, std::span<Vector3d> u,
                                         const Progress& progress) {
-  state_->begin_anew();
+  state_->reset_history();
   state_->begin_schedule(kBeforeHessian);
   state_->place(target, u);
   return iterate(u, {}, progress);
@@ -236,7 +236,7 @@ MinimizerResult EnergyMinimizer::settle(const MinimizerTarget& target, std::span
 
 MinimizerResult EnergyMinimizer::follow(const MinimizerTarget& target, std::span<Vector3d> u,
                                         const TimeBudget& budget, const Progress& progress) {
-  state_->begin_schedule(budget ? kNever : kBeforeHessian);
+  state_->begin_schedule(kNever);
   state_->place(target, u);
   return iterate(u, budget, progress);
 }
@@ -263,7 +263,7 @@ void EnergyMinimizer::end_rest() {
 }
 
 void EnergyMinimizer::begin_drag() {
-  state_->begin_anew();
+  state_->reset_history();
 }
 
 void EnergyMinimizer::gradient(std::span<Vector3d> gradient) const {
@@ -274,14 +274,14 @@ void EnergyMinimizer::gradient(std::span<Vector3d> gradient) const {
 
 std::vector<Eigen::Matrix3d> EnergyMinimizer::transforms() {
   State& s = *state_;
-  if (!s.is_placed) s.place_again();
+  if (!s.is_placed) s.reevaluate();
   return s.rotations->transforms();
 }
 
 std::vector<Eigen::Matrix3d> EnergyMinimizer::handle_rotations() {
   State& s = *state_;
   if (s.free_rotations.empty()) return {};
-  if (!s.is_placed) s.place_again();
+  if (!s.is_placed) s.reevaluate();
   std::vector<Eigen::Matrix3d> all;
   for (const FreeRotation& rotation : s.free_rotations) all.push_back(rotation.rotation());
   return all;
@@ -291,7 +291,7 @@ bool EnergyMinimizer::uses_hessian() const {
   return state_->by_hessian;
 }
 
-// Starts where `place` has put the unknowns.
+// Minimizes from the point that `place` has set.
 MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget& budget,
                                          const Progress& progress) {
   const ProgressScope scope(progress);
@@ -333,10 +333,10 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         continue;
       }
       if (result.settled) {
-        // The direction is known, so taking it costs one evaluation and leaves an error far below
+        // The direction is known, so taking it costs one evaluation. It leaves an error far below
         // the tolerance, on which remeshing and other discrete steps may depend. A surface that was
-        // settled before stays where it is.
-        if (result.iterations > 0 && s.step(sums.slope)) s.take_next();
+        // settled before does not move.
+        if (result.iterations > 0 && s.step(sums.slope)) s.accept_next();
         break;
       }
       if (is_last) break;
@@ -345,7 +345,7 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         if (!history.is_empty()) {
           history.forget();
         } else if (s.by_hessian) {
-          s.leave_hessian();
+          s.fall_back_to_factor();
         } else {
           result.exhausted = true;
           break;
@@ -353,7 +353,7 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         continue;
       }
       history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
-      s.take_next();
+      s.accept_next();
       ++result.iterations;
       ++s.taken;
     }

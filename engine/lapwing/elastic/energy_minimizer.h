@@ -12,10 +12,10 @@
 
 namespace lapwing {
 
-/// A handle whose orientation is free: its centre and its shape are prescribed, and it turns as the
-/// surface wants. Vertex k should go to `centre + R shape[k]`, where R is the rotation that brings
-/// these places nearest to the vertices, by the weights of the system. E counts the distance that
-/// remains, so its gradient needs no derivative of R.
+/// A handle whose orientation is free: its centre and shape are prescribed, its rotation is not.
+/// Vertex k should go to `centre + R shape[k]`, where the rotation R fits these positions to the
+/// vertices best, by the weights of the system. E measures the remaining distance, so its gradient
+/// needs no derivative of R.
 struct FreeHandle {
   std::vector<Index> vertices;         ///< of the mesh; unknowns of the system
   std::vector<Eigen::Vector3d> shape;  ///< per vertex, relative to the centre
@@ -26,16 +26,16 @@ struct FreeHandle {
   bool operator==(const FreeHandle&) const = default;
 };
 
-/// What is asked of a surface. All fields are per vertex of the mesh.
+/// The constraints and forces on a surface. All fields are per vertex of the mesh.
 struct MinimizerTarget {
   /// d: prescribed displacements; 0 off the handles. A vertex of the region that is not an unknown
-  /// goes there.
+  /// takes its value exactly.
   std::span<const Eigen::Vector3d> wanted;
   /// S_i: symmetric and positive definite; the identity if empty.
   std::span<const Eigen::Matrix3d> rest_stretch;
   /// f: forces on the unknowns; none if empty.
   std::span<const Eigen::Vector3d> forces = {};
-  /// Their places replace `wanted` at their vertices.
+  /// Their fitted positions replace `wanted` at their vertices.
   std::span<const FreeHandle> free_handles = {};
 };
 
@@ -46,9 +46,9 @@ class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Assembles and factors at a pose. `transforms` are T_i per row of the rings, as RingRotations
-  /// has them, `displacement` one vector for each of RegionRings::vertices. Returns false, and
-  /// cannot solve then, if it does not fit in memory or is not positive definite.
+  /// Assembles and factors at a pose. `transforms` are T_i per row of the rings (RingRotations),
+  /// `displacement` has one vector per entry of RegionRings::vertices. Returns false if the matrix
+  /// does not fit in memory or is not positive definite; do not solve then.
   virtual bool factorize(std::span<const Eigen::Matrix3d> transforms,
                          std::span<const Eigen::Vector3d> displacement) = 0;
 
@@ -82,17 +82,17 @@ class EnergyMinimizer {
   EnergyMinimizer(EnergyMinimizer&&) noexcept;
   EnergyMinimizer& operator=(EnergyMinimizer&&) noexcept;
 
-  /// E of `u` for `target`, without moving it.
+  /// Returns E of `u` for `target`.
   double energy(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Minimizes from `u`, displacements of the whole mesh, in place. The result depends on nothing
-  /// that was minimized before. Allocates nothing per iteration. Throws Cancelled, with `u` as far
-  /// as it got, if `progress` (stage "settle") asks for it.
+  /// Minimizes `u`, displacements of the whole mesh, in place. The result does not depend on
+  /// earlier calls. Allocates nothing per iteration. Throws Cancelled if `progress` (stage
+  /// "settle") asks for it; `u` then holds the last iterate.
   MinimizerResult settle(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const Progress& progress = {});
 
-  /// One frame of a drag: the same for a `target` a little farther on than in the last call, from
-  /// the predicted `u`. Keeps the L-BFGS history from frame to frame. Ends when `budget` says no.
+  /// Minimizes one frame of a drag from the predicted `u`, for a `target` slightly beyond that of
+  /// the last call. Keeps the L-BFGS history from frame to frame. Ends when `budget` returns false.
   MinimizerResult follow(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
@@ -101,28 +101,28 @@ class EnergyMinimizer {
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// A frame whose `target` is still that of the last call, with `u` where that ended. After three
-  /// iterations of such frames the preconditioner is factored at the pose. A factorization starts
-  /// a call: `budget` is asked for the iteration, not for the factorization before it.
+  /// Minimizes a frame with the `target` of the last call, from its result `u`. After three
+  /// iterations of such frames the preconditioner is factored at the pose. A factorization starts a
+  /// call; `budget` is asked for the iteration only, not for the factorization before it.
   MinimizerResult follow_at_rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                  const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Says that the target moves on in a frame without time for `follow`: what `follow_at_rest` has
-  /// counted and factored belongs to another pose.
+  /// Call this if the target moves in a frame without time for `follow`. Discards the iteration
+  /// count and the factor of `follow_at_rest`, which belong to another pose.
   void end_rest();
 
-  /// Clears the history of the frames: the next one is the first of another drag.
+  /// Clears the history, so that the next frame is the first of another drag.
   void begin_drag();
 
   /// Whether the last step came from the preconditioner.
   bool uses_hessian() const;
 
-  /// Half of the gradient of E at the surface of the last call, for the unknowns; `gradient` is per
-  /// vertex of the mesh.
+  /// Writes half of the gradient of E at the surface of the last call, for the unknowns. `gradient`
+  /// is per vertex of the mesh.
   void gradient(std::span<Eigen::Vector3d> gradient) const;
-  /// T_i per row of the rings there.
+  /// Returns T_i per row of the rings, at the surface of the last call.
   std::vector<Eigen::Matrix3d> transforms();
-  /// R of each of the target's free handles there.
+  /// Returns R of each of the target's free handles, at the surface of the last call.
   std::vector<Eigen::Matrix3d> handle_rotations();
 
  private:

@@ -14,8 +14,8 @@
 
 namespace lapwing {
 
-/// What an EnergyMinimizer holds. Its iterations are in energy_minimizer.cpp, energy and gradient
-/// in energy_evaluation.cpp.
+/// The members of an EnergyMinimizer. energy_minimizer.cpp has its iterations,
+/// energy_evaluation.cpp energy and gradient.
 struct EnergyMinimizer::State {
   const LaplacianSystem& system;
   const std::shared_ptr<const RegionRings> shared_rings;
@@ -28,17 +28,16 @@ struct EnergyMinimizer::State {
   bool at_rest = false;                      ///< whether the last call was `follow_at_rest`
   int taken = 0;                             ///< iterations since `begin_schedule`
   bool by_hessian = false;                   ///< whether directions come from the preconditioner
-  int next_factorization = 0;                ///< the iteration before which it comes
-  /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than
-  /// what is left to go.
+  int next_factorization = 0;                ///< the iteration before which it is due
+  /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than the
+  /// remaining distance.
   bool may_end_by_factor = false;
-  double iteration_ms = 0.0;   ///< of the last one, without a factorization
+  double iteration_ms = 0.0;   ///< of the last iteration, without a factorization
   double last_step = 0.0;      ///< in mean edge lengths
   bool is_placed = false;      ///< whether `at` was evaluated last
   Lbfgs history;
 
-  // Vectors over the unknowns, which come in the order of elimination, hold x of all, then y, then
-  // z.
+  // Vectors over the unknowns are in elimination order: x of all, then y, then z.
   std::vector<Eigen::Vector3d> displacement;  ///< of RegionRings::vertices
   std::vector<double> energies;               ///< per row
   std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
@@ -50,7 +49,7 @@ struct EnergyMinimizer::State {
   std::vector<double> direction;
   std::vector<double> correction;
 
-  // A surface, E there, and half of its gradient.
+  // A surface with its E and half of its gradient.
   struct Point {
     std::vector<double> x;
     std::vector<double> gradient;
@@ -60,7 +59,8 @@ struct EnergyMinimizer::State {
   Point at;
   Point next;
 
-  // A spring of the system, by rows and by places among the unknowns; kNoIndex for a given corner.
+  // A spring of the system, with the rows and unknowns of its corners; kNoIndex for a prescribed
+  // corner.
   struct PlacedSpring {
     Spring spring;
     std::array<Index, 3> rows{};
@@ -81,12 +81,12 @@ struct EnergyMinimizer::State {
   State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
         Preconditioner* hessian);
 
-  void begin_anew();
+  void reset_history();
   void begin_schedule(int before_hessian);
   bool has_stretch_of(const MinimizerTarget& target) const;
   bool is_at(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u) const;
   void place(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
-  void place_again();
+  void reevaluate();
   void read_unknowns(std::span<const Eigen::Vector3d> u, std::vector<double>& x) const;
   void finish(std::span<Eigen::Vector3d> u) const;
   void place_springs();
@@ -95,14 +95,14 @@ struct EnergyMinimizer::State {
   Sums pull_by_springs(Point& point) const;
   bool is_hessian_due() const;
   void factorize_hessian();
-  void leave_hessian();
+  void fall_back_to_factor();
   void use_factor_for_turns();
   Sums find_direction(bool accurate = false);
   void go(double length);
   void correct();
   bool step(double slope);
   bool must_end_by_hessian() const;
-  void take_next();
+  void accept_next();
 
   Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Eigen::Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
@@ -110,13 +110,13 @@ struct EnergyMinimizer::State {
     return {numbers[k], numbers[n + k], numbers[2 * n + k]};
   }
   static constexpr std::size_t kUnknownsPerTask = 1024;
-  // Adds up `add(k, sums)` of every unknown; task by task, so that the result does not depend on
-  // the number of threads.
+  // Sums `add(k, sums)` over all unknowns, task by task, so that the result does not depend on the
+  // number of threads.
   template <typename Add>
   Sums sum_over_unknowns(const Add& add) {
     parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t task = begin; task < end; ++task) {
-        Sums sum;  // not in place: tasks beside each other would write to one line of the caches
+        Sums sum;  // local, because adjacent tasks would write to one cache line
         const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
         for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
         partial[task] = sum;

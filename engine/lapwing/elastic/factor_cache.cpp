@@ -37,7 +37,7 @@ FactorCache::LaplacianBuild::LaplacianBuild(FactorCache& cache, SystemTerms term
   if (!is_same && !is_unused(kept)) {
     auto fresh = std::make_shared<LaplacianSystem>(cache.topology_, cache.roi_, cache.unknowns_,
                                                    cache.pattern_);
-    if (kept != nullptr) fresh->begin_like(*kept);
+    if (kept != nullptr) fresh->share_setup_from(*kept);
     kept = std::move(fresh);
   }
   system_ = kept;
@@ -73,7 +73,7 @@ void FactorCache::LaplacianBuild::analyze_hessian() {
 std::shared_ptr<const LaplacianSystem> FactorCache::LaplacianBuild::finish() {
   assemble();
   analyze();
-  system_->factor(W_);
+  system_->factorize(W_);
   return system_;
 }
 
@@ -115,11 +115,11 @@ std::shared_ptr<const ResponseSystem> FactorCache::response(
   }
   require_memory(options.memory_limit_bytes);
   response_has_memory_ = true;
-  response_->factor(W, progress, timings);
+  response_->factorize(W, progress, timings);
   return response_;
 }
 
-// Null if nobody holds them. A response that turns freely has other rows.
+// Returns null if nobody holds the rows. A response that turns freely has other rows.
 std::shared_ptr<const BlockRows> FactorCache::held_tangent_rows(const SystemTerms& terms) const {
   const bool response_has = response_ != nullptr && response_kind_ == LinearResponse::tangent &&
                             terms == response_terms_ && !terms.turns_freely;
@@ -139,7 +139,7 @@ std::shared_ptr<const BlockRows> FactorCache::tangent_rows(const SystemTerms& te
   return rows;
 }
 
-// A system that has its memory already needs none.
+// Does nothing if the system has its memory already.
 void FactorCache::require_memory(std::size_t limit_bytes) {
   if (response_ != nullptr && response_has_memory_) return;
   if (response_ != nullptr) response_bytes_ = response_->memory_bytes();
@@ -147,7 +147,7 @@ void FactorCache::require_memory(std::size_t limit_bytes) {
   if (response_bytes_ <= limit_bytes) return;
   response_.reset();
   throw DoesNotFit("the exact system of " + std::to_string(unknowns_.size()) + " vertices needs " +
-                   in_megabytes(response_bytes_) + " of memory, and may take " +
+                   in_megabytes(response_bytes_) + " of memory, more than the limit of " +
                    in_megabytes(limit_bytes));
 }
 

@@ -20,16 +20,15 @@ namespace lapwing {
 class DoesNotFit : public SolverError {
  public:
   explicit DoesNotFit(const std::string& need)
-      : SolverError(need + "; choose a smaller region, or settle, which can do without"),
-        need_(need) {}
-  /// What it needs and may take, in words.
+      : SolverError(need + "; choose a smaller region, or turn on \"settle\""), need_(need) {}
+  /// The required and the allowed memory, as text.
   const std::string& need() const { return need_; }
 
  private:
   std::string need_;
 };
 
-/// What the numbers of a system depend on besides region and constraints.
+/// The inputs of a system's values besides region and constraints.
 struct SystemTerms {
   std::shared_ptr<const Positions> rest;  ///< the same pointer for the same positions
   EnergyTerms energy;
@@ -39,34 +38,34 @@ struct SystemTerms {
   bool operator==(const SystemTerms&) const = default;
 };
 
-/// The factors of edits of one region over the same unknowns. A factor that has been handed out
-/// does not change. The next one shares pattern, orders and symbolic factorizations with it, and if
-/// nobody holds it any more also its memory and the parts that have not changed. Results have the
-/// bits of a factorization from scratch. All members may be called from several threads.
+/// The factors of edits of one region over the same unknowns. A returned factor does not change.
+/// The next one shares its pattern, orders and symbolic factorizations. It also reuses its memory
+/// and unchanged parts if nobody holds the last one any more. Results equal those of a
+/// factorization from scratch bit for bit. All members may be called from several threads.
 class FactorCache {
  public:
-  /// Finds the pattern, and nothing else yet. `topology` must outlive the object.
+  /// Finds only the pattern. `topology` must outlive the object.
   FactorCache(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns);
 
   bool serves(const VertexSet& roi, const Unknowns& unknowns) const;
   const SystemPattern& pattern() const { return pattern_; }
 
-  /// Makes the n x n system of an edit step by step. Holds the cache until it is destroyed.
+  /// Builds the n x n system of an edit step by step. Locks the cache until it is destroyed.
   class LaplacianBuild {
    public:
     bool is_ordered() const { return cache_.pattern_.is_ordered(); }
     bool is_analyzed() const { return system_->is_analyzed(); }
-    /// Memory of the factorization, known once analyzed.
+    /// Returns the memory of the factorization; call after `analyze`.
     std::size_t factor_bytes() const { return system_->factor_bytes(); }
-    /// L'Om L + K, for which the order is not needed.
+    /// Assembles L'Om L + K, which does not need the order.
     void assemble();
-    /// The order and the symbolic factorization; may run beside `assemble`.
+    /// Finds the order and the symbolic factorization; may run in parallel to `assemble`.
     void analyze() { system_->analyze(); }
-    /// The symbolic factorization of the 3n x 3n pattern, which the Hessian of a pose needs, unless
-    /// the region is large.
+    /// Runs the symbolic factorization of the 3n x 3n pattern, for the Hessian of a pose. Does
+    /// nothing if the region is large.
     void analyze_hessian();
-    /// Factors, after what has not been done of the above. Throws SolverError, naming the vertex,
-    /// if a component is not held.
+    /// Factors, after the steps above that are still missing. Throws SolverError, naming the
+    /// vertex, if a component is not held.
     std::shared_ptr<const LaplacianSystem> finish();
 
    private:
@@ -84,17 +83,17 @@ class FactorCache {
     return {*this, std::move(terms), W};
   }
 
-  /// The factored 3n x 3n system. `options` give its kind and memory limit; `laplacian` is the
-  /// edit's n x n system. Reports the stages "assemble", "analyze", "normal_matrix" and "factor",
-  /// those that are not done yet. Throws DoesNotFit, for a large region before its memory is taken,
-  /// and keeps nothing of the system then.
+  /// Returns the factored 3n x 3n system. `options` give its kind and memory limit; `laplacian` is
+  /// the edit's n x n system. Reports the stages "assemble", "analyze", "normal_matrix" and
+  /// "factor", without those already done. Throws DoesNotFit, for a large region before its memory
+  /// is allocated, and then keeps nothing of the system.
   std::shared_ptr<const ResponseSystem> response(const SystemTerms& terms,
                                                  std::shared_ptr<const LaplacianSystem> laplacian,
                                                  const DeformOptions& options, Kernels& kernels,
                                                  const Progress& progress, StageTimings& timings);
 
-  /// G at rest (`tangent_rows`), from which the Hessian of a pose is made; one for all who hold it,
-  /// the response included.
+  /// Returns G at rest (`tangent_rows`), from which the Hessian of a pose is assembled. All holders
+  /// share it, including the response.
   std::shared_ptr<const BlockRows> tangent_rows(const SystemTerms& terms,
                                                 const LaplacianSystem& laplacian, Kernels& kernels);
 

@@ -17,8 +17,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Below this share of the stiffness of the held handle, a turn counts as resisted by nothing and is
-// left as it is: a handle of one vertex, or of vertices on a line, turns without any effect.
+// Below this share of the held handle's stiffness, a turn counts as free and is left unchanged:
+// turns of a handle of one vertex, or of vertices on a line, have no effect.
 constexpr double kLeastStiffness = 1e-9;
 
 Vector3d at(std::span<const double> field, Index k) {
@@ -26,7 +26,7 @@ Vector3d at(std::span<const double> field, Index k) {
   return {field[k], field[n + k], field[2 * n + k]};
 }
 
-// A shape that is turned back from where it was differs by rounding.
+// Compares up to rounding, since rotating a shape back is not exact.
 bool are_equal(std::span<const Vector3d> a, std::span<const Vector3d> b) {
   constexpr double kEqualShare = 1e-9;
   return std::ranges::equal(a, b, [](const Vector3d& p, const Vector3d& q) {
@@ -34,7 +34,7 @@ bool are_equal(std::span<const Vector3d> a, std::span<const Vector3d> b) {
   });
 }
 
-// x += by field, vector by vector.
+// x += `by` * `field`, vector by vector.
 void add_field(const Matrix3d& by, std::span<const double> field, std::span<double> x) {
   constexpr std::size_t kVectorsPerTask = 4096;
   const std::size_t n = field.size() / 3;
@@ -117,7 +117,7 @@ void FreeRotation::respond_by(const std::function<void(std::span<double>)>& solv
   columns_inverse_ = inverse_stiffness(of_columns);
 }
 
-// U' times a field.
+// Returns U' times a field.
 Vector3d FreeRotation::torque(std::span<const double> field, const Matrix3d& R) const {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -126,7 +126,7 @@ Vector3d FreeRotation::torque(std::span<const double> field, const Matrix3d& R) 
   return sum;
 }
 
-// B' W B.
+// Returns B' W B.
 Matrix3d FreeRotation::unstrained_stiffness() const {
   Matrix3d stiffness = Matrix3d::Zero();
   for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -136,7 +136,7 @@ Matrix3d FreeRotation::unstrained_stiffness() const {
   return stiffness;
 }
 
-// (K - U' P^-1 U)^-1 at the rotation fitted last; `of_response` is U' P^-1 U.
+// Returns (K - U' P^-1 U)^-1 at the last fitted rotation; `of_response` is U' P^-1 U.
 Matrix3d FreeRotation::inverse_stiffness(const Matrix3d& of_response) const {
   const Matrix3d unstrained = unstrained_stiffness();
   const Matrix3d strained = covariance_.trace() * Matrix3d::Identity() - covariance_;

@@ -11,39 +11,39 @@
 
 namespace lapwing {
 
-/// The rotation of one free handle while a surface settles. Unknowns come in the order of
-/// elimination, and vectors hold x of all, then y, then z.
+/// The rotation of one free handle while a surface settles. Vectors over the unknowns are in
+/// elimination order: x of all, then y, then z.
 ///
-/// A matrix P that holds the handle in place is far too stiff against a turn of it. With the
-/// rotation eliminated the matrix is P - U K^-1 U', where U = W B, column k of B is what a turn
-/// about axis k does to the handle, and K = tr(C) I - C, where C is the covariance of places
-/// and turned shape. Its inverse is
+/// A matrix P with a fixed handle is far too stiff against a turn of it. Eliminating the rotation
+/// gives P - U K^-1 U'. Here U = W B, column k of B is the velocity of the handle in a turn about
+/// axis k, and K = tr(C) I - C with the covariance C of positions and rotated shape. The inverse is
 ///
 ///     P^-1 + P^-1 U (K - U' P^-1 U)^-1 U' P^-1      (Sherman, Morrison, Woodbury).
 ///
-/// K and U' P^-1 U differ by little, so K must be that of the pose: a handle under tension resists
-/// a turn. Under compression K is that of the unstrained handle, which keeps the matrix positive
-/// semidefinite.
+/// K and U' P^-1 U nearly cancel, so K must be evaluated at the pose. Tension makes the handle
+/// resist a turn more. Under compression K is that of the unstrained handle, which keeps the matrix
+/// positive semidefinite.
 ///
-/// A step that turns the handle by an angle of 0.05 along a straight line would swell it by a
-/// thousandth, which a handle that is held firmly does not allow. Steps therefore turn it along an
-/// arc (`begin_step`, `bend`).
+/// A straight step that turns the handle by an angle of 0.05 would enlarge it by a thousandth,
+/// which a firmly held handle does not allow. Steps therefore turn it along an arc (`begin_step`,
+/// `bend`).
 class FreeRotation {
  public:
   /// `rows` and `places` are those of the handle's vertices among RegionRings::vertices and among
   /// the unknowns; `weights` is W of each unknown. Solves for P^-1 U by the n x n factor of
-  /// `system` unless the handle has the shape that it had.
+  /// `system` unless the handle's shape is unchanged.
   void place(const FreeHandle& handle, std::vector<Index> rows, std::vector<Index> places,
              std::span<const double> weights, const LaplacianSystem& system);
 
-  /// Fits the rotation to the unknowns `x`, and writes where the handle should go to `wanted`, per
-  /// row.
+  /// Fits the rotation to the unknowns `x`, and writes the handle's prescribed displacements to
+  /// `wanted`, per row.
   void fit(std::span<const double> x, std::span<Eigen::Vector3d> wanted);
 
-  /// Back to the n x n system, whose P^-1 U serves at any rotation: P is the same for x, y and z.
+  /// Switches back to the n x n system. Its P^-1 U serves at any rotation, since P is the same for
+  /// x, y and z.
   void respond_by_system();
-  /// P^-1 U for another P, at the rotation fitted last. `solve` replaces a right-hand side by its
-  /// solution.
+  /// Computes P^-1 U for another P, at the last fitted rotation. `solve` replaces a right-hand side
+  /// by its solution.
   void respond_by(const std::function<void(std::span<double>)>& solve);
 
   /// P was factored at an earlier rotation. Rotates the handle's vectors of a right-hand side to
@@ -54,7 +54,7 @@ class FreeRotation {
   /// Turns P^-1 b into the solution of the matrix with the rotation eliminated, in place.
   void add_turn(std::span<double> solution) const;
 
-  /// The step to come goes from where the rotation was fitted last along -`direction`.
+  /// Starts a step along -`direction` from the surface of the last fit.
   void begin_step(std::span<const double> direction);
   /// Adds to `x`, a point at `length` along the straight step, the difference between the arc and
   /// the straight line.
@@ -74,17 +74,17 @@ class FreeRotation {
   std::vector<Index> places_;
   std::vector<double> held_;  ///< W of the handle's vertices
   Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of places and turned shape
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of positions and rotated shape
   /// The n x n solution for the right-hand side W times the unrotated shape. On the handle it is
   /// close to the shape itself.
   std::vector<double> response_;
-  Eigen::Matrix3d response_stiffness_ = Eigen::Matrix3d::Zero();  ///< U' P^-1 U of it, unturned
+  Eigen::Matrix3d response_stiffness_ = Eigen::Matrix3d::Zero();  ///< U' P^-1 U of it, unrotated
   /// P^-1 U of another P, column by column; empty for the n x n system.
   std::vector<double> columns_;
   Eigen::Matrix3d columns_inverse_ = Eigen::Matrix3d::Zero();  ///< (K - U' P^-1 U)^-1 then
   Eigen::Matrix3d at_columns_ = Eigen::Matrix3d::Identity();   ///< the rotation then
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();             ///< of the step to come, radians
-  Eigen::Matrix3d at_step_ = Eigen::Matrix3d::Identity();      ///< the rotation where it begins
+  Eigen::Matrix3d at_step_ = Eigen::Matrix3d::Identity();      ///< the rotation at its start
 };
 
 }  // namespace lapwing

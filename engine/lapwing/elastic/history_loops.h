@@ -15,7 +15,7 @@ struct HistoryLoops {
   double (*dot)(const float* a, const float* b, std::size_t count);
 };
 
-/// `set` is to be among the available ones.
+/// `set` must be available.
 const HistoryLoops& history_loops(InstructionSet set);
 
 }  // namespace lapwing

@@ -7,11 +7,11 @@ typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
 
-// Sums run side by side in as many parts for every instruction set, so that they come to the same.
+// Number of partial sums, the same for every instruction set, so that results have the same bits.
 constexpr std::size_t kSums = 16;
 constexpr std::size_t kParts = kSums / kLanes;
 
-// Copies are how every compiler is told that the numbers may lie anywhere; they cost nothing.
+// memcpy allows unaligned addresses on every compiler, at no cost.
 LAPWING_INLINE Lanes lanes_at(const double* p) {
   Lanes lanes;
   __builtin_memcpy(&lanes, p, sizeof lanes);

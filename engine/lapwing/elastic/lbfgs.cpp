@@ -18,10 +18,10 @@ extern const HistoryLoops kHistoryLoopsAvx512;
 
 namespace {
 
-// A step along which the gradient grows by less than this share tells rounding, not curvature.
+// If the gradient grows by less than this share along a step, it shows rounding, not curvature.
 constexpr double kSmallestCurvature = 1e-12;
-// Sums go chunk by chunk, so that they do not depend on the number of threads; the vectors of one
-// chunk stay in the first caches.
+// Sums run over chunks, so that they do not depend on the number of threads and the vectors of one
+// chunk stay in cache.
 constexpr std::size_t kChunk = 1024;
 
 template <typename Body>
@@ -118,7 +118,7 @@ void Lbfgs::combine(std::span<double> x, std::vector<float>& columns) {
   });
 }
 
-// The factors alpha of the changes: alpha_i = s_i . (g - those of newer ones) / s_i . y_i.
+// alpha_i = s_i . (g - sum over newer j of alpha_j y_j) / (s_i . y_i), for step s and change y.
 void Lbfgs::first_loop(std::span<const double> g, std::span<double> p) {
   for_chunks(size_, [&](std::size_t chunk, std::size_t from, std::size_t count) {
     partial_[chunk] = {};
@@ -140,8 +140,8 @@ void Lbfgs::first_loop(std::span<const double> g, std::span<double> p) {
   combine(p, changes_);
 }
 
-// p + sum of the steps, each times alpha_i - beta_i, beta_i = y_i . (p and those of older ones) /
-// s_i . y_i.
+// p += sum_i (alpha_i - beta_i) s_i with beta_i = y_i . (p plus the terms of older steps) / s_i .
+// y_i.
 void Lbfgs::second_loop(std::span<double> p) {
   for_chunks(size_, [&](std::size_t chunk, std::size_t from, std::size_t count) {
     partial_[chunk] = {};
@@ -157,7 +157,7 @@ void Lbfgs::second_loop(std::span<double> p) {
     for (int older = k + 1; older < used_; ++older) {
       sum -= factors_[slot(older)] * products_[slot(older)][i];
     }
-    factors_[i] = sum / products_[i][i] - factors_[i];  // beta - alpha, which is taken away
+    factors_[i] = sum / products_[i][i] - factors_[i];  // beta - alpha, to be subtracted
   }
   combine(p, steps_);
 }

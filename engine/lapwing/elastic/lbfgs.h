@@ -36,7 +36,7 @@ class Lbfgs {
   void forget() { used_ = newest_ = 0; }
 
  private:
-  // Of one chunk; of what is kept in each slot, with the newest.
+  // Dot products over one chunk, per slot of the history, and squares for the newest step.
   struct Sums {
     std::array<double, kLargestWindow> first{};
     std::array<double, kLargestWindow> second{};
@@ -46,7 +46,7 @@ class Lbfgs {
     void operator+=(const Sums& other);
   };
 
-  // The k-th of the steps kept, 0 the newest: where it lies.
+  // Returns the slot of the k-th newest step; 0 is the newest.
   std::size_t slot(int k) const {
     return static_cast<std::size_t>((newest_ - k + window_) % window_);
   }
@@ -59,7 +59,7 @@ class Lbfgs {
   const HistoryLoops& loops_;
   std::size_t size_;
   int window_;
-  double scale_;  ///< of what is stored: a power of two, which rounds nothing
+  double scale_;  ///< of the stored vectors: a power of two, so exact
   int used_ = 0;
   int newest_ = 0;  ///< slot of the last one stored
   std::vector<float> steps_;

@@ -20,9 +20,8 @@ struct MinimizerResult {
   double relative_gradient = 0.0;
 };
 
-/// Asked before each iteration, which takes about `ms`, whether there is time for it. `ms` is 0 if
-/// the duration is unknown, and for the first iteration of a frame that must make one: the answer
-/// should then be true.
+/// Returns whether there is time for another iteration of about `ms`. `ms` is 0 if the duration is
+/// unknown, and for the first iteration of a frame that needs at least one. Return true then.
 using TimeBudget = std::function<bool(double ms)>;
 
 }  // namespace lapwing

@@ -22,22 +22,22 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // The square root of beta. A share of 0.001 of A remains in the Hessian, so a step is at most 1000
-// times that of the n x n factor. Without it compressed rings would resist next to nothing.
+// times that of the n x n factor. Without it compressed rings would have almost no resistance.
 const double kRootOfBeta = std::sqrt(1.0 - 1e-3);
 
 Matrix3d rotation_stiffness(const Matrix3d& S) {
   return S.trace() * Matrix3d::Identity() - S;
 }
 
-// By which the blocks of G_i at rest are multiplied to become those of a pose.
+// Factors that turn the blocks of G_i at rest into those of a pose.
 struct BlockFactors {
   Matrix3d left;
   Matrix3d right;
 };
 
-// Row `r` of the rings has become T = R S. Its rest edges are S e then, and with
-// [S e]x = det(S) S^-1 [e]x S^-1 the blocks a_i of the pose follow from those of rest. F_i F_i' is
-// K_i of the pose seen from the ring, no less than that of the stretched rest in any direction.
+// T = R S is the transform of row `r` of the rings. Its stretched rest edges are S e. By [S e]x =
+// det(S) S^-1 [e]x S^-1 the blocks a_i of the pose follow from those of rest. F_i F_i' is K_i of
+// the pose seen from the ring, no less than that of the stretched rest in any direction.
 BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3d& T,
                           std::span<const Vector3d> displacement) {
   Matrix3d at_rest = Matrix3d::Zero();
@@ -72,7 +72,7 @@ BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3
       ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose(),
       kRootOfBeta * inverse_S * R.transpose()};
   if (is_stretched) {
-    // A direction in which nothing turns is a row of zeros in G_i at rest: any inverse does there.
+    // A direction without rotation is a row of zeros in G_i at rest, so any inverse will do.
     const Matrix3d F = inverse_cholesky_factor(rotation_stiffness(at_rest))
                            .completeOrthogonalDecomposition()
                            .pseudoInverse();
@@ -103,14 +103,14 @@ void PoseHessian::prepare() {
   const std::scoped_lock lock(taking_);
   if (factor_ != nullptr) return;
   prepared_.begin([this] {
-    const WorkAlone alone;  // the other threads belong to the frames
+    const SerialScope alone;  // the other threads belong to the frames
     std::unique_ptr<ConstrainedFactor> factor = analyzed_factor();
     if (factor != nullptr) factor->solver().prepare_memory();
     return factor;
   });
 }
 
-// Null if there is not enough memory.
+// Returns null if there is not enough memory.
 std::unique_ptr<ConstrainedFactor> PoseHessian::analyzed_factor() const {
   auto factor = std::make_unique<ConstrainedFactor>(pattern_, 3, FactorPrecision::float32);
   factor->analyze();
@@ -131,8 +131,8 @@ bool PoseHessian::take_memory() {
       prepared_.is_pending() ? prepared_.take() : analyzed_factor();
   if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
-  const std::vector<Index> row_of_vertex =
-      places_in(std::span(rings.vertices).first(rings.row_count()), topology_.rings.row_count());
+  const std::vector<Index> row_of_vertex = inverse_index(
+      std::span(rings.vertices).first(rings.row_count()), topology_.rings.row_count());
   row_of_.clear();
   for (const Index v : roi_) row_of_.push_back(row_of_vertex[v]);
   at_rest_ = make_at_rest_();
@@ -166,14 +166,14 @@ bool PoseHessian::factorize(std::span<const Matrix3d> transforms,
 
 bool PoseHessian::is_factored(ConstrainedFactor& factor) const {
   try {
-    factor.factor(laplacian_.constraints().W);
+    factor.factorize(laplacian_.constraints().W);
   } catch (const NotPositiveDefinite&) {
     return false;
   }
   return true;
 }
 
-// False if there is not enough memory, or they cannot be factored either.
+// Returns false if memory is short or the matrix is not positive definite in doubles either.
 bool PoseHessian::factor_in_doubles() {
   auto doubles = std::make_unique<ConstrainedFactor>(pattern_, 3);
   doubles->analyze_as(*factor_);
@@ -184,7 +184,7 @@ bool PoseHessian::factor_in_doubles() {
   return true;
 }
 
-// Whether it is what was read last.
+// Returns whether `b` equals the last one that was read.
 bool PoseHessian::read(std::span<const double> b) {
   const std::vector<int>& order = laplacian_.elimination_order();
   const std::size_t n = order.size();
@@ -223,12 +223,12 @@ void PoseHessian::solve_accurately_in_place(std::span<double> b) {
   write(b);
 }
 
-// Brings x_, the factor's solution for b_, nearer to that of the matrix: what floats get wrong are
-// a few soft directions. One step of the residual where that shows them to be nearly right;
-// elsewhere conjugate gradients, which the factor preconditions, until their steps shorten.
+// Improves x_, the factor's solution for b_; single precision is wrong only in a few soft
+// directions. Takes one step of iterative refinement if that is small, else conjugate gradients,
+// preconditioned by the factor, until their steps shorten.
 void PoseHessian::refine() {
   constexpr int kMostSteps = 8;
-  constexpr double kGood = 0.1;  // error, of the largest number of x, as the changes shorten
+  constexpr double kGood = 0.1;  // error over the largest entry of x, estimated from the changes
   const auto n = static_cast<Eigen::Index>(b_.size());
   Eigen::Map<VectorXd> x(x_.data(), n);
   const auto is_good = [&](double change, double last_change) {

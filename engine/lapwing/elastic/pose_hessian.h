@@ -30,8 +30,8 @@ class PoseHessian final : public Preconditioner {
   PoseHessian(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
               const LaplacianSystem& laplacian, const DeformOptions& options, AtRest at_rest);
 
-  /// Begins to take that memory on another thread, for which the first factorization waits. May be
-  /// called while another thread factors; does nothing if that has taken it.
+  /// Starts to allocate the memory on another thread, for which the first factorization waits. May
+  /// be called while another thread factors, and does nothing if the memory exists already.
   void prepare();
 
   bool factorize(std::span<const Eigen::Matrix3d> transforms,
@@ -60,11 +60,11 @@ class PoseHessian final : public Preconditioner {
   std::shared_ptr<const BlockRows> at_rest_;
   BlockRows turned_;
   std::unique_ptr<ConstrainedFactor> factor_;   ///< in floats
-  std::unique_ptr<ConstrainedFactor> doubles_;  ///< null unless the pose at hand needs it
+  std::unique_ptr<ConstrainedFactor> doubles_;  ///< null unless the current pose needs it
   std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
   std::vector<double> x_;
   bool is_solved_ = false;  ///< x_ is the factor's solution for b_
-  std::mutex taking_;       ///< held until factor_ is there, or prepared_ has begun
+  std::mutex taking_;       ///< held until factor_ exists or prepared_ has begun
   BackgroundTask<std::unique_ptr<ConstrainedFactor>> prepared_;  // last: it uses all the others
 };
 

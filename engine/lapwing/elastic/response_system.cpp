@@ -7,7 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/laplacian/given_displacement.h"
+#include "lapwing/laplacian/dirichlet_values.h"
 #include "lapwing/laplacian/rsi_system.h"
 
 namespace lapwing {
@@ -15,11 +15,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Refinement stops below this: rounding in the blended columns leaves about as much.
+// Refinement stops below this residual, about the rounding error of the blended columns.
 constexpr double kGoodResidual = 1e-10;
 constexpr int kMostRefinements = 2;
 
-// Of G'G in the tangent of what turns freely: A keeps 1e-6, far more than rounding takes.
+// Scales G if components turn freely, so that 1e-6 of A remains, far above rounding.
 const double kRootOfTurningShare = std::sqrt(1.0 - 1e-6);
 
 double norm(std::span<const double> v) {
@@ -35,13 +35,13 @@ std::string component_of(Index vertex, const Topology& topology, const Unknowns&
     ++size;
     first = std::min(first, v);
   }
-  return "the component of " + std::to_string(size) + " vertices that begins at vertex " +
+  return "the component of " + std::to_string(size) + " vertices whose first is vertex " +
          std::to_string(first);
 }
 
-// What rounding leaves of directions in which nothing resists, such as a hinge of two triangles
-// that share one edge alone, must not make the matrix indefinite: somewhat more than the share of
-// its diagonal at which the solver refuses a pivot.
+// Enlarges the diagonal, so that rounding in directions without resistance, such as a hinge of two
+// triangles, does not make the matrix indefinite. The share is slightly above the one at which the
+// solver refuses a pivot.
 void brace(BlockMatrix& N) {
   constexpr double kShare = 3e-13;
   for (std::size_t c = 0; c < N.pattern->size(); ++c) {
@@ -105,18 +105,17 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   };
   const auto make_rows = [&] {
     report_progress(progress, "assemble", 0.0);
-    rows_.reset();  // of the last rest, which a tangent may hold
+    rows_.reset();  // of the last rest shape, which a tangent may hold
     rows_ = made_rows(rest, turns_freely, std::move(rows), kernels);
     stage_is_done("assemble");
   };
   if (is_analyzed()) {
     make_rows();
   } else {
-    // All threads look for the order. The symbolic work that follows, where that is not done, is
-    // one thread's, as the rows are meanwhile. N, which takes longer, has all threads to itself
-    // again.
+    // All threads search for the order. The symbolic factorization then runs on one thread, in
+    // parallel to the rows. N, which takes longer, has all threads again.
     report_progress(progress, "assemble", 0.0);
-    pattern_.thorough_order();
+    pattern_.factorization_order();
     const double ordering_ms = watch.elapsed_ms();
     watch.restart();
     const auto make_rows_first = [&] {
@@ -163,21 +162,21 @@ std::shared_ptr<const BlockRows> ResponseSystem::made_rows(std::span<const Vecto
   return made;
 }
 
-void ResponseSystem::factor(std::span<const double> W, const Progress& progress,
-                            StageTimings& timings) {
+void ResponseSystem::factorize(std::span<const double> W, const Progress& progress,
+                               StageTimings& timings) {
   if (factor_.holds(W)) return;
   const Stopwatch watch;
   report_progress(progress, "factor", 0.0);
   constraints_.W.assign(W.begin(), W.end());
   try {
-    factor_.factor(W, progress);
+    factor_.factorize(W, progress);
   } catch (const NotPositiveDefinite& error) {
     const Index vertex = constraints_.unknowns.vertices[error.block];
     throw SolverError(
         "the system is singular at vertex " + std::to_string(vertex) + ", in " +
             component_of(vertex, topology_, constraints_.unknowns) +
-            ": its belt and handle do not hold it. Add belt vertices there, leave it out "
-            "of the region, or run `lapwing check` to find degenerate triangles",
+            ": belt and handle do not hold this component. Add belt vertices there, exclude it "
+            "from the region, or run `lapwing check` to find degenerate triangles",
         {vertex});
   }
   timings.add("factor", watch.elapsed_ms());
@@ -197,9 +196,9 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
 }
 
 void ResponseSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
-  // Hard constraints: what is given moves to the right. Soft ones: wanted is 0 but on unknowns, on
-  // which N acts from the left.
-  const std::vector<Vector3d> given = given_displacement(roi_, constraints_.unknowns, wanted);
+  // With hard constraints the prescribed values move to the right-hand side. With soft ones
+  // `wanted` is 0 except on unknowns, so nothing moves.
+  const std::vector<Vector3d> given = dirichlet_values(roi_, constraints_.unknowns, wanted);
   std::fill(b.begin(), b.end(), 0.0);
   if (!given.empty()) {
     multiply(given, b);
@@ -225,7 +224,7 @@ double ResponseSystem::refine(std::span<const Vector3d> wanted, std::span<const 
   if (size == 0.0) return 0.0;
   double relative = 0.0;
   for (int step = 0;; ++step) {
-    // W (wanted - u) + f - N u over the unknowns, which is the residual for either constraint.
+    // W (wanted - u) + f - N u over the unknowns is the residual for hard and soft constraints.
     multiply(u, r);
     for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
       const Index v = constraints_.unknowns.vertices[k];

@@ -3,7 +3,8 @@
 namespace lapwing {
 
 struct SettleOptions {
-  /// Settled when the next step would move no vertex farther, in mean edge lengths.
+  /// The surface is settled if the next step moves no vertex farther than this, in mean edge
+  /// lengths.
   double tolerance = 1e-4;
   int max_iterations = 200;
 

@@ -70,7 +70,7 @@ void Buffer::allocate(Memory memory) {
   if (result < VK_SUCCESS) {
     throw GpuError("no memory for the buffer \"" + name_ + "\" of " + std::to_string(bytes_) +
                    " bytes on " + context_->description().name + ": " + result_name(result) +
-                   "; take a smaller region, or run with --device cpu");
+                   "; choose a smaller region, or run with --device cpu");
   }
   context_->check(vk.vkBindBufferMemory(context_->device(), handle_, memory_, 0),
                   "vkBindBufferMemory");

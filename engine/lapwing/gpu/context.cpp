@@ -182,7 +182,7 @@ void Context::check_allocation_size(VkDeviceSize bytes, const std::string& what)
   if (bytes <= limit) return;
   throw GpuError(what + " needs " + std::to_string(bytes) + " bytes, but " + description_.name +
                  " allows " + std::to_string(limit) +
-                 " at once; take a smaller region, or run with --device cpu");
+                 " at once; choose a smaller region, or run with --device cpu");
 }
 
 std::uint64_t Context::submit(VkCommandBuffer commands,
@@ -190,7 +190,7 @@ std::uint64_t Context::submit(VkCommandBuffer commands,
                               std::span<const VkSemaphoreSubmitInfo> signals) {
   if (signals.size() > kMaxExtraSignals) {
     throw GpuError("a submission signals at most " + std::to_string(kMaxExtraSignals) +
-                   " semaphores beside the timeline");
+                   " semaphores besides the timeline");
   }
   std::array<VkSemaphoreSubmitInfo, kMaxExtraSignals + 1> all_signals{};
   std::copy(signals.begin(), signals.end(), all_signals.begin() + 1);

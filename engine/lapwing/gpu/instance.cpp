@@ -65,8 +65,8 @@ void open_loader() {
   volkInitializeCustom(entry);
   const std::uint32_t version = volkGetInstanceVersion();
   if (version < VK_API_VERSION_1_3) {
-    throw_no_loader(file, "it is of Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
-                              std::to_string(VK_API_VERSION_MINOR(version)) + ", not 1.3");
+    throw_no_loader(file, "it supports Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) +
+                              "." + std::to_string(VK_API_VERSION_MINOR(version)) + ", not 1.3");
   }
 }
 

@@ -26,7 +26,8 @@ Kernel::Kernel(const Context& context, std::string name, std::span<const std::ui
   if (workgroup_size == 0 || workgroup_size > limits.maxComputeWorkGroupInvocations ||
       workgroup_size > limits.maxComputeWorkGroupSize[0]) {
     throw GpuError("kernel " + name_ + ": " + context.description().name +
-                   " has no workgroups of " + std::to_string(workgroup_size));
+                   " does not support workgroups of " + std::to_string(workgroup_size) +
+                   " invocations");
   }
   if (push_constant_bytes > limits.maxPushConstantsSize) {
     throw GpuError("kernel " + name_ + ": " + std::to_string(push_constant_bytes) +

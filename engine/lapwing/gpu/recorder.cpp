@@ -149,14 +149,14 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
                                        std::to_string(limits.maxStorageBufferRange));
     }
     if (buffers[b].offset % limits.minStorageBufferOffsetAlignment != 0) {
-      throw_dispatch_error(kernel, name() + " is bound at an offset that is no multiple of " +
+      throw_dispatch_error(kernel, name() + " is bound at an offset that is not a multiple of " +
                                        std::to_string(limits.minStorageBufferOffsetAlignment));
     }
     for (std::size_t other = 0; other < b; ++other) {
       const bool one_writes =
           (bindings[other] == BindingAccess::write) != (bindings[b] == BindingAccess::write);
       if (buffers[other].buffer == buffers[b].buffer && one_writes) {
-        throw_dispatch_error(kernel, name() + " is bound both to be read and to be written");
+        throw_dispatch_error(kernel, name() + " is bound both for reading and for writing");
       }
     }
   }
@@ -205,7 +205,8 @@ void Recorder::dispatch(const Kernel& kernel, std::uint64_t invocations,
       std::min<std::uint64_t>(groups, list_.context().limits().maxComputeWorkGroupCount[0]);
   const std::uint64_t rows = (groups + row - 1) / row;
   if (rows > list_.context().limits().maxComputeWorkGroupCount[1]) {
-    throw_dispatch_error(kernel, std::to_string(invocations) + " invocations are too many");
+    throw_dispatch_error(kernel,
+                         std::to_string(invocations) + " invocations exceed the device's limit");
   }
   const auto query = static_cast<std::uint32_t>(2 + 2 * list_.profiled_kernels_.size());
   write_profile_timestamp(query);

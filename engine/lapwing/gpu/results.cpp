@@ -9,7 +9,7 @@ namespace {
 const char* next_step(VkResult result) {
   switch (result) {
     case VK_ERROR_DEVICE_LOST:
-      return "; the driver gave the device up. Try again, or run with --device cpu";
+      return "; the driver lost the device. Try again, or run with --device cpu";
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
     case VK_ERROR_OUT_OF_HOST_MEMORY:
       return "; close other programs that use the device, or run with --device cpu";

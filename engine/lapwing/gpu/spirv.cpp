@@ -113,7 +113,7 @@ ShaderInterface read_interface(std::span<const std::uint32_t> words) {
   for (const Variable& variable : module.bound) {
     const Decorations own = module.decorations[variable.id];
     if (own.set != 0 || !by_binding.emplace(own.binding, access_of(module, variable)).second) {
-      throw GpuError("buffers of a shader must have bindings of their own in set 0");
+      throw GpuError("each buffer of a shader must have its own binding in set 0");
     }
   }
   ShaderInterface result;

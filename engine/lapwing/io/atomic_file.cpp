@@ -24,9 +24,12 @@ constexpr mode_t kPrivate = 0600;
 [[noreturn]] void fail_to_write(const fs::path& path, int error) {
   const std::string what = "cannot write " + path.string() + ": " + std::strerror(error);
   if (error == ENOENT) {
-    throw IoError(what + "; make the folder " + path.parent_path().string() + ", or name another");
+    throw IoError(what + "; create the folder " + path.parent_path().string() +
+                  " or choose another");
   }
-  throw IoError(what + "; what was there stays, choose another place or make room and try again");
+  throw IoError(what +
+                "; the old file, if there is one, is unchanged. Choose another place, or free some "
+                "space and try again");
 }
 
 fs::path folder_of(const fs::path& target) {
@@ -47,7 +50,7 @@ OldFile old_file_at(const fs::path& target, const fs::path& path) {
   }
   if (S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
   if (!S_ISREG(old.st_mode)) {
-    throw IoError("cannot write " + path.string() + ": not a regular file; name another");
+    throw IoError("cannot write " + path.string() + ": not a regular file; choose another name");
   }
   // A rename needs permission only for the directory, but a read-only file must stay.
   if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(path, errno);
@@ -262,7 +265,7 @@ void FileReplacements::commit() {
       file.commit();
     } catch (const IoError& error) {
       if (in_place.empty()) throw;
-      throw IoError(std::string(error.what()) + "; in place already: " + in_place);
+      throw IoError(std::string(error.what()) + ". Already written: " + in_place);
     }
     in_place += (in_place.empty() ? "" : ", ") + file.path().string();
   }

@@ -67,7 +67,7 @@ pid_t start_child(const std::vector<std::string>& command, const ChildStreams& s
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) {
-    throw IoError(command[0] + " cannot be started: " + std::generic_category().message(failed));
+    throw IoError("cannot start " + command[0] + ": " + std::generic_category().message(failed));
   }
   return process;
 }

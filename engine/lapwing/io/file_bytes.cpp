@@ -27,7 +27,7 @@ FileBytes FileBytes::read(const std::filesystem::path& path) {
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) fail_to_read(path, errno);
   if (!S_ISREG(status.st_mode)) {
-    throw IoError("cannot read " + path.string() + ": not a regular file; name a file");
+    throw IoError("cannot read " + path.string() + ": not a regular file; choose a file");
   }
   FileBytes bytes;
   const auto capacity = static_cast<std::size_t>(status.st_size);

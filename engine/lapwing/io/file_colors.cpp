@@ -35,9 +35,9 @@ std::uint64_t texels_of(ImageSize size) {
 }
 
 // The images that materials name. Each is read once, even if several materials name it.
-class ImageShelf {
+class ImageCache {
  public:
-  explicit ImageShelf(std::vector<std::string>& notes) : notes_(notes) {}
+  explicit ImageCache(std::vector<std::string>& notes) : notes_(notes) {}
 
   /// Returns the index of the image `name` that the file `namer` refers to, or kNoIndex if it is
   /// not found. Searches beside `namer`, then beside the mesh.
@@ -81,8 +81,8 @@ class ImageShelf {
     const auto same = std::ranges::find(files_, path, &File::path);
     if (same != files_.end()) return static_cast<Index>(same - files_.begin());
     if (files_.size() == kMostImages) {
-      notes_.push_back(path.string() + ": more than " + grouped(kMostImages) +
-                       " images; join some of them");
+      notes_.push_back(path.string() + ": the image is not shown, because there are more than " +
+                       grouped(kMostImages) + " images; combine some of them");
       return kNoIndex;
     }
     try {
@@ -204,7 +204,8 @@ class FileColorReader {
   void take_materials() {
     if (attributes_.materials.empty() && !known_.empty()) {
       notes_.push_back(path_.string() +
-                       " gives no face a material of its library (usemtl); export it again");
+                       " does not assign materials of its library to faces (usemtl); export it "
+                       "again with them");
     }
     std::vector<char> has_faces(attributes_.materials.size(), 0);
     for (const Index material : attributes_.face_materials) {
@@ -217,8 +218,8 @@ class FileColorReader {
       if (known != known_.end()) {
         take_material(known->second);
       } else if (!known_.empty()) {
-        notes_.push_back("material '" + name + "' is in no library of " + path_.string() +
-                         "; its faces have no colour");
+        notes_.push_back("material '" + name + "' is not in the libraries of " + path_.string() +
+                         "; its faces have no colour until it is added");
       }
     }
   }
@@ -274,7 +275,7 @@ class FileColorReader {
       if (without[m] == 0) continue;
       notes_.push_back("faces of material '" + colors_.materials[m].name +
                        "' have no texture coordinates (" + grouped(without[m]) +
-                       "); give them some, to show its image");
+                       "); add texture coordinates to show the image");
     }
   }
 
@@ -283,7 +284,7 @@ class FileColorReader {
   const fs::path& path_;
   std::vector<std::string> notes_;
   std::unordered_map<std::string, Known> known_;
-  ImageShelf shelf_{notes_};
+  ImageCache shelf_{notes_};
   bool lacks_corners_ = false;
   FileColors colors_;
 };

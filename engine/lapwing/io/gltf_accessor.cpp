@@ -63,7 +63,8 @@ JsonNode element_of(const GltfFile& file, const char* list, const JsonNode& numb
   if (nodes) {
     if (const auto node = nodes->element(k)) return *node;
   }
-  number.fail("there is no element " + std::to_string(k) + " of \"" + list + "\"");
+  number.fail("there is no element " + std::to_string(k) + " of \"" + list +
+              "\"; export the file again");
 }
 
 }  // namespace
@@ -72,10 +73,12 @@ GltfAccessor::GltfAccessor(const GltfFile& file, std::size_t number)
     : file_(&file), number_(number) {
   const auto nodes = file.root().find("accessors");
   const auto node = nodes ? nodes->element(number) : std::nullopt;
-  if (!node) file.root().fail("there is no accessor " + std::to_string(number));
+  if (!node) {
+    file.root().fail("there is no accessor " + std::to_string(number) + "; export the file again");
+  }
   where_ = node->where();
   count_ = node->at("count").count();
-  if (count_ >= kNoIndex) node->at("count").fail("more elements than can be numbered");
+  if (count_ >= kNoIndex) node->at("count").fail("an accessor has at most 4,294,967,294 elements");
   components_ = components_of(node->at("type"));
   type_ = type_of(node->at("componentType"));
   const auto normalized = node->find("normalized");
@@ -93,39 +96,50 @@ GltfAccessor::Strided GltfAccessor::strided(const GltfFile& file, const JsonNode
   for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     const auto extensions = view.find("extensions");
     if (extensions && extensions->has(extension)) {
-      view.fail("compressed by meshopt; export the file without compression");
+      view.fail(
+          "the buffer view is compressed by meshopt, which is not supported; export the file "
+          "without compression");
     }
   }
   const std::size_t buffer = view.at("buffer").count();
-  if (buffer >= file.buffers().size()) view.fail("names a buffer that is not there");
+  if (buffer >= file.buffers().size()) {
+    view.fail("the buffer " + std::to_string(buffer) + " does not exist; export the file again");
+  }
   const std::uint64_t length = view.at("byteLength").count();
   const std::uint64_t begin = count_or(view, "byteOffset", 0);
   if (begin > file.buffers()[buffer].bytes.size() ||
       length > file.buffers()[buffer].bytes.size() - begin) {
-    view.fail("reaches beyond the end of its buffer; export the file again");
+    view.fail("the buffer view extends beyond the end of its buffer; export the file again");
   }
   Strided result;
   result.stride = may_stride ? count_or(view, "byteStride", element_size) : element_size;
-  if (result.stride < element_size && count > 1) view.fail("elements overlap (\"byteStride\")");
+  if (result.stride < element_size && count > 1) {
+    view.fail("\"byteStride\" is smaller than an element; export the file again");
+  }
   const std::uint64_t offset = count_or(accessor, offset_key, 0);
   result.first = {buffer, begin + offset};
   if (count == 0) return result;
   // This order avoids overflow: sizes are below 2^53, counts below 2^32, strides within the view.
-  if (count > 1 && result.stride > length) view.fail("its \"byteStride\" is beyond its length");
+  if (count > 1 && result.stride > length) {
+    view.fail("\"byteStride\" is larger than the buffer view; export the file again");
+  }
   const std::uint64_t needed = (count - 1) * result.stride + element_size;
   if (offset > length || needed > length - offset) {
-    accessor.fail("reaches beyond the end of its buffer view; export the file again");
+    accessor.fail("the accessor extends beyond the end of its buffer view; export the file again");
   }
   return result;
 }
 
 void GltfAccessor::read_sparse(const GltfFile& file, const JsonNode& node) {
   const std::size_t count = node.at("count").count();
-  if (count > count_) node.fail("replaces more elements than there are");
+  if (count > count_) {
+    node.fail("the accessor has " + std::to_string(count_) + " elements, but " +
+              std::to_string(count) + " are replaced; export the file again");
+  }
   const JsonNode indices = node.at("indices");
   const Scalar index_type = type_of(indices.at("componentType"));
   if (index_type != Scalar::uint8 && index_type != Scalar::uint16 && index_type != Scalar::uint32) {
-    indices.fail("expected whole numbers from 0");
+    indices.fail("expected unsigned integers (component type 5121, 5123 or 5125)");
   }
   const Strided places = strided(file, indices, "byteOffset", count, size_of(index_type), false);
   sparse_values_ =
@@ -141,8 +155,9 @@ void GltfAccessor::read_sparse(const GltfFile& file, const JsonNode& node) {
         index_type, Encoding::little_endian);
     if (index >= static_cast<double>(count_) || (k > 0 && index <= sparse_.back())) {
       indices.fail("index " + std::to_string(k) +
-                   " is not above the one before, or not below the " + std::to_string(count_) +
-                   " elements");
+                   " must be greater than the index before it, and less than the number of "
+                   "elements (" +
+                   std::to_string(count_) + ")");
     }
     sparse_.push_back(static_cast<Index>(index));
   }

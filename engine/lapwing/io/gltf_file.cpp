@@ -33,10 +33,12 @@ void refuse_compression(const JsonNode& root) {
   for (const JsonNode& node : required->elements()) {
     const std::string name = node.string();
     if (name == "KHR_draco_mesh_compression") {
-      node.fail("meshes compressed by Draco are not read; export the file without compression");
+      node.fail(
+          "meshes compressed by Draco are not supported; export the file without compression");
     }
     if (name == "EXT_meshopt_compression" || name == "KHR_meshopt_compression") {
-      node.fail("buffers compressed by meshopt are not read; export the file without compression");
+      node.fail(
+          "buffers compressed by meshopt are not supported; export the file without compression");
     }
   }
 }
@@ -56,7 +58,7 @@ GltfFile::GltfFile(const SourceFile& file)
   const auto asset = root_.find("asset");
   const auto version = asset ? asset->find("version") : std::nullopt;
   if (!version || !version->is_string() || !version->string().starts_with("2.")) {
-    root_.fail("this is no glTF 2.0; export it again as glTF 2.0");
+    root_.fail("the file is not glTF 2.0; export it again as glTF 2.0");
   }
   refuse_compression(root_);
   read_buffers();
@@ -68,8 +70,8 @@ void GltfFile::split_chunks() {
     source_.fail(0, "a GLB has at least 20 bytes; this one has " + std::to_string(bytes.size()));
   }
   if (word_at(bytes, 4) != 2) {
-    source_.fail(
-        4, "this is version " + std::to_string(word_at(bytes, 4)) + " of GLB; only 2 is read");
+    source_.fail(4, "version " + std::to_string(word_at(bytes, 4)) +
+                        " of GLB is not supported, only version 2");
   }
   const std::size_t length = word_at(bytes, 8);
   if (length > bytes.size()) {
@@ -87,7 +89,7 @@ void GltfFile::split_chunks() {
   };
   std::size_t at = kGlbHeaderSize;
   if (length < at + kGlbChunkHeaderSize || word_at(bytes, at + 4) != kGlbJson) {
-    source_.fail(at, "the first chunk of a GLB is JSON");
+    source_.fail(at, "the first chunk of a GLB must be JSON");
   }
   json_ = chunk_at(at);
   at += kGlbChunkHeaderSize + json_.size();
@@ -107,7 +109,7 @@ void GltfFile::read_buffers() {
     GltfBuffer buffer = read_buffer(nodes[k], k);
     const std::size_t promised = nodes[k].at("byteLength").count();
     if (promised > buffer.bytes.size()) {
-      nodes[k].fail("the buffer promises " + std::to_string(promised) + " bytes and has " +
+      nodes[k].fail("the buffer promises " + std::to_string(promised) + " bytes but has " +
                     std::to_string(buffer.bytes.size()) + "; export the file again");
     }
     buffers_.push_back(std::move(buffer));
@@ -119,7 +121,8 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
   const auto uri_node = node.find("uri");
   if (!uri_node) {
     if (number > 0 || !chunk_) {
-      node.fail("the buffer has no \"uri\", and the file no chunk for it; export the file again");
+      node.fail(
+          "the buffer has no \"uri\", and the file has no chunk for it; export the file again");
     }
     buffer.bytes = *chunk_;
     return buffer;
@@ -132,7 +135,7 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
     buffer.kind = GltfBuffer::Kind::data_uri;
     buffer.data_offset = mark + kMark.size();
     auto decoded = decode_base64(std::string_view(uri).substr(buffer.data_offset));
-    if (!decoded) uri_node->fail("what follows \"base64,\" is no base64");
+    if (!decoded) uri_node->fail("the text after \"base64,\" is not valid base64");
     decoded_.push_back(std::make_unique<const std::string>(std::move(*decoded)));
     buffer.bytes = *decoded_.back();
     return buffer;

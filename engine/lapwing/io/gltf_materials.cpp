@@ -57,7 +57,7 @@ std::vector<Material> read_gltf_materials(const std::filesystem::path& path,
   }
   if (any_inside) {
     notes.push_back(source.path().string() +
-                    ": the images inside the file are not shown; they stay in it");
+                    ": the images embedded in the file are not shown; they remain in the file");
   }
   return materials;
 }

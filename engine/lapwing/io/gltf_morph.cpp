@@ -82,7 +82,8 @@ class MorphTarget {
       }
     }
     if (meshes.empty()) {
-      throw InputError("nothing moved, so that there is no morph target '" + name_ + "' to add");
+      throw InputError("nothing moved, so the morph target '" + name_ +
+                       "' would be empty; edit the mesh first");
     }
     for (const std::size_t m : meshes) add_to_mesh(m);
     extend_nodes(meshes);
@@ -169,7 +170,7 @@ class MorphTarget {
     }
     for (const JsonNode& name : list->elements()) {
       if (name.is_string() && name.string() == name_) {
-        name.fail("there is a morph target '" + name_ + "' already; choose another name");
+        name.fail("a morph target '" + name_ + "' already exists; choose another name");
       }
     }
     append_to_list(text_, extras_place, "targetNames", quoted_json(name_), edits_);
@@ -222,8 +223,8 @@ class MorphTarget {
   std::size_t with_zeros(const JsonNode& output, std::size_t old_targets) {
     const GltfAccessor old(layout_.file, output.count());
     if (old_targets == 0 || old.count() % old_targets != 0) {
-      output.fail("these are not " + std::to_string(old_targets) +
-                  " weights for each key; export the file again");
+      output.fail("expected " + std::to_string(old_targets) +
+                  " weights for each key of the animation; export the file again");
     }
     std::string bytes;
     for (std::size_t k = 0; k < old.count(); ++k) {

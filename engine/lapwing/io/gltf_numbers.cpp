@@ -15,7 +15,7 @@ namespace {
 float to_float(double value, const GltfAccessor& accessor) {
   if (std::isfinite(value) && std::abs(value) > double{std::numeric_limits<float>::max()}) {
     throw InputError(accessor.where() +
-                     ": a coordinate moved beyond what the 32-bit floats of glTF hold; write "
+                     ": a coordinate moved beyond the range of the 32-bit floats of glTF; write "
                      "another format, or scale the mesh");
   }
   return static_cast<float>(value);
@@ -131,7 +131,7 @@ double GltfNumbers::stored(const GltfAccessor& accessor, std::size_t element, st
   return load_number(bytes.data() + place.offset, accessor.type(), Encoding::little_endian);
 }
 
-void GltfNumbers::require_apart() const {
+void GltfNumbers::check_no_overlap() const {
   for (const auto& [number, accessor] : changed_) {
     for (const GltfAccessor::Range& range : accessor->ranges()) {
       for (const GltfAccessor::Range& other : layout_.indices) {
@@ -139,8 +139,8 @@ void GltfNumbers::require_apart() const {
           continue;
         }
         throw InputError(accessor->where() +
-                         ": what moved stands in the same bytes as the corners of triangles; "
-                         "export the file again");
+                         ": the moved vertices share bytes with the corners of triangles; export "
+                         "the file again");
       }
     }
   }
@@ -200,7 +200,7 @@ void GltfNumbers::add_copies(TextEdits& edits) {
 GltfAppender& GltfNumbers::appender() {
   if (buffers_.empty()) {
     throw InputError(layout_.file.source().path().string() +
-                     ": it has no buffer, and so no place for what moved; export it again");
+                     ": the file has no buffer to store moved vertices in; export it again");
   }
   if (!appender_) {
     appender_.emplace(layout_.file.json(), 0, layout_.file.buffers()[0].bytes.size());
@@ -209,7 +209,7 @@ GltfAppender& GltfNumbers::appender() {
 }
 
 void GltfNumbers::finish(TextEdits& edits) {
-  require_apart();
+  check_no_overlap();
   write_bounds(edits);
   add_copies(edits);
   if (!appender_) return;

@@ -49,7 +49,7 @@ class GltfNumbers {
   Start start_of(const GltfAccessor& accessor) const;
   bool needs_copy(const GltfAccessor& accessor, std::string_view attribute) const;
   double stored(const GltfAccessor& accessor, std::size_t element, std::size_t c) const;
-  void require_apart() const;
+  void check_no_overlap() const;
   void write_bounds(TextEdits& edits) const;
   void add_copies(TextEdits& edits);
 

@@ -90,7 +90,7 @@ class GltfPatch {
                      std::span<const Vector3d> normals) {
     const Eigen::Matrix3d to_world = layout_.objects[set.object].to_world.linear();
     const Eigen::Matrix3d to_local = to_world.inverse();
-    const auto carried = carried_tangents(layout_, set, mesh_, rest, normals);
+    const auto carried = transport_tangents(layout_, set, mesh_, rest, normals);
     // Other tangents stay as in the file, even if they are not perpendicular to the normal.
     const auto touched = touched_records(set, rest);
     for (std::size_t k = 0; k < set.count(); ++k) {

@@ -107,8 +107,8 @@ class Primitive {
     for (const double x : local) {
       if (!(std::abs(x) <= double{std::numeric_limits<float>::max()})) {
         throw InputError("vertex " + std::to_string(corner.vertex) +
-                         " has a coordinate that the 32-bit floats of glTF do not hold; scale or "
-                         "mend the mesh, or write another format");
+                         " has a coordinate that is not finite in the 32-bit floats of glTF; "
+                         "repair or scale the mesh, or write another format");
       }
       append_float(positions_, x);
     }

@@ -26,7 +26,7 @@ class GltfReader {
   Mesh read() {
     std::size_t hidden = 0;
     layout_->objects = find_objects(layout_->file, source_.object(), hidden);
-    if (hidden > 0) uneditable_.add("further nodes that show a mesh that is here", hidden);
+    if (hidden > 0) uneditable_.add("further nodes with the same mesh", hidden);
     if (const auto materials = layout_->file.root().find("materials")) {
       for (const JsonNode& material : materials->elements()) {
         attributes_.materials.push_back(gltf_material_name(material, attributes_.materials.size()));
@@ -98,12 +98,12 @@ class GltfReader {
     GltfAccessor found(layout_->file, number);
     if (found.components() < least || found.components() > most) {
       attributes.fail("accessor " + std::to_string(number) + " has " +
-                      std::to_string(found.components()) + " numbers an element, not " +
+                      std::to_string(found.components()) + " numbers per element, expected " +
                       std::to_string(least));
     }
     if (count != kNone && found.count() != count) {
       attributes.fail("accessor " + std::to_string(number) + " has " +
-                      std::to_string(found.count()) + " elements, the positions " +
+                      std::to_string(found.count()) + " elements, but the positions have " +
                       std::to_string(count));
     }
     return found;
@@ -118,7 +118,7 @@ class GltfReader {
                     {}};
     const std::size_t count = set.count();
     if (count >= kNoIndex - set.first_record) {
-      attributes.fail("more vertices than can be numbered");
+      attributes.fail("a mesh has at most 4,294,967,294 vertices");
     }
     if (key[1] != kNone) set.normals = accessor(attributes, key[1], 3, 3, count);
     if (key[2] != kNone) set.tangents = accessor(attributes, key[2], 4, 4, count);
@@ -201,13 +201,13 @@ class GltfReader {
     const auto material = primitive.find("material");
     const Index material_number = material ? static_cast<Index>(material->count()) : kNoIndex;
     if (material && material_number >= attributes_.materials.size()) {
-      material->fail("there is no such material");
+      material->fail("the material does not exist; export the file again");
     }
     std::optional<GltfAccessor> indices;
     if (const auto node = primitive.find("indices")) {
       indices.emplace(layout_->file, node->count());
       if (indices->components() != 1 || indices->type() == Scalar::float32) {
-        node->fail("expected an accessor of whole numbers");
+        node->fail("expected an accessor of scalar integers");
       }
       if (const auto range = indices->range()) layout_->indices.push_back(*range);
     }
@@ -216,7 +216,7 @@ class GltfReader {
       const double index = indices ? indices->value(k, 0) : static_cast<double>(k);
       if (!(index >= 0.0 && index < static_cast<double>(place.count))) {
         primitive.fail("corner " + std::to_string(k) + " names vertex " +
-                       std::to_string(static_cast<std::int64_t>(index)) + " of " +
+                       std::to_string(static_cast<std::int64_t>(index)) + ", but there are " +
                        std::to_string(place.count) + "; export the file again");
       }
       return static_cast<Index>(place.first_record + static_cast<std::size_t>(index));

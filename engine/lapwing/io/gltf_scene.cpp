@@ -24,7 +24,7 @@ Affine3d local_transform(const JsonNode& node) {
     const std::vector<double> m = numbers_at(*matrix, 16);
     transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(m.data());
     if (transform.matrix().row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) {
-      matrix->fail("the last row is 0, 0, 0, 1 in a matrix of a node");
+      matrix->fail("the last row of a node's matrix must be 0, 0, 0, 1");
     }
     return transform;
   }
@@ -35,7 +35,7 @@ Affine3d local_transform(const JsonNode& node) {
   if (const auto turn = node.find("rotation")) {
     const std::vector<double> q = numbers_at(*turn, 4);
     const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
-    if (!(rotation.norm() > 0.0)) turn->fail("expected a quaternion that is not 0");
+    if (!(rotation.norm() > 0.0)) turn->fail("expected a quaternion other than 0");
     transform.rotate(rotation.normalized());
   }
   if (const auto factor = node.find("scale")) {
@@ -83,7 +83,9 @@ class SceneWalk {
  private:
   std::size_t number_below(const JsonNode& node, std::size_t count) const {
     const std::size_t k = node.count();
-    if (k >= count) node.fail("there is no element " + std::to_string(k));
+    if (k >= count) {
+      node.fail("there is no element " + std::to_string(k) + "; export the file again");
+    }
     return k;
   }
 
@@ -162,8 +164,8 @@ void require_invertible(const GltfFile& file, const GltfObject& object) {
   const double determinant = object.to_world.linear().determinant();
   if (std::isfinite(determinant) && determinant != 0.0) return;
   throw InputError(file.source().path().string() + ": the object '" + object.name +
-                   "' is scaled to nothing (or beyond all numbers); give its node, and those "
-                   "above it, a scale other than 0");
+                   "' has a scale that is zero or not finite; give its node, and the nodes above "
+                   "it, a finite scale other than 0");
 }
 
 [[noreturn]] void fail_unknown(const GltfFile& file, const std::string& name,
@@ -175,7 +177,7 @@ void require_invertible(const GltfFile& file, const GltfObject& object) {
   }
   throw InputError(file.source().path().string() + ": there is no object '" + name +
                    "' with a mesh" +
-                   (known.empty() ? "; the file holds none" : "; " + suggest(name, known)));
+                   (known.empty() ? "; the file has no meshes" : "; " + suggest(name, known)));
 }
 
 }  // namespace

@@ -66,20 +66,21 @@ class Splice {
     for (const JsonNode& primitive : mesh.at("primitives").elements()) {
       if (primitive.has("targets")) {
         primitive.fail("'" + object.name +
-                       "' has morph targets, which belong to the triangles that it had; save "
-                       "another format, or export it without them");
+                       "' has morph targets, which do not fit its new triangles; save another "
+                       "format, or export the object without morph targets");
       }
       for (const std::string& name : primitive.at("attributes").keys()) lost.insert(name);
     }
     for (const char* carried : {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0"}) lost.erase(carried);
     for (const std::string& name : lost) {
       report_.not_carried.push_back("attribute " + name + " of '" + object.name +
-                                    "': its new triangles have none");
+                                    "': the new triangles have no values for it");
     }
     const std::string primitives =
         add_primitives(mesh_, faces, object.to_world.inverse(), 0, appender_);
     if (primitives.empty()) {
-      throw InputError("'" + object.name + "' has no triangle left, which glTF has no mesh for");
+      throw InputError("'" + object.name +
+                       "' has no triangles left, but a glTF mesh needs at least one; keep some");
     }
     edits_.replace(*text_.member(place, "primitives"), "[" + primitives + "]");
     if (!object.has_skin) return;
@@ -91,7 +92,7 @@ class Splice {
       }
     }
     report_.not_carried.push_back("the skin of '" + object.name +
-                                  "': its new triangles follow no joints");
+                                  "': the new triangles have no joint weights");
   }
 
   // Adds the materials that are not in the file, such as those of a transplanted part.

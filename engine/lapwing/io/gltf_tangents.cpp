@@ -7,9 +7,9 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
-std::vector<Vector3d> carried_tangents(const GltfLayout& layout, const GltfRecords& set,
-                                       const Mesh& mesh, std::span<const Vector3d> rest,
-                                       std::span<const Vector3d> normals) {
+std::vector<Vector3d> transport_tangents(const GltfLayout& layout, const GltfRecords& set,
+                                         const Mesh& mesh, std::span<const Vector3d> rest,
+                                         std::span<const Vector3d> normals) {
   const Eigen::Matrix3d to_world = layout.objects[set.object].to_world.linear();
   std::vector<Vector3d> old;
   for (std::size_t k = 0; k < set.count(); ++k) old.push_back(to_world * set.tangents->vector3(k));

@@ -19,10 +19,10 @@ void report_losses(const Mesh& mesh, MeshFormat format, WriteReport& report) {
     for (const Index v : mesh.face(f)) used[v] = true;
   }
   const auto loose = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-  report_loss(report, format, "polygons, which were cut into triangles,", polygons);
+  report_loss(report, format, "polygons, now written as triangles", polygons);
   report_loss(report, format, "vertices without a face", loose);
   if (narrowest_type(numbers_of(mesh.positions)) != Scalar::float32) {
-    report_loss(report, format, "positions beyond 32-bit floats, to which they were rounded,",
+    report_loss(report, format, "positions in double precision, now rounded to 32-bit floats",
                 mesh.vertex_count());
   }
   report_loss(report, format, "face colours", a.face_colors.size());

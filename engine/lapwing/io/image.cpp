@@ -61,7 +61,7 @@ std::vector<std::uint8_t> without_opacity(const Image& image) {
 
 }  // namespace
 
-void divide_by_opacity(Image& image) {
+void unpremultiply(Image& image) {
   for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
     const std::uint8_t opacity = image.rgba[at + 3];
     if (opacity == 0 || opacity == kOpaque) continue;
@@ -71,7 +71,7 @@ void divide_by_opacity(Image& image) {
   }
 }
 
-void put_on_black(Image& image) {
+void composite_over_black(Image& image) {
   for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
     const std::uint8_t opacity = std::exchange(image.rgba[at + 3], kOpaque);
     if (opacity == kOpaque) continue;
@@ -164,7 +164,7 @@ std::string encode_png(const Image& image, std::string_view software) {
                              pixels.data(), width * channels) == 0) {
     throw IoError("an image of " + std::to_string(image.width) + " x " +
                   std::to_string(image.height) +
-                  " pixels cannot be encoded as PNG: no memory, or no pixels");
+                  " pixels cannot be encoded as PNG: out of memory, or the image is empty");
   }
   if (!software.empty()) bytes.insert(kPngHead, text_chunk(software));
   return bytes;

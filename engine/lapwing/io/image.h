@@ -25,10 +25,10 @@ struct Image {
 };
 
 /// Divides premultiplied colours by their opacity, in linear light.
-void divide_by_opacity(Image& image);
+void unpremultiply(Image& image);
 
 /// Composites the image over black, in linear light. The result is opaque.
-void put_on_black(Image& image);
+void composite_over_black(Image& image);
 
 /// In pixels.
 struct ImageSize {

@@ -42,7 +42,7 @@ constexpr int kImageChannels = 4;
 
 [[noreturn]] void fail_to_decode(const std::filesystem::path& path) {
   const char* const reason = stbi_failure_reason();
-  refuse_image(path, reason != nullptr ? reason : "no pixels");
+  throw_image_error(path, reason != nullptr ? reason : "no pixels");
 }
 
 // An image's file in memory.
@@ -51,7 +51,7 @@ class ImageFile {
   explicit ImageFile(const std::filesystem::path& path)
       : path_(path), bytes_(FileBytes::read(path)) {
     if (bytes_.view().size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-      throw InputError(path.string() + ": larger than 2 GiB; make the image smaller");
+      throw InputError(path.string() + ": the file is larger than 2 GiB; make the image smaller");
     }
   }
 
@@ -60,7 +60,7 @@ class ImageFile {
     if (std::uint64_t{size.width} * size.height > kMostImagePixels) {
       throw InputError(path_.string() + ": " + std::to_string(size.width) + " x " +
                        std::to_string(size.height) +
-                       " pixels are more than 8192 x 8192; make the image smaller");
+                       " pixels exceed the limit of 8192 x 8192; make the image smaller");
     }
     return size;
   }

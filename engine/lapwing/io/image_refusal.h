@@ -9,8 +9,9 @@
 namespace lapwing {
 
 /// Throws the InputError for an image that cannot be read.
-[[noreturn]] inline void refuse_image(const std::filesystem::path& path, std::string_view reason) {
-  throw InputError(path.string() + ": not a PNG, JPEG, BMP or TGA image that can be read (" +
+[[noreturn]] inline void throw_image_error(const std::filesystem::path& path,
+                                           std::string_view reason) {
+  throw InputError(path.string() + ": cannot read the file as PNG, JPEG, BMP or TGA (" +
                    std::string(reason) + "); convert it to PNG");
 }
 

@@ -42,7 +42,7 @@ const unsigned char* data_of(std::string_view bytes) {
   constexpr std::string_view kAfterFunction = "(): ";
   const std::size_t at = reason.find(kAfterFunction);
   if (at != std::string_view::npos) reason.remove_prefix(at + kAfterFunction.size());
-  refuse_image(path, reason);
+  throw_image_error(path, reason);
 }
 
 JpegHead read_head(const std::filesystem::path& path, std::string_view bytes,

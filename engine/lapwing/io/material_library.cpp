@@ -86,7 +86,7 @@ class MaterialReader {
     current_ = nullptr;
     if (!names_.emplace(name).second) {
       return add_note("material '" + std::string(name) +
-                      "' stands here a second time; the first one is used");
+                      "' is defined a second time; the first definition is used");
     }
     current_ = &materials_.emplace_back();
     current_->name = name;
@@ -123,7 +123,7 @@ class MaterialReader {
     if (rest.size() > 1 && rest.front() == '"' && rest.back() == '"') {
       rest = rest.substr(1, rest.size() - 2);
     }
-    if (rest.empty()) return add_note("map_Kd names no file; write the image's name behind it");
+    if (rest.empty()) return add_note("map_Kd has no file name; write the image's name after it");
     current_->image = rest;
     current_->uv_scale = scale;
     current_->uv_offset = offset;
@@ -178,7 +178,8 @@ std::vector<Material> read_material_library(const std::filesystem::path& path,
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (!error && bytes > kMostLibraryBytes) {
-    throw InputError(path.string() + ": larger than 64 MiB; is this a material library?");
+    throw InputError(path.string() +
+                     ": the file is larger than 64 MiB; check that it is a material library");
   }
   return MaterialReader(path, notes).read();
 }

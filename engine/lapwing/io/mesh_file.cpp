@@ -43,21 +43,22 @@ const SourceFile* find_source(const Mesh& mesh) {
 Encoding choose_encoding(MeshFormat format, const SourceFile* source, const WriteOptions& options) {
   if (format == MeshFormat::obj || format == MeshFormat::off) {
     if (options.encoding.value_or(Encoding::ascii) == Encoding::ascii) return Encoding::ascii;
-    throw InputError(std::string(name_of(format)) + " has no binary form here; write ascii");
+    throw InputError(std::string(name_of(format)) +
+                     " is only written as text; choose the encoding ascii");
   }
   if (is_gltf(format)) {
     if (options.encoding.value_or(Encoding::little_endian) == Encoding::little_endian) {
       return Encoding::little_endian;
     }
-    throw InputError(std::string(name_of(format)) + " has one form only; leave the encoding out");
+    throw InputError(std::string(name_of(format)) + " has only one encoding; do not specify one");
   }
   if (options.encoding) return *options.encoding;
   return source != nullptr && source->format() == format ? source->encoding
                                                          : Encoding::little_endian;
 }
 
-std::vector<FileContent> write_anew(const Mesh& mesh, const std::filesystem::path& path,
-                                    Encoding encoding, WriteReport& report) {
+std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem::path& path,
+                                        Encoding encoding, WriteReport& report) {
   switch (format_of(path)) {
     case MeshFormat::obj:
       return {{path, write_obj(mesh, report)}};
@@ -85,7 +86,7 @@ std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
 }
 
 // Recomputes the stored normals: all of them without a source file, else those that changed.
-Mesh with_new_normals(const Mesh& mesh, const SourceFile* source) {
+Mesh with_updated_normals(const Mesh& mesh, const SourceFile* source) {
   if (mesh.attributes().normals.empty()) return mesh;
   const Positions rest = source == nullptr ? Positions() : source_positions(*source, mesh);
   StoredNormals updated = updated_normals(mesh, rest);
@@ -136,21 +137,21 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
                           source->encoding == encoding && !options.anew;
   if (!options.morph_target.empty() && (!is_patched || !source->gltf)) {
     throw InputError("the morph target '" + options.morph_target +
-                     "' is added to a glTF file of the same triangles; read and save one with the "
-                     "same extension, .glb or .gltf");
+                     "' needs a glTF file whose triangles are unchanged; read and save files with "
+                     "the same extension, .glb or .gltf");
   }
   WriteReport report;
   std::vector<FileContent> contents;
   if (is_patched) {
     contents = patch(*source, mesh, path, options, report);
   }
-  const SourceFile* const old = options.made_from.get();
+  const SourceFile* const old = options.original_file.get();
   if (source == nullptr && old != nullptr && old->gltf && old->format() == format &&
       !options.anew && mesh.face_count() > 0 && !old->gltf->objects.empty()) {
-    contents = patch(*old, with_new_normals(mesh, nullptr), path, options, report);
+    contents = patch(*old, with_updated_normals(mesh, nullptr), path, options, report);
   }
   if (contents.empty()) {
-    contents = write_anew(with_new_normals(mesh, source), path, encoding, report);
+    contents = write_new_file(with_updated_normals(mesh, source), path, encoding, report);
   }
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
   // The files that a file needs are put in place before it.

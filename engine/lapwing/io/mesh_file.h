@@ -38,7 +38,7 @@ struct WriteOptions {
   std::string morph_target = {};
   /// The file that the mesh was made from, if the triangles have changed since. In a glTF file, the
   /// new triangles replace the old ones (see gltf_splice.h).
-  std::shared_ptr<const SourceFile> made_from = {};
+  std::shared_ptr<const SourceFile> original_file = {};
 };
 
 /// Messages to the user about a file that was written, in printable lines.

@@ -31,9 +31,9 @@ MeshFormat format_of(const std::filesystem::path& path) {
   }
   if (extension == ".glb") return MeshFormat::glb;
   if (extension == ".gltf") return MeshFormat::gltf;
-  throw InputError(path.string() + ": '" + extension +
-                   "' is no mesh format that can be read or written; use .obj, .off, .ply, .stl, "
-                   ".glb or .gltf");
+  throw InputError(path.string() + ": unsupported mesh format: " +
+                   (extension.empty() ? "the file has no extension" : "'" + extension + "'") +
+                   ". Use .obj, .off, .ply, .stl, .gltf or .glb");
 }
 
 bool is_gltf(MeshFormat format) {

@@ -39,7 +39,7 @@ bool is_separator(char c) {
 
 [[noreturn]] void fail_too_many(const std::string& name) {
   throw InputError(name + ": more than " + std::to_string(kMostTableRows) +
-                   " rows; is this the right file?");
+                   " rows; check that this is the right file");
 }
 
 // Splits a header line into names.
@@ -136,10 +136,9 @@ std::optional<std::size_t> read_whole(std::string_view& text) {
 NpyHeader read_header(const std::string& name, std::string_view bytes) {
   const auto fail = [&](const std::string& what) {
     throw InputError(name + ": " + what +
-                     "; numpy.save(file, array) of rows and columns of "
-                     "numbers makes one that can be read");
+                     "; save rows and columns of numbers with numpy.save(file, array)");
   };
-  if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) fail("no NPY file");
+  if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) fail("not an NPY file");
   const bool is_short = bytes[6] == 1;
   const std::size_t at = is_short ? 10 : 12;
   std::size_t length = 0;
@@ -152,7 +151,7 @@ NpyHeader read_header(const std::string& name, std::string_view bytes) {
   const std::string_view type = after_key(header, "'descr'");
   constexpr std::string_view kKinds = "fiu";
   if (type.size() < 4 || kKinds.find(type[2]) == std::string_view::npos) {
-    fail("its numbers are neither floats nor integers");
+    fail("expected floats or integers");
   }
   read.kind = type[2];
   read.bytes = static_cast<std::size_t>(type[3] - '0');
@@ -160,14 +159,14 @@ NpyHeader read_header(const std::string& name, std::string_view bytes) {
   const bool fits = read.bytes == 4 || read.bytes == 8 ||
                     (read.kind != 'f' && (read.bytes == 1 || read.bytes == 2));
   if (!fits || type[4] != type[0])
-    fail("its numbers are neither floats nor integers of 8 to 64 bits");
+    fail("expected floats of 32 or 64 bits, or integers of 8 to 64 bits");
   if (!after_key(header, "'fortran_order'").starts_with("False")) {
-    fail("its columns come first (Fortran order), and should not");
+    fail("the array is in Fortran order, expected C order (numpy.ascontiguousarray)");
   }
   std::string_view shape = after_key(header, "'shape'");
   const auto rows = read_whole(shape);
   const auto columns = read_whole(shape);
-  if (!rows || !columns || read_whole(shape)) fail("it has not two dimensions");
+  if (!rows || !columns || read_whole(shape)) fail("expected two dimensions");
   read.rows = *rows;
   read.columns = *columns;
   if (read.rows > kMostTableRows) fail_too_many(name);
@@ -236,7 +235,8 @@ std::string npy_with(const NumberTable& table, std::span<const double> numbers) 
     if (is_equal(numbers[k], table.numbers[k])) continue;
     if (!table.type) {
       throw InputError(table.name +
-                       ": its numbers are integers, which moved points are not; save it as floats");
+                       ": its numbers are integers, but moved points need floats; save the table "
+                       "as floats");
     }
     store_number(bytes.data() + table.offsets[k], numbers[k], *table.type, table.encoding);
   }
@@ -254,14 +254,14 @@ NumberTable read_number_table(const std::filesystem::path& path) {
   NumberTable table{.name = path.string()};
   table.bytes = std::make_shared<const FileBytes>(FileBytes::read(path));
   if (!is_number_table(path)) {
-    throw InputError(table.name + ": expected a table, .csv, .txt, .tsv or .npy");
+    throw InputError(table.name + ": expected a table with the extension .csv, .txt, .tsv or .npy");
   }
   if (is_npy(path)) {
     read_npy(table);
   } else {
     read_text(table);
   }
-  if (table.row_count() == 0) throw InputError(table.name + ": the table has no row");
+  if (table.row_count() == 0) throw InputError(table.name + ": the table has no rows");
   return table;
 }
 

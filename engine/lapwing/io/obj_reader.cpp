@@ -138,7 +138,7 @@ class ObjReader {
     for (; !scan_.at_line_end(); ++corners) read_corner();
     if (corners < 3) {
       file_.fail_at_line(
-          start, "a face needs at least 3 corners, this one has " + std::to_string(corners));
+          start, "a face needs at least 3 corners, but this one has " + std::to_string(corners));
     }
     close_face(file_, polygons_, start);
   }
@@ -190,8 +190,8 @@ class ObjReader {
 
   // A shape needs its vertices, but not its texture coordinates and normals.
   void leave_out(Kind kind, std::uint64_t offset, std::int64_t number, std::size_t known) {
-    if (kind == kTexture) return uneditable_.add("texture coordinates that are not there");
-    if (kind == kNormal) return uneditable_.add("normals that are not there");
+    if (kind == kTexture) return uneditable_.add("references to missing texture coordinates");
+    if (kind == kNormal) return uneditable_.add("references to missing normals");
     file_.fail_at_line(offset, "the face names vertex " + std::to_string(number) +
                                    ", but the file has " + std::to_string(known) +
                                    " (numbered from 1)");

@@ -170,7 +170,7 @@ class OffReader {
     scan_.end_word("the number of corners of a face");
     if (corners < 3) {
       file_.fail_at_line(
-          start, "a face needs at least 3 corners, this one has " + std::to_string(corners));
+          start, "a face needs at least 3 corners, but this one has " + std::to_string(corners));
     }
     for (std::int64_t c = 0; c < corners; ++c) {
       scan_.skip_blanks();
@@ -206,7 +206,7 @@ class OffReader {
 
   void finish() {
     skip_space();
-    if (!scan_.at_end()) uneditable_.add("lines behind the last face");
+    if (!scan_.at_end()) uneditable_.add("lines after the last face");
     if (!face_colors_.empty()) face_colors_.resize(face_count_, kNoColor);
     attributes_.has_vertex_normals = header_.has_normals && vertex_count_ > 0;
     if (header_.has_uvs) attributes_.corner_uvs = mesh_.face_vertices();

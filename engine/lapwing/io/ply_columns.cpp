@@ -53,8 +53,8 @@ bool PlyColumns::is_complete(const std::vector<std::size_t>& found, std::size_t 
          found.end() - static_cast<std::ptrdiff_t>(optional);
 }
 
-PlyPlaces::PlyPlaces(NumberTriples& triples, const PlyElement& element,
-                     const std::vector<std::size_t>& properties)
+PlyOffsets::PlyOffsets(NumberTriples& triples, const PlyElement& element,
+                       const std::vector<std::size_t>& properties)
     : triples_(triples), axis_of_(element.properties.size(), 3) {
   if (std::find(properties.begin(), properties.end(), PlyColumns::kNone) != properties.end()) {
     return;
@@ -66,7 +66,7 @@ PlyPlaces::PlyPlaces(NumberTriples& triples, const PlyElement& element,
   }
 }
 
-void PlyPlaces::describe(const PlyElement& element, std::uint64_t first) {
+void PlyOffsets::describe(const PlyElement& element, std::uint64_t first) {
   triples_.first = first;
   triples_.stride = element.binary_size();
   std::uint64_t place = 0;

@@ -74,11 +74,11 @@ class PlyColumns {
 };
 
 /// Stores the file offsets of the three numbers of each record.
-class PlyPlaces {
+class PlyOffsets {
  public:
   /// `properties` is from PlyColumns::find. Nothing is stored unless all three exist.
-  PlyPlaces(NumberTriples& triples, const PlyElement& element,
-            const std::vector<std::size_t>& properties);
+  PlyOffsets(NumberTriples& triples, const PlyElement& element,
+             const std::vector<std::size_t>& properties);
 
   /// Describes records of equal size, the first at byte `first`.
   void describe(const PlyElement& element, std::uint64_t first);

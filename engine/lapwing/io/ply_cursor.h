@@ -62,7 +62,7 @@ class PlyBinaryCursor {
   double number(Scalar type) {
     const std::size_t size = size_of(type);
     if (size > file_.bytes().size() - at_)
-      file_.fail(at_, "expected a number, found the file's end");
+      file_.fail(at_, "expected a number, found the end of the file");
     place_ = at_;
     at_ += size;
     return load_number(file_.bytes().data() + place_, type, encoding_);

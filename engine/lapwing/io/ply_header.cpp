@@ -107,7 +107,8 @@ class HeaderReader {
     const auto has_name = [&](const PlyProperty& other) { return other.name == property.name; };
     if (std::ranges::any_of(element.properties, has_name)) {
       file_.fail_at_line(line.offset(), "the property '" + property.name +
-                                            "' stands twice in the element '" + element.name + "'");
+                                            "' appears twice in the element '" + element.name +
+                                            "'");
     }
     element.properties.push_back(std::move(property));
   }

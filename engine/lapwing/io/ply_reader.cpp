@@ -22,7 +22,7 @@ class PlyReader {
       file_.fail_at_line(header_.data_offset - 1, "expected an element 'vertex' in the header");
     }
     if (vertices_->count >= kNoIndex) {
-      file_.fail_at_line(vertices_->header_offset, "a mesh has fewer than 4,294,967,295 vertices");
+      file_.fail_at_line(vertices_->header_offset, "a mesh has at most 4,294,967,294 vertices");
     }
     for (const PlyElement& element : header_.elements) {
       if (&element == vertices_) {
@@ -62,8 +62,8 @@ class PlyReader {
 
   void read_vertex_records(PlyColumns& columns) {
     const PlyElement& element = *vertices_;
-    PlyPlaces positions(file_.positions, element, columns.find({"x", "y", "z"}));
-    PlyPlaces normals(file_.normals, element, columns.find({"nx", "ny", "nz"}));
+    PlyOffsets positions(file_.positions, element, columns.find({"x", "y", "z"}));
+    PlyOffsets normals(file_.normals, element, columns.find({"nx", "ny", "nz"}));
     const bool regular = file_.encoding != Encoding::ascii && !element.has_list();
     if (regular) {
       positions.describe(element, cursor_.offset());
@@ -135,7 +135,7 @@ class PlyReader {
     cursor_.check_list(corners, property.type);
     if (corners < 3) {
       file_.fail(start, "face " + std::to_string(mesh_.face_count()) +
-                            " needs at least 3 corners, it has " + std::to_string(corners));
+                            " needs at least 3 corners, but has " + std::to_string(corners));
     }
     for (std::int64_t c = 0; c < corners; ++c) {
       const std::int64_t vertex = cursor_.integer(property.type);
@@ -207,7 +207,7 @@ class PlyReader {
 
   // Texture coordinates per corner are finer and replace those per vertex.
   void finish() {
-    if (!cursor_.at_end()) uneditable_.add("data behind the last element");
+    if (!cursor_.at_end()) uneditable_.add("data after the last element");
     if (!wedge_values_.empty()) {
       if (!attributes_.uvs.empty()) uneditable_.add("texture coordinates per vertex");
       attributes_.uvs = std::move(wedge_values_);

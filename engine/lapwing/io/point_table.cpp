@@ -37,7 +37,7 @@ std::optional<std::array<std::size_t, N>> find(const Names<N>& names, const Numb
   if (found == 0) return std::nullopt;
   if (found == N) return columns;
   throw InputError(table.name + ": its first line names " + std::to_string(found) + " of the " +
-                   std::to_string(N) + " columns that belong together, without \"" +
+                   std::to_string(N) + " columns that belong together; add \"" +
                    std::string(missing) + "\"");
 }
 
@@ -56,8 +56,9 @@ PointColumns columns_of(const NumberTable& table) {
   if (count == 7) columns.rotation = {3, 4, 5, 6};
   if (count == 3 || count == 6 || count == 7) return columns;
   throw InputError(table.place(0) +
-                   ": expected 3 numbers (x, y, z), 6 (and a normal) or 7 (and a quaternion w, x, "
-                   "y, z), or a first line that names the columns x, y and z; got " +
+                   ": expected 3 numbers (a point x, y, z), 6 (a point and a normal) or 7 (a point "
+                   "and a quaternion w, x, y, z), or a first line that names the columns x, y and "
+                   "z; got " +
                    std::to_string(count));
 }
 

@@ -32,7 +32,7 @@ void set_triple(SourcePatch& patch, const NumberTriples& triples, std::size_t re
 }
 
 // Whether the normals of a point cloud differ from its file. Those of a mesh follow its faces.
-bool have_turned(const SourceFile& source, const Mesh& mesh) {
+bool normals_changed(const SourceFile& source, const Mesh& mesh) {
   const std::vector<Eigen::Vector3d>& normals = mesh.attributes().normals;
   if (mesh.face_count() > 0 || normals.size() != source.normals.count) return false;
   for (std::size_t r = 0; r < normals.size(); ++r) {
@@ -51,7 +51,7 @@ void SourcePatch::set_number(std::uint64_t offset, double value, Scalar type) {
   if (type == Scalar::float32 && std::abs(value) > std::numeric_limits<float>::max() &&
       std::isfinite(value)) {
     throw InputError("a coordinate of " + std::to_string(value) +
-                     " does not fit the 32-bit floats of " + source_.path().string() +
+                     " is beyond the range of the 32-bit floats of " + source_.path().string() +
                      "; write another format, or scale the mesh");
   }
   edits_.push_back({offset, value, 0, kNoIndex, type});
@@ -121,7 +121,7 @@ Positions source_positions(const SourceFile& source, const Mesh& mesh) {
 
 std::optional<std::string> patch_source(const SourceFile& source, const Mesh& mesh) {
   SourcePatch patch(source);
-  bool moved = have_turned(source, mesh);
+  bool moved = normals_changed(source, mesh);
   for (std::size_t r = 0; r < source.positions.count; ++r) {
     const Eigen::Vector3d before = source.read_triple(source.positions, r);
     const Eigen::Vector3d& now = mesh.positions[source.vertex_of(mesh, r)];

@@ -181,7 +181,7 @@ Mesh read_binary(SourceFile& file) {
   }
   if (any_word) attributes.face_extras.push_back(std::move(words));
   if (bytes.size() > kStlHeaderSize + count * kStlFacetSize) {
-    attributes.uneditable.emplace_back("bytes behind the last triangle");
+    attributes.uneditable.emplace_back("bytes after the last triangle");
   }
   return mesh;
 }

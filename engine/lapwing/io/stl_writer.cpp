@@ -100,11 +100,11 @@ void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteRepo
   }
   const auto loose = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 
-  report_loss(report, MeshFormat::stl, "polygons, which were cut into triangles,", polygons);
+  report_loss(report, MeshFormat::stl, "polygons, now written as triangles", polygons);
   report_loss(report, MeshFormat::stl, "vertices without a face", loose);
   if (!ascii && narrowest_type(numbers_of(mesh.positions)) != Scalar::float32) {
     report_loss(report, MeshFormat::stl,
-                "positions beyond 32-bit floats, to which they were rounded,", mesh.vertex_count());
+                "positions in double precision, now rounded to 32-bit floats", mesh.vertex_count());
   }
   report_loss(report, MeshFormat::stl, "texture coordinates", a.uvs.size());
   if (a.normals.size() != mesh.face_count()) {

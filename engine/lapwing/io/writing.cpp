@@ -22,7 +22,7 @@ void append_shortest(std::string& out, Number value) {
 void check_size(std::string_view name, std::size_t size, std::size_t expected) {
   if (size == 0 || size == expected) return;
   throw InputError("the mesh has " + std::to_string(size) + " " + std::string(name) + " for " +
-                   std::to_string(expected) + " elements; give one for each or none");
+                   std::to_string(expected) + " elements; give one for each element, or none");
 }
 
 void check_range(std::string_view name, const std::vector<Index>& indices, std::size_t count) {
@@ -68,7 +68,7 @@ void append_number(std::string& out, double value, Scalar type) {
 void report_loss(WriteReport& report, MeshFormat format, std::string_view what, std::size_t count) {
   if (count == 0) return;
   report.not_carried.push_back(std::string(what) + " (" + grouped(count) +
-                               "): " + std::string(name_of(format)) + " has no place for them");
+                               "): " + std::string(name_of(format)) + " cannot store them");
 }
 
 void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
@@ -87,7 +87,7 @@ void report_materials(WriteReport& report, MeshFormat format, const MeshAttribut
 
 void report_uneditable(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
   for (const std::string& what : attributes.uneditable) {
-    report.not_carried.push_back(what + ": kept only in the file they came from, not in a new " +
+    report.not_carried.push_back(what + ": kept only in the original file, not in a new " +
                                  std::string(name_of(format)) + " file");
   }
 }

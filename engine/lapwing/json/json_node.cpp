@@ -127,7 +127,7 @@ std::string_view JsonNode::only_key_of(const std::vector<std::string_view>& keys
                [&](std::string_view key) { return has(key); });
   if (present.size() == 1) return present.front();
   if (present.empty()) fail(what + " needs one of " + quoted_list(keys));
-  fail(what + " takes one of " + quoted_list(keys) + ", got " + quoted_list(present));
+  fail(what + " takes only one of " + quoted_list(keys) + ", got " + quoted_list(present));
 }
 
 std::size_t JsonNode::one_of(const std::string& what,

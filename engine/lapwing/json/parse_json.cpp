@@ -68,7 +68,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool key(string_t& value) override {
     if (open_.back()->contains(value)) {
       fail(read_, pointer(value) + ": the key \"" + value +
-                      "\" stands twice in one object; remove one of the two");
+                      "\" appears twice in one object; remove one of the two");
     }
     keys_.back() = std::move(value);
     return true;
@@ -78,7 +78,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
                    const nlohmann::detail::exception& error) override {
     if (dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr) {
       fail(position, pointer() + ": the number " + token +
-                         " is beyond what a double can hold; write one below 1.8e308");
+                         " is too large for a double; write a number below 1.8e308");
     }
     fail(position, bare_message(error) + "; check commas, quotes and brackets before this place");
   }
@@ -114,8 +114,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   bool open(Json empty) {
     if (open_.size() == kDeepestJson) {
-      fail(read_, "lists and objects lie in each other deeper than " +
-                      std::to_string(kDeepestJson) + "; nothing that is read here does");
+      fail(read_, "lists and objects are nested more than " + std::to_string(kDeepestJson) +
+                      " levels deep; reduce the nesting");
     }
     open_.push_back(place(std::move(empty)));
     keys_.emplace_back();

@@ -81,7 +81,7 @@ bool ConstrainedFactor::holds(std::span<const double> W) const {
   return factored_ && std::equal(W.begin(), W.end(), W_.begin(), W_.end());
 }
 
-void ConstrainedFactor::factor(std::span<const double> W, const Progress& progress) {
+void ConstrainedFactor::factorize(std::span<const double> W, const Progress& progress) {
   if (holds(W)) return;
   std::vector<Index> changed;
   for (std::size_t u = 0; u < W_.size(); ++u) {
@@ -93,9 +93,9 @@ void ConstrainedFactor::factor(std::span<const double> W, const Progress& progre
   factored_ = false;
   const Reporting reporting(*solver_, progress);
   if (anew) {
-    solver_->factor(A_);
+    solver_->factorize(A_);
   } else {
-    solver_->refactor_diagonal(A_, changed);
+    solver_->refactorize_diagonal(A_, changed);
   }
   factored_ = true;
 }

@@ -45,7 +45,7 @@ class ConstrainedFactor {
   /// factor. If only W has changed, keeps the parts of the factor that do not depend on the change;
   /// the bits are the same. Throws NotPositiveDefinite or Cancelled, and then keeps analysis and A,
   /// but not the factor.
-  void factor(std::span<const double> W, const Progress& progress = {});
+  void factorize(std::span<const double> W, const Progress& progress = {});
 
   BlockSolver& solver() const { return *solver_; }
 

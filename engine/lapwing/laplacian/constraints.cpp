@@ -24,7 +24,7 @@ Constraints constraints_of(const EditRegion& region, const Topology& topology, d
     is_drawn[target.corners[0]] = 1;
   }
   std::vector<double> graded(topology.vertex_count(), 0.0);
-  for (const GradedVertex& g : region.graded) {
+  for (const FalloffVertex& g : region.graded) {
     const double full = handle_weights[g.handle];
     graded[g.vertex] = full * full * stiffness_of(g.weight);
   }

@@ -7,7 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/laplacian/given_displacement.h"
+#include "lapwing/laplacian/dirichlet_values.h"
 
 namespace lapwing {
 
@@ -31,12 +31,12 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
     : LaplacianSystem(topology, roi, constraints.unknowns, pattern) {
   const Stopwatch watch;
   parallel_invoke([&] { assemble(rest, terms); }, [&] { analyze(); });
-  factor(constraints.W);
+  factorize(constraints.W);
   shared_rings();  // while `rest` is valid
   timings.add("laplacian", watch.elapsed_ms());
 }
 
-void LaplacianSystem::begin_like(const LaplacianSystem& other) {
+void LaplacianSystem::share_setup_from(const LaplacianSystem& other) {
   if (other.is_analyzed()) {
     factor_.analyze_as(other.factor_);
     places_ = other.places_;
@@ -84,15 +84,15 @@ void LaplacianSystem::analyze() {
   for (const int k : elimination_order()) places_[static_cast<std::size_t>(k)] = place++;
 }
 
-void LaplacianSystem::factor(std::span<const double> W) {
+void LaplacianSystem::factorize(std::span<const double> W) {
   constraints_.W.assign(W.begin(), W.end());
   try {
-    factor_.factor(W);
+    factor_.factorize(W);
   } catch (const NotPositiveDefinite& error) {
     const Index vertex = constraints_.unknowns.vertices[error.block];
     throw SolverError("the Laplacian system is singular at vertex " + std::to_string(vertex) +
                           ": belt and handle do not hold its component. Add belt vertices there, "
-                          "or leave it out of the region",
+                          "or exclude it from the region",
                       {vertex});
   }
 }
@@ -167,7 +167,7 @@ void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y)
 void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
   const std::size_t n = size();
   const Unknowns& unknowns = constraints_.unknowns;
-  const std::vector<Vector3d> given = given_displacement(roi_, unknowns, wanted);
+  const std::vector<Vector3d> given = dirichlet_values(roi_, unknowns, wanted);
   std::vector<double> moved(3 * n, 0.0);
   if (!given.empty()) multiply(given, moved);
   for (std::size_t k = 0; k < n; ++k) {

@@ -35,7 +35,7 @@ class LaplacianSystem {
                   const SystemPattern& pattern);
 
   /// Takes over the symbolic factorization, weights and rings of a system with the same unknowns.
-  void begin_like(const LaplacianSystem& other);
+  void share_setup_from(const LaplacianSystem& other);
 
   /// Assembles L and L'Om L + K, which need neither order nor constraints. `rest` must stay valid
   /// until `rings` is first called.
@@ -63,7 +63,7 @@ class LaplacianSystem {
   bool is_analyzed() const { return factor_.is_analyzed(); }
   /// Factorizes under `W`, one number per unknown, and redoes only what has changed since the last
   /// time. Throws SolverError as above, and then keeps all but the factor.
-  void factor(std::span<const double> W);
+  void factorize(std::span<const double> W);
   /// Returns true if the system is factored under `W`.
   bool holds(std::span<const double> W) const { return is_assembled_ && factor_.holds(W); }
 

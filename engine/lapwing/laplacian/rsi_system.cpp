@@ -38,7 +38,7 @@ BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights
 }
 
 Unknowns::Unknowns(std::vector<Index> list, std::size_t vertex_count)
-    : vertices(std::move(list)), of_vertex(places_in(vertices, vertex_count)) {}
+    : vertices(std::move(list)), of_vertex(inverse_index(vertices, vertex_count)) {}
 
 void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
               std::span<double> r) {

@@ -63,7 +63,7 @@ const std::vector<int>& SystemPattern::order() const {
   return order_;
 }
 
-const std::vector<int>& SystemPattern::thorough_order() const {
+const std::vector<int>& SystemPattern::factorization_order() const {
   order();
   thorough_ordering_([&] {
     if (is_worth_dissecting(static_cast<double>(blocks().size()), operations_)) {
@@ -75,7 +75,7 @@ const std::vector<int>& SystemPattern::thorough_order() const {
 }
 
 std::shared_ptr<const SolverAnalysis> SystemPattern::analysis() const {
-  const std::vector<int>& order = thorough_order();
+  const std::vector<int>& order = factorization_order();
   const std::scoped_lock lock(analyzing_);
   std::shared_ptr<const SolverAnalysis> analysis = analysis_.lock();
   if (analysis == nullptr) {

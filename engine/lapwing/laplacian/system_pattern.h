@@ -34,7 +34,7 @@ class SystemPattern {
   /// Returns the order for M'M: the same, or that of nested dissection if its search costs less
   /// than it saves in the factorization, which takes 27 times the operations. The first call finds
   /// it.
-  const std::vector<int>& thorough_order() const;
+  const std::vector<int>& factorization_order() const;
   /// Returns the symbolic factorization of M'M in that order, which all its factors share. Computed
   /// on demand, and kept while one of them uses it.
   std::shared_ptr<const SolverAnalysis> analysis() const;

@@ -12,8 +12,8 @@ namespace {
 
 void require_length(const std::string& name, std::size_t length, std::size_t wanted) {
   if (length == 0 || length == wanted) return;
-  throw InputError("the mesh carries " + std::to_string(length) + " values of '" + name +
-                   "' where " + std::to_string(wanted) + " belong; empty the list or complete it");
+  throw InputError("the mesh has " + std::to_string(length) + " values of '" + name +
+                   "', but needs " + std::to_string(wanted) + "; clear the list or complete it");
 }
 
 void require_extras(const std::vector<ExtraAttribute>& extras, std::size_t elements) {

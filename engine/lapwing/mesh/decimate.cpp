@@ -11,8 +11,8 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/mesh/error_quadric.h"
-#include "lapwing/mesh/space_order.h"
-#include "lapwing/mesh/spokes.h"
+#include "lapwing/mesh/incident_edges.h"
+#include "lapwing/mesh/morton_order.h"
 
 namespace lapwing {
 namespace {
@@ -102,11 +102,11 @@ class Decimation {
   // Adds the planes of the triangles at v. At a boundary edge it also adds the plane through the
   // edge perpendicular to the triangle, which holds the boundary in place.
   void find_quadric(Index v) {
-    std::vector<Spoke> spokes;
-    if (is_plain_[v] == 0) spokes = spokes_of(v, around_[v], triangles_);
+    std::vector<IncidentEdge> spokes;
+    if (is_plain_[v] == 0) spokes = incident_edges(v, around_[v], triangles_);
     const auto is_on_boundary = [&](Index w) {
       const auto at = std::lower_bound(spokes.begin(), spokes.end(), w,
-                                       [](const Spoke& s, Index to) { return s.to < to; });
+                                       [](const IncidentEdge& s, Index to) { return s.to < to; });
       return at->triangles() == 1;
     };
     for (const Index t : around_[v]) {
@@ -133,10 +133,10 @@ class Decimation {
 
   // Returns the number of edges at v with one triangle, or kMany if v must be kept: on an edge of
   // more than two triangles, or where fans meet.
-  std::size_t boundary_edges(Index v, std::span<const Spoke> spokes) const {
+  std::size_t boundary_edges(Index v, std::span<const IncidentEdge> spokes) const {
     constexpr std::size_t kMany = 3;
     std::size_t open = 0;
-    for (const Spoke& spoke : spokes) {
+    for (const IncidentEdge& spoke : spokes) {
       if (spoke.triangles() > 2) return kMany;
       if (spoke.triangles() == 1) ++open;
     }
@@ -159,10 +159,10 @@ class Decimation {
       for (const Index t : around_[v]) look_at(next_corner(triangles_[t], v));
       return best;
     }
-    const std::vector<Spoke> spokes = spokes_of(v, around_[v], triangles_);
+    const std::vector<IncidentEdge> spokes = incident_edges(v, around_[v], triangles_);
     const std::size_t open = boundary_edges(v, spokes);
     if (open > 2) return best;
-    for (const Spoke& spoke : spokes) {
+    for (const IncidentEdge& spoke : spokes) {
       if (open == 0 || spoke.triangles() == 1) look_at(spoke.to);
     }
     return best;
@@ -190,7 +190,7 @@ class Decimation {
 
   // Returns whether the merge meets the link condition and the limits on neighbours, heights and
   // normals.
-  bool may_merge(Index from, Index into) const {
+  bool can_collapse(Index from, Index into) const {
     if (std::max(around_.size(from), around_.size(into)) > kMostAroundOne) return false;
     const Neighbours a = neighbours_of(from);
     const Neighbours b = neighbours_of(into);
@@ -242,8 +242,9 @@ class Decimation {
     const auto end_of_tried = merges.begin() + static_cast<std::ptrdiff_t>(tried);
     std::vector<char> may(merges.size(), 0);
     const auto ask = [&](std::size_t begin, std::size_t end) {
-      for_each(std::span<const Merge>(merges).subspan(begin, end - begin),
-               [&](std::size_t k, const Merge& m) { may[begin + k] = may_merge(m.from, m.into); });
+      for_each(
+          std::span<const Merge>(merges).subspan(begin, end - begin),
+          [&](std::size_t k, const Merge& m) { may[begin + k] = can_collapse(m.from, m.into); });
     };
     std::nth_element(merges.begin(), end_of_tried, merges.end());
     std::sort(merges.begin(), end_of_tried);
@@ -329,7 +330,7 @@ class Decimation {
     for (std::size_t k = 0; k < merges.size(); ++k) {
       if (is_still[k] != 0) continue;
       const Index into = merges[k].into;
-      for (const Spoke& spoke : spokes_of(into, around_[into], triangles_)) {
+      for (const IncidentEdge& spoke : incident_edges(into, around_[into], triangles_)) {
         if (!spoke.is_plain()) is_plain_[spoke.to] = is_plain_[into] = 0;
       }
     }
@@ -382,18 +383,18 @@ Renumbered renumbered(std::span<const Vector3d> positions, std::vector<Triangle>
   points.reserve(positions.size());
   for (const Vector3d& p : positions) points.emplace_back((p - positions[0]).cast<float>());
   Renumbered result;
-  result.vertices = order_in_space(points);
+  result.vertices = morton_order(points);
   for (const Index v : result.vertices) {
     result.positions.push_back(positions[v]);
     result.groups.push_back(groups[v]);
   }
-  const std::vector<Index> own = places_in(result.vertices, positions.size());
+  const std::vector<Index> own = inverse_index(result.vertices, positions.size());
   std::vector<Index> firsts;
   for (Triangle& t : triangles) {
     for (Index& corner : t) corner = own[corner];
     firsts.push_back(*std::min_element(t.begin(), t.end()));
   }
-  for (const Index t : all_places_in(firsts, positions.size()).values) {
+  for (const Index t : inverse_lists(firsts, positions.size()).values) {
     result.triangles.push_back(triangles[t]);
   }
   return result;
@@ -404,7 +405,7 @@ Decimated numbered_as_given(Decimated own, std::span<const Index> vertices) {
   Decimated result;
   for (const Index k : own.kept) result.kept.push_back(vertices[k]);
   std::sort(result.kept.begin(), result.kept.end());
-  const std::vector<Index> places = places_in(result.kept, vertices.size());
+  const std::vector<Index> places = inverse_index(result.kept, vertices.size());
   const auto place = [&](Index k) { return places[vertices[own.kept[k]]]; };
   for (const auto& [a, b, c] : own.triangles) {
     result.triangles.push_back({place(a), place(b), place(c)});

@@ -15,9 +15,10 @@ namespace lapwing {
 double orient(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
 /// Triangulates a polygon of the plane by ear clipping. An ear is a corner that turns left and
-/// whose triangle with its neighbours contains no other corner. The first ear after the polygon's
-/// first corner is clipped first, and the first corner itself last. If a self-intersecting polygon
-/// has no ear, the second remaining corner is clipped, so that the algorithm always ends.
+/// whose triangle with its neighbours contains no other corner. Ears are clipped in the order of
+/// their corners; the lowest remaining corner is clipped only if it is the only ear. If a
+/// self-intersecting polygon has no ear, the second remaining corner is clipped, so that the
+/// algorithm always ends.
 ///
 /// A corner is tested again only after a neighbour was removed, or all corners at the point found
 /// in its triangle. A tree finds the points in a triangle, so the cost is mostly O(n log n). If a

@@ -22,8 +22,8 @@ double require_extent(std::span<const Index> vertices, std::span<const Eigen::Ve
   const double extent = (bounds->max - bounds->min).maxCoeff();
   if (extent == 0.0 || (extent >= kSmallestExtent && extent <= kLargestExtent)) return extent;
   std::ostringstream text;
-  text << where << ": its vertices are spread over " << extent << "; sizes from " << kSmallestExtent
-       << " to " << kLargestExtent << " can be computed with; scale the mesh";
+  text << where << ": the vertices span " << extent << ", outside the supported range from "
+       << kSmallestExtent << " to " << kLargestExtent << "; scale the mesh";
   throw InputError(text.str());
 }
 

@@ -38,7 +38,7 @@ std::shared_ptr<const Topology> Mesh::shared_topology() const {
   });
   if (connectivity_->topology->vertex_count() != vertex_count()) {
     throw std::logic_error(
-        "vertices were added to a mesh or dropped since its topology was built; "
+        "vertices were added or removed after the topology of the mesh was built; "
         "call edit_faces() after such a change");
   }
   return connectivity_->topology;

@@ -25,7 +25,7 @@ void require_triangles(const Mesh& mesh) {
     const std::size_t corners = mesh.face(f).size();
     if (corners == 3) continue;
     throw InputError("face " + std::to_string(f) + " has " + std::to_string(corners) +
-                     " corners; only triangles can be subdivided");
+                     " corners; only triangles can be subdivided. Triangulate the mesh first");
   }
 }
 
@@ -106,7 +106,7 @@ Vector3d edge_point(const Mesh& mesh, const Edges& edges, std::size_t e) {
 
 void require_subdividable(const Mesh& mesh, int times) {
   require_at_most(kMostTriangles, static_cast<double>(mesh.face_count()) * std::pow(4.0, times),
-                  "subdividing would make", "subdivide less often or a part of the mesh");
+                  "subdividing would make", "subdivide fewer times, or only a part of the mesh");
 }
 
 Mesh subdivide(const Mesh& mesh) {

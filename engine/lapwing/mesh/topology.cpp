@@ -100,7 +100,7 @@ Components connected_components(const Adjacency& rings) {
   return components;
 }
 
-std::vector<Index> places_in(std::span<const Index> list, std::size_t count) {
+std::vector<Index> inverse_index(std::span<const Index> list, std::size_t count) {
   std::vector<Index> places(count, kNoIndex);
   for (std::size_t k = 0; k < list.size(); ++k) {
     if (list[k] != kNoIndex) places[list[k]] = static_cast<Index>(k);
@@ -108,7 +108,7 @@ std::vector<Index> places_in(std::span<const Index> list, std::size_t count) {
   return places;
 }
 
-Adjacency all_places_in(std::span<const Index> list, std::size_t count) {
+Adjacency inverse_lists(std::span<const Index> list, std::size_t count) {
   Adjacency places;
   places.starts.assign(count + 1, 0);
   for (const Index entry : list) {

@@ -63,11 +63,11 @@ Components connected_components(const Adjacency& rings);
 
 /// Returns the index in `list` of each of 0 .. count - 1, or kNoIndex if it is not listed. Entries
 /// must differ; those equal to kNoIndex are skipped.
-std::vector<Index> places_in(std::span<const Index> list, std::size_t count);
+std::vector<Index> inverse_index(std::span<const Index> list, std::size_t count);
 
 /// Returns all indices in `list` of each of 0 .. count - 1, ascending. Skips entries equal to
 /// kNoIndex. Linear time.
-Adjacency all_places_in(std::span<const Index> list, std::size_t count);
+Adjacency inverse_lists(std::span<const Index> list, std::size_t count);
 
 /// Triangles with compact vertex numbers.
 struct NumberedTriangles {

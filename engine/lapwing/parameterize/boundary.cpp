@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 // Returns the name of a pin for messages; a midpoint has no number in the mesh.
 std::string name_pin(const Patch& patch, Index pin) {
   if (pin < patch.vertices.size()) return "vertex " + std::to_string(patch.vertices[pin]);
-  return "own vertex " + std::to_string(pin) + " of the patch";
+  return "local vertex " + std::to_string(pin) + " of the patch";
 }
 
 std::string names(const Patch& patch, const BoundaryPins& pins) {
@@ -36,16 +36,16 @@ std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const Bou
   if (pins.size() != needed) {
     throw InputError(std::string(domain == Domain::disk ? "the disk" : "the square") + " needs " +
                      std::to_string(needed) +
-                     (needed == 1 ? " boundary vertex" : " boundary vertices") +
-                     " to be pinned, got " + std::to_string(pins.size()));
+                     (needed == 1 ? " pinned boundary vertex" : " pinned boundary vertices") +
+                     ", got " + std::to_string(pins.size()));
   }
   std::vector<std::size_t> places;
   for (const Index pin : pins) {
     const auto at = std::find(patch.loop.begin(), patch.loop.end(), pin);
     if (at == patch.loop.end()) {
       throw InputError(name_pin(patch, pin) +
-                       " cannot be pinned: it is not on the boundary of the patch; name one that "
-                       "is, such as vertex " +
+                       " cannot be pinned: it is not on the boundary of the patch; choose a "
+                       "boundary vertex, such as vertex " +
                        std::to_string(patch.vertices[patch.loop.front()]));
     }
     places.push_back(static_cast<std::size_t>(at - patch.loop.begin()));
@@ -56,7 +56,7 @@ std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const Bou
   }
   if (passed != patch.loop.size()) {
     throw InputError("the pins " + names(patch, pins) +
-                     " do not follow each other around the boundary; name four different ones, "
+                     " are not in order around the boundary; give four different vertices, "
                      "counterclockwise as seen from outside");
   }
   return places;

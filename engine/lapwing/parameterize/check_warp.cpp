@@ -32,7 +32,7 @@ void check_domain(std::span<const Triangle> triangles, std::span<const Index> bo
   const auto known = [&](Index v) { return v < points.size(); };
   if (!std::all_of(boundary.begin(), boundary.end(), known)) {
     throw InputError(
-        "the boundary of the domain to warp names a vertex that has no point; it has " +
+        "the boundary of the domain contains a vertex without a point; the domain has " +
         std::to_string(points.size()) + " points");
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -42,7 +42,7 @@ void check_domain(std::span<const Triangle> triangles, std::span<const Index> bo
     }
     throw InputError("triangle " + std::to_string(t) + " (vertices " + std::to_string(corners[0]) +
                      ", " + std::to_string(corners[1]) + ", " + std::to_string(corners[2]) +
-                     ") of the domain to warp is turned over or flat; warp a bijective map");
+                     ") of the domain is flipped or degenerate; a warp requires a bijective map");
   }
 }
 
@@ -83,23 +83,25 @@ void check_warp(std::span<const Triangle> triangles, std::span<const Index> boun
   for (std::size_t k = 0; k < pulls.size(); ++k) {
     const auto& [vertex, target] = pulls[k];
     if (vertex >= points.size()) {
-      refuse(k, vertex, "there is no such vertex; the domain has " + std::to_string(points.size()));
+      refuse(k, vertex,
+             "the vertex does not exist; the domain has " + std::to_string(points.size()) +
+                 " vertices");
     }
     switch (role[vertex]) {
       case Role::unused:
-        refuse(k, vertex, "the vertex is in no triangle; pull one that is");
+        refuse(k, vertex, "the vertex belongs to no triangle; pull a vertex of a triangle");
       case Role::boundary:
         refuse(k, vertex,
-               "the vertex is on the boundary, which a warp leaves alone; pull one inside");
+               "the vertex is on the boundary, which a warp does not move; pull an inner vertex");
       case Role::pulled:
-        refuse(k, vertex, "the vertex is pulled already; pull every vertex once");
+        refuse(k, vertex, "the vertex is already pulled; pull each vertex only once");
       case Role::inner:
         role[vertex] = Role::pulled;
     }
     if (!target.allFinite() || !is_inside(target, boundary, points)) {
       refuse(k, vertex,
              "the target " + in_words(target) +
-                 " is not inside the boundary of the domain; choose one that is");
+                 " is not inside the boundary of the domain; choose a target inside it");
     }
   }
 }

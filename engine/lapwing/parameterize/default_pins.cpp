@@ -72,9 +72,9 @@ bool are_in_order(const Patch& patch, const BoundaryPins& pins) {
 BoundaryPins default_pins(const Patch& patch, std::span<const Vector3d> own_positions,
                           Domain domain) {
   if (domain == Domain::square && patch.loop.size() < 4) {
-    throw InputError("the square needs 4 boundary vertices and the patch around vertex " +
+    throw InputError("the square needs 4 boundary vertices, but the patch around vertex " +
                      std::to_string(patch.vertices.front()) + " has " +
-                     std::to_string(patch.loop.size()) + "; take the disk, or a larger region");
+                     std::to_string(patch.loop.size()) + "; use the disk, or a larger region");
   }
   double area = 0.0;
   for (const auto& [a, b, c] : patch.triangles) {

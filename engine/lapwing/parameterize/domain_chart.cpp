@@ -115,8 +115,8 @@ DomainChart::DomainChart(std::span<const Index> boundary, std::span<const Vector
   });
   if (!is_circle) {
     throw InputError(
-        "the boundary of the domain to warp is neither a circle nor a rectangle along the axes; "
-        "lay the patch onto a disk or a square first");
+        "the boundary of the domain is neither a circle nor an axis-aligned rectangle; map the "
+        "patch to a disk or a square first");
   }
 }
 

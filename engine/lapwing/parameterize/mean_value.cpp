@@ -41,8 +41,8 @@ void require_extent(const Patch& patch, std::span<const Vector3d> positions) {
     if (!positions[v].allFinite()) {
       throw InputError("vertex " +
                        std::to_string(patch.vertices[std::min(v, patch.vertices.size() - 1)]) +
-                       " of the patch has no finite position; leave it out, or mend the mesh with "
-                       "`lapwing check --fix`");
+                       " of the patch has a non-finite position; exclude it, or repair the mesh "
+                       "with `lapwing check --fix`");
     }
     box.extend(positions[v]);
   }
@@ -53,7 +53,8 @@ void require_extent(const Patch& patch, std::span<const Vector3d> positions) {
   if (area > kSmallestAreaShare * box.diagonal().squaredNorm()) return;
   throw InputError("the patch of " + std::to_string(patch.triangles.size()) +
                    " triangles around vertex " + std::to_string(patch.vertices.front()) +
-                   " has no area, so it has no place in the plane; choose a region that has");
+                   " has zero area, so it cannot be mapped to the plane; choose a region with "
+                   "area");
 }
 
 // Returns all own vertices that are not on the loop.
@@ -99,7 +100,7 @@ Correction normal_equations(const BlockRows& A, const Unknowns& unknowns) {
   const std::vector<double> no_weights(unknowns.size(), 0.0);
   const BlockMatrix N = state->pattern.normal_matrix(A, no_weights);
   state->solver->analyze(state->pattern.blocks(), 1, fill_reducing_order(state->pattern.blocks()));
-  state->solver->factor(N);
+  state->solver->factorize(N);
   return [state, &A, &unknowns](std::span<double> columns) {
     const std::size_t n = A.size();
     state->transposed.assign(columns.size(), 0.0);

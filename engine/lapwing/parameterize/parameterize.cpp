@@ -13,7 +13,7 @@ BoundaryPins own_pins(const ParameterizeRequest& request, const Patch& patch) {
     pins.push_back(patch.own_number(v));
     if (pins.back() != kNoIndex) continue;
     throw InputError(request.where + ": vertex " + std::to_string(v) +
-                         " is not in the patch; name one on its boundary, such as vertex " +
+                         " is not in the patch; choose a vertex on its boundary, such as vertex " +
                          std::to_string(patch.vertices[patch.loop.front()]),
                      {v});
   }
@@ -46,8 +46,8 @@ Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request,
   result.mesh = with_uvs(mesh, patch, uvs_of(result.map));
   if (!result.flipped.empty()) {
     result.warnings.push_back(
-        "triangles are flipped where the map shrinks them below rounding, the first one in "
-        "triangle " +
+        "the map shrinks some triangles below rounding precision, so they are flipped, the first "
+        "in triangle " +
         std::to_string(patch.triangle_sources[result.flipped.front()]) +
         "; choose a region with a longer boundary, or another domain");
   }

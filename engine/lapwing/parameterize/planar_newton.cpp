@@ -157,7 +157,7 @@ double PlanarNewton::step(std::span<const PointPull> pulls, double stiffness,
   assemble(pulls, stiffness, points);
   std::vector<double> direction(gradient_.size());
   try {
-    solver_->factor(hessian_);
+    solver_->factorize(hessian_);
   } catch (const NotPositiveDefinite&) {
     return 0.0;
   }

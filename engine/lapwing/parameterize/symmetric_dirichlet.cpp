@@ -17,7 +17,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 // A triangle counts at least as much as one with this share of the mean area.
-constexpr double kLeastWeight = 1e-3;
+constexpr double kMinWeight = 1e-3;
 
 Matrix2d edges(const Triangle& t, std::span<const Vector2d> points) {
   Matrix2d columns;
@@ -62,7 +62,7 @@ SymmetricDirichlet::SymmetricDirichlet(std::span<const Triangle> triangles,
     areas_.push_back(doubled_area(t, rest));
     total += areas_.back();
   }
-  const double floor = kLeastWeight * total / static_cast<double>(triangles.size());
+  const double floor = kMinWeight * total / static_cast<double>(triangles.size());
   weights_ = areas_;
   total = 0.0;
   for (double& weight : weights_) total += weight = std::max(weight, floor);

@@ -59,7 +59,7 @@ Part part_of(Mesh mesh, const fs::path& path, std::optional<std::size_t> loop,
   part.loops = boundary_loops(part.mesh.topology().triangles, path.string());
   if (part.loops.empty()) {
     throw InputError(path.string() +
-                     " has no boundary loop, at which a part is joined; cut a part out of it with "
+                     " has no boundary loop to join a part at; cut a part out of the mesh with "
                      "`lapwing cut`");
   }
   if (loop) require_loop(*loop, part.loops, loop_where);
@@ -80,8 +80,9 @@ void require_name(const std::string& name) {
   const bool is_file_name =
       !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
   if (!is_file_name) {
-    throw InputError("a part cannot be called \"" + name +
-                     "\": its files take its name, so it may hold no slash and begin with no dot");
+    throw InputError("the part name \"" + name +
+                     "\" cannot be a file name; choose a name that has no slash and does not "
+                     "begin with a dot");
   }
 }
 
@@ -91,7 +92,7 @@ AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
   AddedPart added{std::move(part), {}};
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+  if (error) throw IoError("cannot create the folder " + folder.string() + ": " + error.message());
   added.part.name = name;
   // replace_extension would cut off what follows a dot in the name.
   added.part.mesh_path = folder / (name + extension);
@@ -105,7 +106,7 @@ AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
   }
   if (!files.empty()) {
     throw InputError(files[0].string() +
-                     " is there already; give the new part another name (--name)");
+                     " already exists; choose another name for the new part (--name)");
   }
   replace_file(details_path(added.part.mesh_path),
                "{\"loop\": " + std::to_string(added.part.loop) + "}\n");
@@ -167,8 +168,8 @@ Part find_part(const fs::path& folder, const std::string& name) {
     if (file.stem() == name) return read_part(file);
     names += (names.empty() ? "" : ", ") + file.stem().string();
   }
-  throw InputError("no part \"" + name + "\" in " + folder.string() + "; " +
-                   (names.empty() ? "it has no mesh files" : "it has " + names));
+  throw InputError("there is no part \"" + name + "\" in " + folder.string() + "; " +
+                   (names.empty() ? "the folder has no mesh files" : "the folder has " + names));
 }
 
 AddedPart add_part(const fs::path& folder, const fs::path& source, const std::string& name,

@@ -19,13 +19,13 @@ namespace {
                                   const std::string& where) {
   if (report.pieces.empty()) {
     throw InputError(where +
-                     ": the region holds no triangle, which has all three corners in it; choose a "
-                     "larger one");
+                     ": the region has no triangle with all three corners in it; choose a larger "
+                     "region");
   }
   const std::size_t size = region.size() - report.loose.size();
   const std::size_t inside = largest_disk(region, topology, positions).size();
-  throw InputError(where + ": the region is no disk: it " + describe(report) +
-                   ". Choose another one, or write {\"disk_in\": REGION} in its place for the "
+  throw InputError(where + ": the region is not a disk: it " + describe(report) +
+                   ". Choose another region, or replace it by {\"disk_in\": REGION} to use the "
                    "largest disk inside, which has " +
                    std::to_string(inside) + " of its " + std::to_string(size) + " vertices");
 }

@@ -68,7 +68,7 @@ class KeyReader final : public KeyVisitor {
   }
   void belt(const StepKey& key, BeltSpec& value) override {
     const auto found = find(key);
-    value = found ? read_belt(*found) : BorderBelt{.where = open_.back().where(key.name)};
+    value = found ? read_belt(*found) : BoundaryAnchors{.where = open_.back().where(key.name)};
   }
   void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form) override {
     const auto found = find(key);
@@ -116,8 +116,8 @@ class KeyReader final : public KeyVisitor {
     if (const auto found = find(key)) value = read_place(*found);
     boolean(snap_key, snap);
     require(!snap || !std::holds_alternative<LoopFit>(value), std::string(snap_key.name),
-            "a part that is fitted by itself is on the surface already; give its \"place\" as "
-            "a move, or leave \"snap\" out");
+            "a part that is fitted automatically is already on the surface; give \"place\" as a "
+            "move, or remove \"snap\"");
   }
 
   void where(std::string& name) override { name = open_.back().where(); }

@@ -31,14 +31,14 @@ class KeyTable final : public KeyVisitor {
 
   void region(const StepKey& key, RegionSpec&) override { add(key, "a region"); }
   void belt(const StepKey& key, BeltSpec& value) override {
-    const auto* border = std::get_if<BorderBelt>(&value);
+    const auto* border = std::get_if<BoundaryAnchors>(&value);
     add(key, "a fraction or a region",
         border == nullptr ? "" : "`{\"fraction\": " + digits(border->fraction) + "}`");
   }
   void handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm form) override {
     add(key, form == HandleForm::firm
                  ? "a list of `{\"region\": REGION, \"move\": MOVE}`"
-                 : "a list of `{\"region\": REGION, \"move\": MOVE}`, each perhaps with "
+                 : "a list of `{\"region\": REGION, \"move\": MOVE}`, each optionally with "
                    "`\"falloff\"` or `\"weight\"`, `\"orientation\": \"free\"`, and "
                    "`\"path\"`: a list of moves");
   }

@@ -10,11 +10,11 @@ void require_version(const JsonNode& root) {
   const std::string current = std::to_string(kRecipeVersion);
   const auto version = root.find("lapwing");
   if (!version) {
-    root.fail("the key \"lapwing\" is missing; a recipe says \"lapwing\": " + current +
-              ", the version of its format");
+    root.fail("the key \"lapwing\" is missing; add \"lapwing\": " + current +
+              ", the version of the format");
   }
   if (version->number() != kRecipeVersion) {
-    version->fail_expecting("version " + current + ", the one that this program reads");
+    version->fail_expecting("version " + current + ", which this program reads");
   }
 }
 
@@ -40,7 +40,7 @@ Recipe parse_recipe(JsonNode::Document document, const std::filesystem::path& ba
     const JsonNode target = save_as->at("morph_target");
     recipe.morph_target = target.string();
     if (recipe.morph_target.empty() || recipe.morph_target.find('/') != std::string::npos) {
-      target.fail("expected a name without \"/\", which is part of a file's name in some formats");
+      target.fail("expected a name without \"/\", because some formats use it in a file name");
     }
   }
   return recipe;

@@ -28,8 +28,8 @@ Box read_box(const JsonNode& node) {
   constexpr std::array kAxes{"x", "y", "z"};
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     if (box.min[axis] > box.max[axis]) {
-      node.fail("min lies above max in " + std::string(kAxes[static_cast<std::size_t>(axis)]) +
-                "; exchange them");
+      node.fail("min is greater than max in " + std::string(kAxes[static_cast<std::size_t>(axis)]) +
+                "; swap them");
     }
   }
   return box;
@@ -54,13 +54,13 @@ std::vector<RegionSpec> read_parts(const JsonNode& node, std::size_t least, int 
 }
 
 AllVertices read_all(const JsonNode& node) {
-  if (!node.boolean()) node.fail("expected true, the only value; name vertices otherwise");
+  if (!node.boolean()) node.fail("expected true; use \"vertices\" to choose some vertices");
   return {};
 }
 
 RegionSpec read_nested(const JsonNode& node, int depth) {
   if (depth > kDeepestNesting) {
-    node.fail("regions are nested more than " + std::to_string(kDeepestNesting) + " deep");
+    node.fail("regions are nested more than " + std::to_string(kDeepestNesting) + " levels deep");
   }
   node.require_keys(
       {"all", "vertices", "disk", "box", "loop", "inside", "union", "minus", "disk_in"});
@@ -91,7 +91,7 @@ RegionSpec read_region(const JsonNode& node) {
 BeltSpec read_belt(const JsonNode& node) {
   if (!node.has("fraction")) return read_region(node);
   node.require_keys({"fraction"});
-  const BorderBelt belt{node.at("fraction").number(), node.where()};
+  const BoundaryAnchors belt{node.at("fraction").number(), node.where()};
   if (!(belt.fraction >= 0.0 && belt.fraction <= 1.0)) {
     node.at("fraction").fail_expecting("a number from 0 to 1");
   }

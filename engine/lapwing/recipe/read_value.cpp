@@ -13,8 +13,7 @@ using RowMajor4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 AxisRotation read_rotation(const JsonNode& node) {
   node.require_keys({"axis", "degrees"});
   const AxisRotation rotation{node.at("axis").vector3(), node.at("degrees").number()};
-  if (!(rotation.axis.norm() > 0.0))
-    node.at("axis").fail("the axis has no length; name a direction");
+  if (!(rotation.axis.norm() > 0.0)) node.at("axis").fail("the axis is zero; give a direction");
   return rotation;
 }
 
@@ -34,7 +33,7 @@ MatrixMove read_matrix(const JsonNode& node) {
 DomainRamp read_domain_ramp(const JsonNode& node) {
   const std::vector<double> ends = node.numbers();
   if (ends.size() != 2) {
-    node.fail("expected two numbers, where the mixing begins and where it ends, got " +
+    node.fail("expected two numbers, the start and the end of the ramp, got " +
               std::to_string(ends.size()));
   }
   if (ends[0] == ends[1]) node.fail("the ramp has no extent; give two different numbers");
@@ -46,13 +45,13 @@ std::vector<double> read_field(const JsonNode& node, const std::string& what) {
   std::vector<double> field;
   for (const JsonNode& element : node.elements()) {
     const double w = element.number();
-    if (!(w >= 0.0 && w <= 1.0)) element.fail("expected 0 to 1, " + what);
+    if (!(w >= 0.0 && w <= 1.0)) element.fail("expected a number from 0 to 1, " + what);
     field.push_back(w);
   }
   return field;
 }
 
-Transition read_falloff(const JsonNode& node) {
+Transition read_transition(const JsonNode& node) {
   node.require_keys({"width", "profile"});
   Transition falloff{node.at("width").positive_number()};
   if (const auto profile = node.find("profile")) {
@@ -62,23 +61,25 @@ Transition read_falloff(const JsonNode& node) {
   return falloff;
 }
 
-Grading read_grading(const JsonNode& handle) {
-  Grading grading;
-  if (const auto falloff = handle.find("falloff")) grading.falloff = read_falloff(*falloff);
+Falloff read_falloff(const JsonNode& handle) {
+  Falloff falloff;
+  if (const auto transition = handle.find("falloff")) {
+    falloff.transition = read_transition(*transition);
+  }
   if (const auto weight = handle.find("weight")) {
     if (!weight->is_object()) {
       const std::optional<double> number = weight->if_number();
       if (!number || !is_weight(*number)) weight->fail_expecting(std::string(kWeightWords));
-      grading.weight = *number;
-      return grading;
+      falloff.weight = *number;
+      return falloff;
     }
-    if (grading.falloff) {
-      weight->fail("a painted weight stands in place of \"falloff\"; remove one of the two");
+    if (falloff.transition) {
+      weight->fail("a painted weight and \"falloff\" exclude each other; remove one of the two");
     }
     weight->require_keys({"field"});
-    grading.field = read_field(weight->at("field"), "how firmly the handle holds the vertex");
+    falloff.field = read_field(weight->at("field"), "the handle weight of the vertex");
   }
-  return grading;
+  return falloff;
 }
 
 LoopFit read_fit(const JsonNode& node) {
@@ -105,8 +106,8 @@ Move read_move(const JsonNode& node) {
   if (const auto matrix = node.find("matrix")) {
     for (const std::string_view other : {"translate", "rotate", "scale", "pivot"}) {
       if (!node.has(other)) continue;
-      node.at(other).fail("\"matrix\" stands in place of \"" + std::string(other) +
-                          "\"; remove one of the two");
+      node.at(other).fail("\"matrix\" and \"" + std::string(other) +
+                          "\" exclude each other; remove one of the two");
     }
     return read_matrix(*matrix);
   }
@@ -122,7 +123,7 @@ MovedHandle read_handle(const JsonNode& node, HandleForm form) {
   MovedHandle handle;
   if (form == HandleForm::graded) {
     node.require_keys({"region", "move", "falloff", "weight", "orientation", "path"});
-    handle.grading = read_grading(node);
+    handle.falloff = read_falloff(node);
     if (const auto orientation = node.find("orientation")) {
       constexpr std::array kOrientations{HandleOrientation::kept, HandleOrientation::free};
       handle.orientation = kOrientations[orientation->one_of("orientation", {"kept", "free"})];
@@ -171,14 +172,14 @@ MirrorSpec read_mirror(const JsonNode& node) {
   MirrorPlane plane;
   if (const auto axis = node.find("plane")) {
     if (node.has("point") || node.has("normal")) {
-      axis->fail("\"plane\" names a coordinate plane; leave out \"point\" and \"normal\"");
+      axis->fail("\"plane\" names a coordinate plane; remove \"point\" and \"normal\"");
     }
     plane.normal =
         Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis->one_of("plane", {"x", "y", "z"})));
   } else {
     plane = {node.at("point").vector3(), node.at("normal").vector3()};
     if (!(plane.normal.norm() > 0.0)) {
-      node.at("normal").fail("the normal has no length; name a direction");
+      node.at("normal").fail("the normal is zero; give a direction");
     }
   }
   mirror.plane = plane;
@@ -198,7 +199,7 @@ std::vector<VertexPair> read_pairs(const JsonNode& node) {
   for (const JsonNode& element : node.elements()) {
     const std::vector<Index> vertices = element.vertices();
     if (vertices.size() != 2) {
-      element.fail("expected two vertices, of the source and of the target, got " +
+      element.fail("expected two vertices, one of the source and one of the target, got " +
                    std::to_string(vertices.size()));
     }
     pairs.push_back({vertices[0], vertices[1]});
@@ -213,7 +214,7 @@ MixWeight read_weight(const JsonNode& node) {
     return {DistanceRamp{read_region(node.at(form)), node.at("width").number_from_zero()}};
   }
   if (const auto width = node.find("width")) {
-    width->fail("a width belongs to \"distance_to\"; remove it");
+    width->fail("\"width\" goes with \"distance_to\" only; remove it");
   }
   if (form == "domain_v") return {read_domain_ramp(node.at(form))};
   return {PaintedWeight{read_field(node.at(form), "the second source's share")}};

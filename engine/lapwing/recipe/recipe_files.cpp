@@ -43,8 +43,8 @@ void require_inside(const Recipe& recipe, const fs::path& folder) {
   const auto require = [&](const fs::path& path, const char* what) {
     if (is_inside(path, folder)) return;
     throw InputError("the recipe " + std::string(what) + " " + path.string() +
-                     ", which is outside of " + folder.string() +
-                     "; put it there, or run the recipe without --sandbox if you trust it");
+                     ", which is outside " + folder.string() +
+                     "; move it there, or run the recipe without --sandbox if you trust it");
   };
   const RecipeFiles files = files_of(recipe);
   for (const fs::path& path : files.read) require(path, "reads");

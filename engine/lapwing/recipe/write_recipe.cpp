@@ -82,8 +82,8 @@ std::string to_json(const Recipe& recipe) {
     return pretty(root, "", kLineWidth) + "\n";
   } catch (const Json::type_error&) {
     throw InputError(
-        "the name of the mesh, of a source or of the result is not UTF-8, which a recipe is "
-        "written in; rename the file");
+        "the name of the mesh, of a source or of the result is not UTF-8, but a recipe must be; "
+        "rename the file");
   }
 }
 

@@ -44,7 +44,7 @@ struct FormWriter {
   }
 };
 
-Json json_of(const BorderBelt& belt) {
+Json json_of(const BoundaryAnchors& belt) {
   return {{"fraction", belt.fraction}};
 }
 
@@ -113,11 +113,11 @@ Json json_of(const std::vector<MovedHandle>& handles) {
   Json list = Json::array();
   for (const MovedHandle& handle : handles) {
     Json keys{{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}};
-    if (const auto& falloff = handle.grading.falloff) keys["falloff"] = json_of(*falloff);
-    if (const auto& field = handle.grading.field; !field.empty()) {
+    if (const auto& transition = handle.falloff.transition) keys["falloff"] = json_of(*transition);
+    if (const auto& field = handle.falloff.field; !field.empty()) {
       keys["weight"] = {{"field", field}};
-    } else if (handle.grading.weight != 1.0) {
-      keys["weight"] = handle.grading.weight;
+    } else if (handle.falloff.weight != 1.0) {
+      keys["weight"] = handle.falloff.weight;
     }
     if (handle.orientation == HandleOrientation::free) keys["orientation"] = "free";
     for (const Move& move : handle.path) keys["path"].push_back(json_of_any(move));

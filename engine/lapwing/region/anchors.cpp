@@ -43,8 +43,8 @@ bool are_collinear(const VertexSet& vertices, std::span<const Vector3d> position
 
 std::string describe(const VertexSet& component) {
   return "the component of " + std::to_string(component.size()) +
-         (component.size() == 1 ? " vertex, vertex " : " vertices from vertex ") +
-         std::to_string(component.front()) + " on";
+         (component.size() == 1 ? " vertex, vertex " : " vertices that contains vertex ") +
+         std::to_string(component.front());
 }
 
 // A component of the ROI. `fault` says why it cannot be solved for, or is empty.
@@ -69,12 +69,12 @@ std::vector<CheckedComponent> checked_components(const EditRegion& region,
     std::string fault;
     if (anchors.empty()) {
       fault = describe(component) +
-              " has no anchor: no handle, belt or vertex outside the roi holds it; add a belt "
-              "there, or leave it out of the roi";
+              " has no anchor: no handle, belt or vertex outside the ROI holds it. Add a belt "
+              "there, or remove the component from the ROI";
     } else if (are_collinear(anchors, positions)) {
       fault = describe(component) + " can turn freely: its anchors (" + name_vertices(anchors) +
-              ") lie on one line; add a belt vertex off that line, or leave the component out of "
-              "the roi";
+              ") lie on one line. Add a belt vertex off that line, or remove the component from "
+              "the ROI";
     }
     components.push_back({std::move(component), std::move(fault), !anchors.empty()});
   }
@@ -115,8 +115,8 @@ void check_anchors(const EditRegion& region, std::span<const Vector3d> positions
   }
 }
 
-void set_loose_parts_aside(EditRegion& region, std::span<const Vector3d> positions,
-                           const Topology& topology, LoosePolicy policy, const std::string& where) {
+void separate_loose_parts(EditRegion& region, std::span<const Vector3d> positions,
+                          const Topology& topology, LoosePolicy policy, const std::string& where) {
   std::vector<CheckedComponent> components = checked_components(region, positions, topology);
   const auto first_fault = std::find_if(components.begin(), components.end(),
                                         [](const auto& c) { return !c.fault.empty(); });
@@ -138,7 +138,7 @@ void set_loose_parts_aside(EditRegion& region, std::span<const Vector3d> positio
     }
   }
   const VertexSet loose = make_vertex_set(std::move(aside));
-  std::erase_if(held.graded, [&](const GradedVertex& graded) {
+  std::erase_if(held.graded, [&](const FalloffVertex& graded) {
     return std::binary_search(loose.begin(), loose.end(), graded.vertex);
   });
   std::erase_if(held.targets, [&](const Target& target) {

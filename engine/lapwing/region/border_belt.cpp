@@ -49,7 +49,7 @@ VertexSet roi_border(const VertexSet& roi, const Topology& topology) {
   return make_vertex_set(std::move(border));
 }
 
-VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, const Mesh& mesh) {
+VertexSet resolve_border_belt(const BoundaryAnchors& belt, const VertexSet& roi, const Mesh& mesh) {
   const Topology& topology = mesh.topology();
   if (!(belt.fraction >= 0.0 && belt.fraction <= 1.0)) {
     std::ostringstream text;

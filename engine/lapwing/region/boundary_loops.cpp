@@ -58,16 +58,17 @@ void require_loops(const Boundary& boundary, const std::string& where) {
   if (wrong.empty()) return;
   const VertexSet at_odd_edges = intersect(wrong, boundary.odd_ends);
   if (!at_odd_edges.empty()) {
-    throw InputError(where + ": the boundary ends at " + name_vertices(at_odd_edges) +
-                         ", at edges with more than two triangles or with two that face opposite "
-                         "ways, and so is no closed loop; see `lapwing check MESH`, repair it with "
-                         "--fix, or leave these vertices out of the region",
+    throw InputError(where + ": the boundary is not a closed loop: it ends at " +
+                         name_vertices(at_odd_edges) +
+                         ", at edges with more than two triangles, or with two triangles of "
+                         "opposite orientation. Run `lapwing check MESH`, repair the mesh with "
+                         "--fix, or remove these vertices from the region",
                      at_odd_edges);
   }
   throw InputError(
       where + ": the boundary touches itself at " + name_vertices(wrong) +
-          "; give each surface there its own vertex with `lapwing check MESH --fix OUT`, "
-          "or add or leave out the triangles around it",
+          ". Give each surface there its own vertex with `lapwing check MESH --fix OUT`, "
+          "or add or remove the triangles around it",
       wrong);
 }
 

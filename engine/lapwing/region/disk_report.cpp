@@ -131,7 +131,7 @@ std::string name_ends(const std::array<Index, 2>& edge) {
 
 bool DiskReport::is_disk() const {
   return pieces.size() == 1 && loops.size() == 1 && euler_characteristic == 1 &&
-         crowded_edges.empty() && turned_edges.empty() && pinched.empty();
+         non_manifold_edges.empty() && turned_edges.empty() && pinched.empty();
 }
 
 DiskReport report_disk(const RegionTriangles& part) {
@@ -150,7 +150,7 @@ DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides) {
     const Index from = part.vertices[side_start(part.triangles, on_edge[0])];
     const Index to = part.vertices[side_end(part.triangles, on_edge[0])];
     const std::array<Index, 2> edge{std::min(from, to), std::max(from, to)};
-    if (on_edge.size() > 2) report.crowded_edges.push_back(edge);
+    if (on_edge.size() > 2) report.non_manifold_edges.push_back(edge);
     if (on_edge.size() == 2 &&
         side_start(part.triangles, on_edge[0]) == side_start(part.triangles, on_edge[1])) {
       report.turned_edges.push_back(edge);
@@ -159,7 +159,7 @@ DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides) {
   const auto edges = static_cast<long>(sides.row_count());
   const auto triangles = static_cast<long>(part.triangles.size());
   report.euler_characteristic = euler_characteristic(part.triangles, sides);
-  if (report.crowded_edges.empty() && report.turned_edges.empty()) {
+  if (report.non_manifold_edges.empty() && report.turned_edges.empty()) {
     // Euler's formula for each piece with its pinched vertices split: V - E + F = 2 - 2 g - loops.
     const long apart = static_cast<long>(linker.fan_count()) - edges + triangles;
     report.handles = (2 * static_cast<long>(report.pieces.size()) -
@@ -171,7 +171,7 @@ DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides) {
 
 std::string describe(const DiskReport& report) {
   if (report.is_disk()) return "is a disk";
-  if (report.pieces.empty()) return "holds no triangle";
+  if (report.pieces.empty()) return "has no triangles";
   std::vector<std::string> parts;
   if (report.pieces.size() > 1) {
     parts.push_back(list(report.pieces, "piece", [](const DiskReport::Piece& piece) {
@@ -184,12 +184,13 @@ std::string describe(const DiskReport& report) {
   }
   if (report.handles > 0)
     parts.push_back(count(static_cast<std::size_t>(report.handles), "handle"));
-  if (!report.crowded_edges.empty()) {
-    parts.push_back(list(report.crowded_edges, "edge", name_ends) + " of more than two triangles");
+  if (!report.non_manifold_edges.empty()) {
+    parts.push_back(list(report.non_manifold_edges, "edge", name_ends) +
+                    " with more than two triangles");
   }
   if (!report.turned_edges.empty()) {
     parts.push_back(list(report.turned_edges, "edge", name_ends) +
-                    " whose triangles face opposite ways");
+                    " with triangles of opposite orientation");
   }
   if (!report.pinched.empty()) {
     parts.push_back("parts that touch only at " + name_vertices(report.pinched));

@@ -24,7 +24,7 @@ struct DiskReport {
   std::vector<Loop> loops;        ///< boundary loops, by smallest vertex
   long euler_characteristic = 0;  ///< vertices - edges + triangles
   long handles = 0;               ///< sum of the genera; 0 if an edge is crowded or turned
-  std::vector<std::array<Index, 2>> crowded_edges;  ///< edges with more than two triangles
+  std::vector<std::array<Index, 2>> non_manifold_edges;  ///< edges with more than two triangles
   std::vector<std::array<Index, 2>> turned_edges;   ///< their two triangles face opposite ways
   VertexSet
       pinched;      ///< vertices where parts touch without a common edge: several fans around them

@@ -11,15 +11,16 @@ namespace {
 
 void require_members(const VertexSet& vertices, const std::string& where, const std::string& what) {
   if (!vertices.empty()) return;
-  throw InputError(where + ": the " + what + " holds no vertex; name at least one");
+  throw InputError(where + ": the " + what + " has no vertices. Add at least one");
 }
 
 void require_inside(const VertexSet& vertices, const VertexSet& roi, const std::string& where,
                     const std::string& what) {
   const VertexSet outside = subtract(vertices, roi);
   if (outside.empty()) return;
-  throw InputError(where + ": the " + what + " leaves the roi at " + name_vertices(outside) +
-                       "; enlarge the roi, or leave them out of the " + what,
+  throw InputError(where + ": the " + what + " extends beyond the ROI at " +
+                       name_vertices(outside) + ". Enlarge the ROI, or remove them from the " +
+                       what,
                    outside);
 }
 
@@ -28,7 +29,7 @@ void require_disjoint(const VertexSet& vertices, const VertexSet& others, const 
   const VertexSet shared = intersect(vertices, others);
   if (shared.empty()) return;
   throw InputError(where + ": the handle shares " + name_vertices(shared) + " with " + what +
-                       "; leave them out of one of the two (\"minus\" does that)",
+                       ". Remove them from one of the two, for example with \"minus\"",
                    shared);
 }
 
@@ -43,9 +44,10 @@ void require_finite(const VertexSet& roi, const Mesh& mesh, const std::string& w
   }
   if (broken.empty()) return;
   broken = make_vertex_set(std::move(broken));
-  throw InputError(where + ": the roi or its rings hold " + name_vertices(broken) +
-                       " with a position that is not finite; repair the mesh with `lapwing check "
-                       "--fix`, or keep the roi away from there",
+  throw InputError(where + ": the mesh has a non-finite position, in or next to the ROI, at " +
+                       name_vertices(broken) +
+                       ". Repair the mesh with `lapwing check --fix`, or keep the ROI away from "
+                       "there",
                    broken);
 }
 
@@ -56,7 +58,7 @@ VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
     require_inside(belt, roi, region->where, "belt");
     return belt;
   }
-  VertexSet belt = resolve_border_belt(std::get<BorderBelt>(spec), roi, mesh);
+  VertexSet belt = resolve_border_belt(std::get<BoundaryAnchors>(spec), roi, mesh);
   for (const VertexSet& handle : handles) belt = subtract(belt, handle);
   return belt;
 }
@@ -70,28 +72,28 @@ void require_field(std::span<const double> field, const Mesh& mesh, const std::s
   for (std::size_t v = 0; v < field.size(); ++v) {
     if (field[v] >= 0.0 && field[v] <= 1.0) continue;
     throw InputError(where + ": the weight of vertex " + std::to_string(v) +
-                         " is to be from 0 to 1, not " + std::to_string(field[v]),
+                         " must be from 0 to 1, not " + std::to_string(field[v]),
                      {static_cast<Index>(v)});
   }
 }
 
 // Adds the handles to `region`, and vertices with field weights between 0 and 1 to `region.graded`.
 void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
-  for (const auto& [spec, grading] : handles) {
+  for (const auto& [spec, falloff] : handles) {
     VertexSet handle = resolve(spec, mesh);
     require_members(handle, spec.where, "handle");
     require_inside(handle, region.roi, spec.where, "handle");
-    require_grading(grading, spec.where);
-    if (!grading.field.empty()) {
-      require_field(grading.field, mesh, spec.where);
+    require_falloff(falloff, spec.where);
+    if (!falloff.field.empty()) {
+      require_field(falloff.field, mesh, spec.where);
       const VertexSet all = std::move(handle);
-      split_by_field(all, grading.field, region.handles.size(), spec.where, handle, region.graded);
+      split_by_field(all, falloff.field, region.handles.size(), spec.where, handle, region.graded);
     }
     for (std::size_t k = 0; k < region.handles.size(); ++k) {
       require_disjoint(handle, region.handles[k], spec.where, "handle " + std::to_string(k));
     }
     region.handles.push_back(std::move(handle));
-    region.handle_weights.push_back(grading.weight);
+    region.handle_weights.push_back(falloff.weight);
   }
 }
 
@@ -103,9 +105,9 @@ void grade(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& re
   }
   std::vector<FadingHandle> fading;
   for (std::size_t h = 0; h < handles.size(); ++h) {
-    fading.push_back({region.handles[h], handles[h].grading.falloff});
+    fading.push_back({region.handles[h], handles[h].falloff.transition});
   }
-  region.graded = graded_around(fading, std::move(region.graded), region.roi, held, mesh);
+  region.graded = falloff_around(fading, std::move(region.graded), region.roi, held, mesh);
 }
 
 }  // namespace
@@ -121,12 +123,12 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                LoosePolicy policy, const TargetSpec& targets) {
   EditRegion region;
   region.roi = resolve(roi, mesh);
-  require_members(region.roi, roi.where, "roi");
+  require_members(region.roi, roi.where, "ROI");
   require_finite(region.roi, mesh, roi.where);
   require_extent(region.roi, mesh.positions, roi.where);
   resolve_handles(handles, mesh, region);
   region.belt = resolve_belt(belt, region.roi, region.handles, mesh);
-  const bool belt_gives_way = std::holds_alternative<BorderBelt>(belt);
+  const bool belt_gives_way = std::holds_alternative<BoundaryAnchors>(belt);
   VertexSet held = belt_gives_way ? VertexSet() : region.belt;
   for (const VertexSet& handle : region.handles)
     held.insert(held.end(), handle.begin(), handle.end());
@@ -137,7 +139,7 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
     require_disjoint(region.handles[k], region.belt, handles[k].region.where, "the belt");
   }
   grade(handles, mesh, region);
-  set_loose_parts_aside(region, mesh.positions, mesh.topology(), policy, roi.where);
+  separate_loose_parts(region, mesh.positions, mesh.topology(), policy, roi.where);
   return region;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lapwing/region/border_belt.h"
-#include "lapwing/region/grading.h"
+#include "lapwing/region/falloff.h"
 #include "lapwing/region/targets.h"
 
 namespace lapwing {
@@ -39,8 +39,8 @@ struct EditRegion {
   VertexSet roi;
   VertexSet belt;                  ///< in the ROI; does not move
   std::vector<VertexSet> handles;  ///< in the ROI, not empty, disjoint from each other and the belt
-  std::vector<double> handle_weights = {};  ///< Grading::weight of each; empty: all 1
-  std::vector<GradedVertex> graded = {};    ///< ascending, free; none has a hard target
+  std::vector<double> handle_weights = {};  ///< Falloff::weight of each; empty: all 1
+  std::vector<FalloffVertex> graded = {};   ///< ascending, free; none has a hard target
   std::vector<Target> targets = {};         ///< in the ROI, none at a vertex of belt or handles
   bool hard_targets = false;                ///< whether targets are reached exactly
   std::vector<LoosePart> loose = {};        ///< parts to carry; in none of the above
@@ -56,12 +56,12 @@ struct EditRegion {
 
 /// Resolves a user's choices on a mesh. A belt by fraction leaves out handles and targets. A
 /// falloff ends at the belt, at other handles and at hard targets. If two falloffs overlap, a
-/// vertex belongs to the handle with more weight there (`graded_around`). Every other overlap is an
-/// error. Throws InputError, naming place and vertices, for an empty ROI or handle, and for a
+/// vertex belongs to the handle with more weight there (`falloff_around`). Every other overlap is
+/// an error. Throws InputError, naming place and vertices, for an empty ROI or handle, and for a
 /// handle or belt that leaves the ROI. Handles must not overlap each other or the belt. A field
 /// needs a weight from 0 to 1 for each vertex, and the ROI and its rings must be finite. Also
-/// throws what `resolve`, `require_extent`, `require_grading`, `split_by_field`, `resolve_targets`
-/// and `set_loose_parts_aside` throw.
+/// throws what `resolve`, `require_extent`, `require_falloff`, `split_by_field`, `resolve_targets`
+/// and `separate_loose_parts` throw.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                std::span<const HandleSpec> handles, const Mesh& mesh,
                                LoosePolicy policy = LoosePolicy::carry,
@@ -70,8 +70,8 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
 /// Moves the components of the ROI that `check_anchors` would refuse to `loose` or `left_out`. If
 /// it would refuse all of them, those with an anchor stay and the region `turns_freely`. Throws
 /// InputError if the policy is LoosePolicy::refuse, or if a handle would have no vertex left.
-void set_loose_parts_aside(EditRegion& region, std::span<const Eigen::Vector3d> positions,
-                           const Topology& topology, LoosePolicy policy, const std::string& where);
+void separate_loose_parts(EditRegion& region, std::span<const Eigen::Vector3d> positions,
+                          const Topology& topology, LoosePolicy policy, const std::string& where);
 
 /// Throws InputError unless every component of the ROI has three anchors that are not on one line.
 /// Anchors are its handle and belt vertices, the corners of its targets and its neighbours outside

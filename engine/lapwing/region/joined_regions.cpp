@@ -75,14 +75,14 @@ TargetSpec led(TargetSpec targets, const JoinedSurface& joined) {
   return targets;
 }
 
-Grading led(Grading grading, const JoinedSurface& joined) {
-  std::vector<double>& field = grading.field;
-  if (field.size() != joined.leaders.size()) return grading;  // empty, or reported elsewhere
+Falloff led(Falloff falloff, const JoinedSurface& joined) {
+  std::vector<double>& field = falloff.field;
+  if (field.size() != joined.leaders.size()) return falloff;  // empty, or reported elsewhere
   for (const Index v : joined.followers) {
     double& of_leader = field[joined.leaders[v]];
     of_leader = std::max(of_leader, field[v]);
   }
-  return grading;
+  return falloff;
 }
 
 VertexSet with_followers(const VertexSet& leaders, const JoinedSurface& joined) {
@@ -99,16 +99,16 @@ EditRegion with_followers(EditRegion region, const JoinedSurface& joined) {
   expand(region.roi);
   expand(region.belt);
   for (VertexSet& handle : region.handles) expand(handle);
-  std::vector<GradedVertex> graded = region.graded;
+  std::vector<FalloffVertex> graded = region.graded;
   for (const Index v : joined.followers) {
     const Index leader = joined.leaders[v];
     const auto found =
         std::lower_bound(region.graded.begin(), region.graded.end(), leader,
-                         [](const GradedVertex& g, Index vertex) { return g.vertex < vertex; });
+                         [](const FalloffVertex& g, Index vertex) { return g.vertex < vertex; });
     if (found == region.graded.end() || found->vertex != leader) continue;
     graded.push_back({v, found->handle, found->weight});
   }
-  std::ranges::sort(graded, {}, &GradedVertex::vertex);
+  std::ranges::sort(graded, {}, &FalloffVertex::vertex);
   region.graded = std::move(graded);
   for (LoosePart& part : region.loose) expand(part.vertices);
   for (VertexSet& part : region.left_out) expand(part);

@@ -18,9 +18,9 @@ BeltSpec led(const BeltSpec& belt, const JoinedSurface& joined);
 /// Returns the same targets at leaders.
 TargetSpec led(TargetSpec targets, const JoinedSurface& joined);
 
-/// Returns the same grading. In a painted field, a leader gets the largest weight of itself and its
+/// Returns the same falloff. In a painted field, a leader gets the largest weight of itself and its
 /// followers.
-Grading led(Grading grading, const JoinedSurface& joined);
+Falloff led(Falloff falloff, const JoinedSurface& joined);
 
 /// Returns `leaders` and their followers.
 VertexSet with_followers(const VertexSet& leaders, const JoinedSurface& joined);

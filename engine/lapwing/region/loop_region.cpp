@@ -121,7 +121,7 @@ VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const
   }
   if (std::find(loop.vertices.begin(), loop.vertices.end(), region.inside) != loop.vertices.end()) {
     throw InputError(
-        where + "/inside: vertex " + inside + " lies on the loop; name one on the side to keep",
+        where + "/inside: vertex " + inside + " lies on the loop; choose one on the side to keep",
         {region.inside});
   }
   Flood flood(mesh.topology(), loop.cut);
@@ -136,7 +136,7 @@ VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const
     if (sides > 1) {
       throw InputError(where + "/loop: the loop does not separate the mesh: vertex " + inside +
                            " reaches both sides of its edge " + name_edge(a, b) +
-                           "; close the loop around one part, or add another region to cut it off",
+                           "; close the loop around one part, or cut it off with another region",
                        {region.inside, a, b});
     }
   }

@@ -104,7 +104,8 @@ struct Resolver {
     if (vertices.empty()) {
       const Bounds bounds = bounds_of(mesh.positions);
       throw InputError(where + "/box: no vertex lies in the box; the mesh spans " +
-                       in_words(bounds.min) + " to " + in_words(bounds.max));
+                       in_words(bounds.min) + " to " + in_words(bounds.max) +
+                       ". Move or enlarge the box");
     }
     return vertices;
   }
@@ -134,7 +135,7 @@ struct Resolver {
       vertices = subtract(vertices, resolve(region.parts[k], mesh));
     }
     if (vertices.empty()) {
-      throw InputError(where + "/minus: nothing is left of the first region; take away less");
+      throw InputError(where + "/minus: no vertices of the first region remain; subtract less");
     }
     return vertices;
   }

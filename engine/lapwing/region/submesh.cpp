@@ -26,7 +26,7 @@ std::vector<Index> triangles_at(const VertexSet& region, const Topology& topolog
 Submesh submesh_around(const VertexSet& region, const Topology& topology) {
   Submesh part;
   part.vertices = with_ring_neighbours(region, topology.rings);
-  const std::vector<Index> own_number = places_in(part.vertices, topology.vertex_count());
+  const std::vector<Index> own_number = inverse_index(part.vertices, topology.vertex_count());
   for (const Index v : region) part.region.push_back(own_number[v]);
 
   CancelCheck cancel_check;

@@ -10,7 +10,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/closest/closest_point.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/region/grading.h"
+#include "lapwing/region/falloff.h"
 
 namespace lapwing {
 namespace {
@@ -67,17 +67,15 @@ class Binding {
            {v});
     }
     if (!in_roi_[v]) {
-      fail(row,
-           "vertex " + std::to_string(v) +
-               " is outside the roi; enlarge the roi, or leave the "
-               "row out",
-           {v});
+      fail(
+          row,
+          "vertex " + std::to_string(v) + " is outside the ROI. Enlarge the ROI, or remove the row",
+          {v});
     }
     if (is_held_[v]) {
       fail(row,
            "vertex " + std::to_string(v) +
-               " belongs to the belt or a handle, too; leave it "
-               "out of one of the two",
+               " also belongs to the belt or a handle. Remove it there, or remove the row",
            {v});
     }
     return {{v, v, v}, {1.0, 0.0, 0.0}};
@@ -106,7 +104,7 @@ class Binding {
       if (inside) group.values.push_back(static_cast<Index>(t));
     }
     if (group.values.empty()) {
-      fail(row, "the roi has no triangle whose nearest point could be meant; name vertices");
+      fail(row, "the ROI has no triangle to find the nearest point on. Name a vertex instead");
     }
     group.starts.push_back(static_cast<Index>(group.values.size()));
     surface_.emplace(triangles, mesh_.positions, group);
@@ -118,7 +116,7 @@ class Binding {
     if (spec_.rows[found->second].position != target.position) {
       fail(row,
            "vertex " + std::to_string(target.corners[0]) + " has another position in " +
-               name_of(found->second) + "; remove one of the two",
+               name_of(found->second) + ". Remove one of the two rows",
            {target.corners[0]});
     }
     return false;
@@ -157,8 +155,8 @@ TargetRow target_row(std::span<const double> numbers, const std::string& where) 
   const std::size_t count = numbers.size();
   if (count < 4 || count > 7) {
     throw InputError(where +
-                     ": expected 4 numbers (vertex, x, y, z) or 6 (a point of the surface, "
-                     "then where it goes), and perhaps a weight, got " +
+                     ": expected 4 numbers (vertex, x, y, z) or 6 (a point on the surface, "
+                     "then its target), and optionally a weight, got " +
                      std::to_string(count));
   }
   TargetRow row;

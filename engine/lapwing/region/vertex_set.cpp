@@ -56,9 +56,8 @@ void require_finite(const VertexSet& region, std::span<const Eigen::Vector3d> po
     if (!positions[v].allFinite()) broken.push_back(v);
   }
   if (broken.empty()) return;
-  throw InputError(where + ": " + name_vertices(broken) +
-                       " of the region has no finite position; leave it out, or mend the mesh with "
-                       "`lapwing check --fix`",
+  throw InputError(where + ": the region has a non-finite position at " + name_vertices(broken) +
+                       ". Choose another region, or repair the mesh with `lapwing check --fix`",
                    broken);
 }
 

@@ -96,7 +96,7 @@ void Halfedges::flip(Index h) {
 // Removes a triangle of which one corner has moved onto another. The half-edges to and from the
 // third corner (the apex) now coincide, with opposite directions, so their twins become each
 // other's twins.
-void Halfedges::fall_together(Index to_apex, Index from_apex) {
+void Halfedges::merge_edges(Index to_apex, Index from_apex) {
   const Index a = twins_[from_apex];  // runs to the apex
   const Index b = twins_[to_apex];    // runs from the apex
   const Index apex = origins_[from_apex];
@@ -129,8 +129,8 @@ void Halfedges::collapse(Index h) {
   for_outgoing(v, [&](Index out) { origins_[out] = u; });
   const bool u_loses_first = outgoing_[u] == k || outgoing_[u] == to_a;
   const bool a_on_border = twins_[to_a] == kNoIndex;
-  fall_together(to_a, from_a);
-  fall_together(to_b, from_b);
+  merge_edges(to_a, from_a);
+  merge_edges(to_b, from_b);
   if (u_loses_first && !a_on_border) outgoing_[u] = any_of_u;
   for (const Index dead : {h, to_a, from_a, k, to_b, from_b}) origins_[dead] = kNoIndex;
   outgoing_[v] = kNoIndex;

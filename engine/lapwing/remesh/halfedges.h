@@ -80,7 +80,7 @@ class Halfedges {
 
  private:
   void glue(Index h, Index twin);
-  void fall_together(Index to_apex, Index from_apex);
+  void merge_edges(Index to_apex, Index from_apex);
 
   std::vector<Index> origins_;  ///< kNoIndex if removed
   std::vector<Index> twins_;

@@ -12,9 +12,9 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/limits.h"
 #include "lapwing/mesh/compact.h"
-#include "lapwing/remesh/carry_back.h"
 #include "lapwing/remesh/feature_lines.h"
 #include "lapwing/remesh/passes.h"
+#include "lapwing/remesh/transfer_to_mesh.h"
 
 namespace lapwing {
 namespace {
@@ -28,7 +28,7 @@ constexpr double kBytesPerTriangle = 400.0;
 constexpr int kRelaxations = 2;
 
 void require_options(const RemeshOptions& options) {
-  if (options.iterations < 0) throw InputError("a negative number of remeshing iterations");
+  if (options.iterations < 0) throw InputError("the remeshing iterations must be 0 or more");
   if (!std::isfinite(options.feature_angle_degrees)) {
     throw InputError("the feature angle for remeshing must be finite");
   }
@@ -37,7 +37,7 @@ void require_options(const RemeshOptions& options) {
 void require_vertices(const Mesh& mesh, const VertexSet& region) {
   if (region.empty() || region.back() < mesh.vertex_count()) return;
   throw InputError("the region to remesh names vertex " + std::to_string(region.back()) +
-                   "; the mesh has " + std::to_string(mesh.vertex_count()));
+                   ", but the mesh has " + std::to_string(mesh.vertex_count()) + " vertices");
 }
 
 // Estimates the number of triangles of the remeshed patch.
@@ -59,7 +59,7 @@ void require_reasonable(double faces) {
                  "remeshing to this edge length", "choose a greater length or a smaller region");
 }
 
-std::vector<double> lengths_at(const Positions& positions, const TargetLength& target) {
+std::vector<double> lengths_at(const Positions& positions, const TargetSizingField& target) {
   std::vector<double> lengths;
   lengths.reserve(positions.size());
   for (const Eigen::Vector3d& p : positions) lengths.push_back(target.at(p));
@@ -96,7 +96,7 @@ RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
   OriginalPatch original = cut_patch(mesh, region);
   if (original.triangles.empty()) return unchanged(mesh);
 
-  const TargetLength target(target_length);
+  const TargetSizingField target(target_length);
   std::vector<double> lengths = lengths_at(original.positions, target);
   const double faces = expected_faces(original, lengths);
   require_reasonable(faces);
@@ -120,8 +120,8 @@ RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
     report(1.0);
   }
   flip_for_angles(patch);
-  RemeshResult result = carry_back(mesh, patch);
-  if (!all_split) result.note = "some edges stayed longer than wanted";
+  RemeshResult result = transfer_to_mesh(mesh, patch);
+  if (!all_split) result.note = "some edges remain longer than the target length";
   return result;
 }
 

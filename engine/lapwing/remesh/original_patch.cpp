@@ -77,8 +77,8 @@ class PatchCutter {
     }
     if (broken.empty()) return;
     broken = make_vertex_set(std::move(broken));
-    throw InputError("the patch to remesh has no finite position at " + name_vertices(broken) +
-                         "; run `lapwing check --fix` or leave them out of the region",
+    throw InputError("the patch to remesh has a non-finite position at " + name_vertices(broken) +
+                         ". Run `lapwing check --fix`, or choose another region",
                      broken);
   }
 
@@ -140,7 +140,7 @@ class PatchCutter {
     }
     if (start(sides[0].halfedge) == start(sides[1].halfedge)) {
       throw InputError("the faces on either side of " + edge +
-                       " look to opposite sides; run `lapwing check --fix` first");
+                       " have opposite orientations; run `lapwing check --fix` first");
     }
   }
 

@@ -18,7 +18,7 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
   if (!std::isfinite(before.mean_edge)) return 1.0;
   if (before.mean_edge > 0.0) return request.scale * before.mean_edge;
   throw InputError(request.where +
-                   ": the region's faces have no extent, so a scale means nothing; give a length");
+                   ": the region's edges have length 0, so a scale has no effect; give a length");
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 
 namespace lapwing::remeshing {
 
-double TargetLength::at(const Eigen::Vector3d& point) const {
+double TargetSizingField::at(const Eigen::Vector3d& point) const {
   const double length = length_(point);
   if (length > 0.0 && std::isfinite(length)) return length;
   std::ostringstream message;
-  message << "the edge length wanted at (" << point.transpose() << ") is " << length
+  message << "the target edge length at (" << point.transpose() << ") is " << length
           << "; it must be positive";
   throw InputError(message.str());
 }

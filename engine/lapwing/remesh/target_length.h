@@ -8,9 +8,9 @@ namespace lapwing::remeshing {
 
 /// The sizing field: the edge length wanted at a point. `at` throws InputError, naming the point,
 /// if the length is not positive or not finite.
-class TargetLength {
+class TargetSizingField {
  public:
-  explicit TargetLength(const std::function<double(const Eigen::Vector3d&)>& length)
+  explicit TargetSizingField(const std::function<double(const Eigen::Vector3d&)>& length)
       : length_(length) {}
   double at(const Eigen::Vector3d& point) const;
 

@@ -55,7 +55,7 @@ LinePoint Reference::on_line(Index line, const Vector3d& point, Index hint) cons
           found.position, found.hint};
 }
 
-WorkingPatch::WorkingPatch(const OriginalPatch& original_patch, const TargetLength& target,
+WorkingPatch::WorkingPatch(const OriginalPatch& original_patch, const TargetSizingField& target,
                            std::vector<double> lengths_at_vertices)
     : original(original_patch),
       target_length(target),

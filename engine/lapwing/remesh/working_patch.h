@@ -43,11 +43,11 @@ inline constexpr double kSameQuality = 1e-9;
 /// The patch during remeshing. Original vertices keep their own numbers until they are removed; new
 /// ones follow.
 struct WorkingPatch {
-  WorkingPatch(const OriginalPatch& original_patch, const TargetLength& target,
+  WorkingPatch(const OriginalPatch& original_patch, const TargetSizingField& target,
                std::vector<double> lengths_at_vertices);
 
   const OriginalPatch& original;
-  const TargetLength& target_length;
+  const TargetSizingField& target_length;
   Reference reference;
   Halfedges net;
   Positions positions;

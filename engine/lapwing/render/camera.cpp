@@ -205,7 +205,7 @@ View view_named(std::string_view name) {
     if (name == known_name) return view;
     known += (known.empty() ? "" : ", ") + std::string(known_name);
   }
-  throw InputError("no view is called \"" + std::string(name) + "\"; choose one of " + known);
+  throw InputError("unknown view \"" + std::string(name) + "\"; choose one of " + known);
 }
 
 Camera fit(std::span<const Vector3d> points, const ViewAxes& axes, double aspect,

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/base/parallel.h"
-#include "lapwing/mesh/space_order.h"
+#include "lapwing/mesh/morton_order.h"
 
 namespace lapwing {
 namespace {
@@ -38,8 +38,8 @@ bool is_smooth(const Triangle& triangle, std::span<const Vec4> positions,
 
 }  // namespace
 
-std::vector<Index> order_in_space(std::span<const Vec4> positions,
-                                  std::span<const Triangle> triangles) {
+std::vector<Index> morton_order(std::span<const Vec4> positions,
+                                std::span<const Triangle> triangles) {
   std::vector<Eigen::Vector3f> middles;
   middles.reserve(triangles.size());
   for (const Triangle& t : triangles) {
@@ -48,12 +48,12 @@ std::vector<Index> order_in_space(std::span<const Vec4> positions,
     };
     middles.emplace_back(middle(0), middle(1), middle(2));
   }
-  return order_in_space(middles);
+  return morton_order(middles);
 }
 
 DrawOrder::DrawOrder(const gpu::Context& context, std::span<const Vec4> positions,
                      std::span<const Triangle> triangles)
-    : numbers_(order_in_space(positions, triangles)),
+    : numbers_(morton_order(positions, triangles)),
       triangles_(triangles.size()),
       is_smooth_(triangles.size(), 0),
       smooth_in_((triangles.size() + kRun - 1) / kRun, 0),

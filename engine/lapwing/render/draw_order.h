@@ -45,8 +45,8 @@ class DrawOrder {
   gpu::Buffer indices_;
 };
 
-/// Returns the triangle numbers in the order of their centroids in space (mesh/space_order.h).
-std::vector<Index> order_in_space(std::span<const Vec4> positions,
-                                  std::span<const Triangle> triangles);
+/// Returns the triangle numbers in the order of their centroids in space (mesh/morton_order.h).
+std::vector<Index> morton_order(std::span<const Vec4> positions,
+                                std::span<const Triangle> triangles);
 
 }  // namespace lapwing

@@ -69,7 +69,8 @@ void check_frames_name(const fs::path& output) {
 
 std::unique_ptr<FrameWriter> open_frames(const fs::path& output, const FrameSequence& sequence) {
   check_frames_name(output);
-  require_at_most(kMostFrames, sequence.count, "the turntable would be", "ask for fewer pictures");
+  require_at_most(kMostFrames, sequence.count, "the turntable would have",
+                  "ask for fewer pictures");
   if (const auto format = video_format_of(ending_of(output))) {
     return std::make_unique<VideoWriter>(output, *format, sequence);
   }

@@ -29,7 +29,7 @@ class OffscreenTarget {
 
   /// Runs the commands that `draw` records into a rendering scope and returns the pixels. Edges are
   /// averaged with what lies behind. Over a transparent background, their colours are multiplied by
-  /// their opacity (see divide_by_opacity).
+  /// their opacity (see unpremultiply).
   Image render(const std::function<void(VkCommandBuffer commands)>& draw);
 
  private:

@@ -34,7 +34,7 @@ Image ImageRenderer::render(Surface& surface, const SurfacePaint& paint, const C
     }
     if (legend) renderer_.draw(commands, target_.extent(), *legend);
   });
-  if (options_.background == Background::transparent) divide_by_opacity(image);
+  if (options_.background == Background::transparent) unpremultiply(image);
   return image;
 }
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t kAllEdges = 0b111;
 
 void check_count(std::size_t given, std::size_t expected, const char* what) {
   if (given == expected) return;
-  throw InputError(std::to_string(given) + " " + what + " were given to draw a surface that has " +
+  throw InputError(std::to_string(given) + " " + what + " were given for a surface that needs " +
                    std::to_string(expected));
 }
 
@@ -49,10 +49,10 @@ VertexClass drawn_by_handle(VertexClass vertex, double weight) {
   return static_cast<VertexClass>(static_cast<std::uint32_t>(vertex) | share << 8U);
 }
 
-void draw_graded(std::span<const GradedVertex> graded, std::span<const VertexSet> handles,
+void draw_graded(std::span<const FalloffVertex> graded, std::span<const VertexSet> handles,
                  std::span<VertexClass> classes) {
   std::vector<char> fades(handles.size(), 0);
-  for (const GradedVertex& g : graded) {
+  for (const FalloffVertex& g : graded) {
     classes[g.vertex] = drawn_by_handle(classes[g.vertex], g.weight);
     fades[g.handle] = 1;
   }

@@ -23,7 +23,7 @@ VertexClass drawn_by_handle(VertexClass vertex, double weight);
 
 /// Adds to `classes`, one per vertex, the weights by which `graded` vertices follow their handles.
 /// The vertices of `handles` must already have their class.
-void draw_graded(std::span<const GradedVertex> graded, std::span<const VertexSet> handles,
+void draw_graded(std::span<const FalloffVertex> graded, std::span<const VertexSet> handles,
                  std::span<VertexClass> classes);
 
 /// Returns the class of each of `vertex_count` vertices in the edit of `region`.

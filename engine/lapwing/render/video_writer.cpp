@@ -91,7 +91,7 @@ fs::path require_ffmpeg(const fs::path& output) {
   auto program = find_ffmpeg();
   if (!program) {
     throw IoError(output.string() +
-                  ": a video is written by the program ffmpeg, which is not on the PATH; install "
+                  ": writing a video needs the program ffmpeg, which is not on the PATH; install "
                   "the package ffmpeg, or end the name in .png for numbered pictures");
   }
   return *std::move(program);
@@ -106,20 +106,20 @@ VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const Frame
   // A socket, because writing to one without a reader is an error instead of a signal.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw IoError("no socket can be opened: " + std::generic_category().message(errno) +
+    throw IoError("cannot open a socket: " + std::generic_category().message(errno) +
                   "; close other programs");
   }
   frames_.reset(ends[0]);
   const FileDescriptor child_end(ends[1]);
   if (errors_ == nullptr) {
-    throw IoError("no temporary file can be made: " + std::generic_category().message(errno) +
-                  "; make room in the folder of temporary files");
+    throw IoError("cannot create a temporary file: " + std::generic_category().message(errno) +
+                  "; free some space in the folder of temporary files");
   }
   try {
     process_ = start_child(ffmpeg_command(program, replacement_.temporary(), format, sequence),
                            {.input = ends[1], .errors = fileno(errors_.get())});
   } catch (const IoError& error) {
-    throw IoError(std::string(error.what()) + "; name a .png for numbered pictures");
+    throw IoError(std::string(error.what()) + "; end the name in .png for numbered pictures");
   }
 }
 
@@ -131,7 +131,7 @@ VideoWriter::~VideoWriter() {
 
 void VideoWriter::write(const Image& frame) {
   std::optional<Image> opaque;
-  if (puts_on_black_) put_on_black(opaque.emplace(frame));
+  if (puts_on_black_) composite_over_black(opaque.emplace(frame));
   const std::vector<std::uint8_t>& bytes = opaque ? opaque->rgba : frame.rgba;
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t put = send(frames_.get(), bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL);
@@ -168,7 +168,7 @@ void VideoWriter::fail() {
     if (!words.empty()) last = words;
   }
   throw IoError("ffmpeg cannot write " + output_.string() + ": " + last +
-                "; nothing was changed, name a .png for numbered pictures");
+                "; nothing was changed. End the name in .png for numbered pictures");
 }
 
 }  // namespace lapwing

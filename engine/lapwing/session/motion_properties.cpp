@@ -29,7 +29,7 @@ Mesh with_vertex_motion(Mesh mesh, std::span<const Eigen::Vector3d> rest,
   const MeshFormat format = format_of(path);
   if (format != MeshFormat::ply) {
     throw InputError(path.string() + ": " + std::string(name_of(format)) +
-                     " has no place for how each vertex moved; save a .ply");
+                     " cannot store the motion of each vertex; save a .ply");
   }
   const VertexMotion motion = vertex_motion(rest, mesh.positions, mesh.topology());
   std::vector<ExtraAttribute>& extras = mesh.edit_attributes().vertex_extras;

@@ -8,11 +8,11 @@ namespace lapwing {
 // `run_recipe` does.
 
 /// Takes the recipe's mesh from `meshes` and checks it.
-void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
+void begin_run(const Recipe& recipe, const MeshCache& meshes, Kernels& kernels,
                const Progress& progress, RunResult& result);
 
 /// Runs the step of `recipe` that follows those in the report of `result`.
-void run_next_step(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
+void run_next_step(const Recipe& recipe, const MeshCache& meshes, Kernels& kernels,
                    const Progress& progress, RunResult& result);
 
 }  // namespace lapwing

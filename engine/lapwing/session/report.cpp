@@ -109,7 +109,8 @@ void append(const StepReport& step, const DeformReport& deform, Json& json) {
   json["belt"] = step.belt;
   json["solver"] = deform.solver;
   json["turn_degrees"] = number(deform.turn_degrees);
-  json["wound_degrees"] = deform.wound_degrees ? number(*deform.wound_degrees) : Json(nullptr);
+  json["winding_degrees"] =
+      deform.winding_degrees ? number(*deform.winding_degrees) : Json(nullptr);
   json["commits"] = deform.commits;
 }
 

@@ -47,7 +47,7 @@ VertexMeasures measure_joined(const VertexSet& vertices, const JoinedSurface& jo
   for (const Index v : vertices) leaders.push_back(joined.leaders[v]);
   const VertexMeasures of_leaders =
       measure_vertices(make_vertex_set(leaders), joined.surface.topology(), chosen, before, after);
-  const std::vector<Index> places = places_in(of_leaders.vertices, joined.leaders.size());
+  const std::vector<Index> places = inverse_index(of_leaders.vertices, joined.leaders.size());
   VertexMeasures all;
   for (const Index v : vertices) {
     const Index k = places[joined.leaders[v]];
@@ -76,7 +76,7 @@ VertexMeasures measure_step(const SomeStep& step, const Positions& before,
 
 }  // namespace
 
-void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
+void begin_run(const Recipe& recipe, const MeshCache& meshes, Kernels& kernels,
                const Progress& progress, RunResult& result) {
   RunReport& report = result.report;
   report.device = kernels.device();
@@ -100,7 +100,7 @@ void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
   report.triangles = result.mesh.topology().triangles.size();
 }
 
-void run_next_step(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
+void run_next_step(const Recipe& recipe, const MeshCache& meshes, Kernels& kernels,
                    const Progress& progress, RunResult& result) {
   std::vector<StepReport>& reports = result.report.steps;
   const Step& step = recipe.steps[reports.size()];
@@ -112,8 +112,8 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
   const ProgressScope scope(progress);
   auto result = std::make_unique<RunResult>();
-  const MeshShelf files;
-  const MeshShelf& meshes = options.meshes != nullptr ? *options.meshes : files;
+  const MeshCache files;
+  const MeshCache& meshes = options.meshes != nullptr ? *options.meshes : files;
   begin_run(recipe, meshes, kernels, progress, *result);
   for (const Step& step : recipe.steps) {
     const Mesh before = options.measure_vertices ? result->mesh : Mesh();
@@ -130,7 +130,7 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
 }
 
 void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
-  const Uncancelled whole;  // all of the files, or none
+  const CancellationGuard whole;  // all of the files, or none
   FileReplacements files;
   save_result(result, path, files, options);
   files.commit();
@@ -147,8 +147,8 @@ WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
   }
   if (mesh.source == nullptr || result.original.size() != mesh.vertex_count()) {
     throw InputError(
-        "a step made other triangles, which have no displacements from the mesh that "
-        "was read; leave out \"save_as\", or keep the triangles");
+        "a step changed the connectivity, so displacements are undefined; remove \"save_as\", or "
+        "keep the connectivity (\"remesh\": \"none\")");
   }
   Mesh rest = mesh;
   rest.positions = result.original;
@@ -158,7 +158,7 @@ WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
   const auto table =
       path.parent_path() / (path.stem().string() + "-" + result.morph_target + ".npy");
   files.add(table, npy_bytes(displacements, Scalar::float64));
-  report.notes.push_back("the mesh is saved as it was, and its displacements in " + table.string());
+  report.notes.push_back("the mesh is saved unchanged, and its displacements in " + table.string());
   return report;
 }
 
@@ -166,9 +166,9 @@ WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
 
 void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
                  const SaveOptions& options) {
-  const Uncancelled whole;  // all of the files, or none
+  const CancellationGuard whole;  // all of the files, or none
   const Stopwatch watch;
-  // Reject what cannot be written before anything is written.
+  // Before anything is written, reject outputs that cannot be.
   static_cast<void>(format_of(path));
   require_targets(result.carried, path, result.inputs);
   const bool marked = options.vertex_motion;
@@ -181,7 +181,7 @@ void save_result(RunResult& result, const std::filesystem::path& path, FileRepla
   };
   add(write_carried(result.carried, path, files));
   if (result.morph_target.empty()) {
-    add(write_mesh(mesh, path, files, {.anew = marked, .made_from = result.read_from}));
+    add(write_mesh(mesh, path, files, {.anew = marked, .original_file = result.read_from}));
   } else {
     add(write_morph_target(mesh, result, path, files));
   }

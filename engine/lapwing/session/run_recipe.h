@@ -10,7 +10,7 @@ struct RunOptions {
   /// Fills StepReport::vertices, except for steps that change the triangles.
   bool measure_vertices = false;
   /// Source of the recipe's meshes; null: files only.
-  const MeshShelf* meshes = nullptr;
+  const MeshCache* meshes = nullptr;
 };
 
 /// Reads the recipe's mesh, checks it, and runs the steps in order on `kernels`, which must outlive
@@ -27,10 +27,10 @@ struct SaveOptions {
   bool vertex_motion = false;
 };
 
-/// Writes the carried files (CarriedFile), then the mesh. Adds to the report what the formats could
-/// not hold, and the time. Throws InputError, and writes nothing, if a format is unknown or if a
-/// carried file would replace the result, an input or another carried file. Throws as `write_mesh`
-/// does, and InputError for a vertex motion in a format other than PLY.
+/// Writes the carried files (AttachmentFile), then the mesh. Adds to the report what the formats
+/// could not hold, and the time. Throws InputError, and writes nothing, if a format is unknown or
+/// if a carried file would replace the result, an input or another carried file. Throws as
+/// `write_mesh` does, and InputError for a vertex motion in a format other than PLY.
 void save_result(RunResult& result, const std::filesystem::path& path,
                  const SaveOptions& options = {});
 /// The same for some of several files, which appear when `files` are committed.

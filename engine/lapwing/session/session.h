@@ -23,7 +23,7 @@ namespace lapwing {
 class Session {
  public:
   /// Both must outlive the session.
-  Session(Kernels& kernels, const MeshShelf& meshes) : kernels_(kernels), meshes_(meshes) {}
+  Session(Kernels& kernels, const MeshCache& meshes) : kernels_(kernels), meshes_(meshes) {}
 
   /// Runs `recipe` as `run_recipe` does. The report keeps the timings of reused steps and omits the
   /// stages that a kept preparation saved.
@@ -42,7 +42,7 @@ class Session {
   void run_step_at(Fork& fork, const Recipe& recipe, const Progress& progress, RunResult& result);
 
   Kernels& kernels_;
-  const MeshShelf& meshes_;
+  const MeshCache& meshes_;
   Recipe last_;
   std::size_t common_ = 0;   ///< number of common first steps of the last two recipes
   std::vector<Fork> forks_;  ///< of the last recipe, in order

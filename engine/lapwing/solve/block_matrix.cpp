@@ -54,7 +54,7 @@ BlockGraph block_graph(const BlockPattern& pattern) {
   const std::size_t n = pattern.size();
   if (2 * pattern.rows.size() >= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw SolverError("the system has " + std::to_string(pattern.rows.size()) +
-                      " blocks, more than the ordering can number; choose a smaller region");
+                      " blocks, more than the ordering can index; choose a smaller region");
   }
   BlockGraph graph;
   CancelCheck check;

@@ -6,7 +6,7 @@
 namespace lapwing {
 
 void BlockSolver::analyze_as(std::shared_ptr<const SolverAnalysis> /*analysis*/) {
-  throw SolverError("this solver cannot use the analysis of another one; call analyze");
+  throw SolverError("this solver cannot use the analysis of another solver; call analyze");
 }
 
 void BlockSolver::solve_in_places(std::span<double> X, std::size_t columns,

@@ -67,13 +67,13 @@ class BlockSolver {
   virtual void prepare_memory() {}
 
   /// Factorizes a matrix with the analyzed pattern. Throws NotPositiveDefinite.
-  virtual void factor(const BlockMatrix& matrix) = 0;
+  virtual void factorize(const BlockMatrix& matrix) = 0;
 
   /// Like `factor`, for a matrix that differs from the last one factored only in the diagonal
   /// blocks `changed` (block columns, in any order). A solver may reuse the rest.
-  virtual void refactor_diagonal(const BlockMatrix& matrix,
-                                 [[maybe_unused]] std::span<const Index> changed) {
-    factor(matrix);
+  virtual void refactorize_diagonal(const BlockMatrix& matrix,
+                                    [[maybe_unused]] std::span<const Index> changed) {
+    factorize(matrix);
   }
 
   /// Solves A X = B for `columns` right-hand sides stored one after the other, A.scalar_size()

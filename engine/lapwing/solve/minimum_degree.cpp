@@ -17,7 +17,7 @@ std::vector<int> minimum_degree(const BlockGraph& graph, double* operations) {
   const std::size_t edges = graph.neighbours.size();
   const std::size_t room = edges + edges / 5 + n + 1;  // as AMD advises
   if (room > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw SolverError("the minimum degree ordering cannot number " + std::to_string(edges) +
+    throw SolverError("the minimum degree ordering cannot index " + std::to_string(edges) +
                       " couplings of " + std::to_string(n) + " vertices; choose a smaller region");
   }
   std::vector<int> lists;

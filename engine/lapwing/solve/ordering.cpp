@@ -8,7 +8,7 @@
 #include <metis.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/solve/abandonable.h"
+#include "lapwing/solve/detached.h"
 #include "lapwing/solve/minimum_degree.h"
 
 namespace lapwing {
@@ -22,7 +22,7 @@ static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit ind
 template <typename Order>
 std::vector<int> cancellable(std::size_t nodes, Order order) {
   if (nodes <= kQuickToOrder) return order();
-  return run_abandonable(std::move(order));
+  return run_detached(std::move(order));
 }
 
 std::vector<int> nested_dissection(BlockGraph graph) {
@@ -32,13 +32,14 @@ std::vector<int> nested_dissection(BlockGraph graph) {
   const int status = METIS_NodeND(&n, graph.starts.data(), graph.neighbours.data(), nullptr,
                                   nullptr, order.data(), inverse.data());
   if (status != METIS_OK) {
-    throw SolverError("the nested dissection failed (METIS status " + std::to_string(status) +
-                      "); out of memory at " + std::to_string(n) + " vertices");
+    throw SolverError("the nested dissection of " + std::to_string(n) +
+                      " vertices failed (METIS status " + std::to_string(status) +
+                      "), probably out of memory; choose a smaller region");
   }
   return order;
 }
 
-std::vector<int> as_they_stand(std::size_t n) {
+std::vector<int> identity_order(std::size_t n) {
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
   return order;
@@ -49,7 +50,7 @@ std::vector<int> as_they_stand(std::size_t n) {
 MinimumDegreeOrder minimum_degree_order(const BlockPattern& pattern) {
   const std::size_t n = pattern.size();
   BlockGraph graph = block_graph(pattern);
-  if (graph.neighbours.empty()) return {as_they_stand(n), static_cast<double>(n)};
+  if (graph.neighbours.empty()) return {identity_order(n), static_cast<double>(n)};
   // Shared, because an abandoned thread outlives this call and still writes the number.
   const auto operations = std::make_shared<double>(0.0);
   std::vector<int> order = cancellable(n, [operations, graph = std::move(graph)] {
@@ -65,7 +66,7 @@ std::vector<int> fill_reducing_order(const BlockPattern& pattern, Ordering order
     return minimum_degree_order(pattern).order;
   }
   BlockGraph graph = block_graph(pattern);
-  if (graph.neighbours.empty()) return as_they_stand(n);
+  if (graph.neighbours.empty()) return identity_order(n);
   return cancellable(n, [graph = std::move(graph)] { return nested_dissection(graph); });
 }
 

@@ -31,7 +31,7 @@ ScalarLower scalar_lower_pattern(const BlockPattern& pattern, int block_size) {
   const std::size_t entries = pattern.rows.size() * b * b - pattern.size() * (b * (b - 1) / 2);
   if (entries >= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw SolverError("the system has " + std::to_string(entries) +
-                      " entries, more than this solver can number; choose a smaller region");
+                      " entries, more than this solver can index; choose a smaller region");
   }
   ScalarLower lower(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
   lower.resizeNonZeros(static_cast<Eigen::Index>(entries));

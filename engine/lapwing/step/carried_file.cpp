@@ -26,11 +26,11 @@ std::string lowered_extension(const fs::path& path) {
 
 Mesh read_carried_mesh(const fs::path& file) {
   Mesh mesh = read_mesh(file);
-  if (mesh.positions.empty()) throw InputError(file.string() + ": it has no vertex to carry");
+  if (mesh.positions.empty()) throw InputError(file.string() + ": it has no vertices to carry");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v].allFinite()) continue;
     throw InputError(file.string() + ": the position of vertex " + std::to_string(v) +
-                         " is not finite; lapwing check --fix repairs a mesh",
+                         " is not finite; repair the mesh with `lapwing check --fix`",
                      {static_cast<Index>(v)});
   }
   return mesh;
@@ -87,14 +87,15 @@ bool turn_attributes(std::span<const Quaterniond> rotations, Mesh& mesh) {
 
 }  // namespace
 
-CarriedFile::CarriedFile(fs::path file) : file_(std::move(file)), content_(read_content(file_)) {}
+AttachmentFile::AttachmentFile(fs::path file)
+    : file_(std::move(file)), content_(read_content(file_)) {}
 
-const Positions& CarriedFile::positions() const {
+const Positions& AttachmentFile::positions() const {
   return std::visit([](const auto& content) -> const Positions& { return content.positions; },
                     content_);
 }
 
-void CarriedFile::move(CarriedPoints carried) {
+void AttachmentFile::move(CarriedPoints carried) {
   if (auto* points = std::get_if<PointTable>(&content_)) {
     turn_normals(carried.rotations, points->normals);
     for (std::size_t p = 0; p < points->rotations.size(); ++p) {
@@ -114,11 +115,11 @@ fs::path carried_path(const fs::path& file, const fs::path& result) {
   return result.parent_path() / (whole.stem().string() + "-carried" + whole.extension().string());
 }
 
-fs::path CarriedFile::target(const fs::path& result) const {
+fs::path AttachmentFile::target(const fs::path& result) const {
   return save.empty() ? carried_path(file_, result) : save;
 }
 
-WriteReport CarriedFile::write(const fs::path& target, FileReplacements& files) const {
+WriteReport AttachmentFile::write(const fs::path& target, FileReplacements& files) const {
   if (const auto* mesh = std::get_if<Mesh>(&content_)) {
     return write_mesh(*mesh, target, files, {.anew = turns_properties_});
   }
@@ -126,38 +127,40 @@ WriteReport CarriedFile::write(const fs::path& target, FileReplacements& files) 
   return {};
 }
 
-void CarriedFile::require_format(const fs::path& target) const {
+void AttachmentFile::require_format(const fs::path& target) const {
   if (std::holds_alternative<Mesh>(content_)) {
     format_of(target);
   } else if (lowered_extension(target) != lowered_extension(file_)) {
-    throw InputError(target.string() + ": a table is saved as it was read; name it " +
+    throw InputError(target.string() + ": a table keeps its format; end its name in " +
                      file_.extension().string());
   }
 }
 
-void require_targets(std::span<const CarriedFile> files, const fs::path& result,
+void require_targets(std::span<const AttachmentFile> files, const fs::path& result,
                      std::span<const fs::path> inputs) {
   std::vector<fs::path> taken{result};
-  for (const CarriedFile& file : files) {
+  for (const AttachmentFile& file : files) {
     const fs::path target = file.target(result);
     const auto refuse = [&](const std::string& why) {
       throw InputError(file.file().string() + ": it would be saved as " + target.string() + ", " +
-                       why + "; give it another \"save\"");
+                       why + "; give it another name with \"save\"");
     };
     file.require_format(target);
     const auto is_target = [&](const fs::path& path) { return is_same_file(path, target); };
-    if (std::any_of(inputs.begin(), inputs.end(), is_target)) refuse("which the edit reads");
+    if (std::any_of(inputs.begin(), inputs.end(), is_target)) {
+      refuse("which is an input of the edit");
+    }
     if (std::any_of(taken.begin(), taken.end(), is_target)) {
-      refuse("where another result of the edit goes");
+      refuse("which is another result of the edit");
     }
     taken.push_back(target);
   }
 }
 
-WriteReport write_carried(std::span<const CarriedFile> files, const fs::path& result,
+WriteReport write_carried(std::span<const AttachmentFile> files, const fs::path& result,
                           FileReplacements& written) {
   WriteReport all;
-  for (const CarriedFile& file : files) {
+  for (const AttachmentFile& file : files) {
     const fs::path target = file.target(result);
     const std::string name = target.filename().string() + ": ";
     const WriteReport report = file.write(target, written);

@@ -22,11 +22,11 @@ std::filesystem::path carried_path(const std::filesystem::path& file,
 /// table of points. The quaternions of the points (columns or PLY properties qw, qx, qy, qz) and
 /// the normals of a cloud or table rotate with the surface. The normals of a mesh are recomputed
 /// from its faces, as after every edit.
-class CarriedFile {
+class AttachmentFile {
  public:
   /// Reads `file`. Throws as `read_mesh` and `read_point_table` do. Throws InputError, naming the
   /// vertex, if a mesh has no vertices or a position that is not finite.
-  explicit CarriedFile(std::filesystem::path file);
+  explicit AttachmentFile(std::filesystem::path file);
 
   const std::filesystem::path& file() const { return file_; }
   /// The path to save to, or empty if no step names one.
@@ -57,12 +57,12 @@ class CarriedFile {
 
 /// Throws InputError unless all `files` can be written beside `result`. No target may be the
 /// result, an input or the target of another file.
-void require_targets(std::span<const CarriedFile> files, const std::filesystem::path& result,
+void require_targets(std::span<const AttachmentFile> files, const std::filesystem::path& result,
                      std::span<const std::filesystem::path> inputs);
 
 /// Writes each file to its target beside `result` and adds it to `written`. Each line of the report
-/// begins with the name of the target. Throws as `CarriedFile::write` does.
-WriteReport write_carried(std::span<const CarriedFile> files, const std::filesystem::path& result,
-                          FileReplacements& written);
+/// begins with the name of the target. Throws as `AttachmentFile::write` does.
+WriteReport write_carried(std::span<const AttachmentFile> files,
+                          const std::filesystem::path& result, FileReplacements& written);
 
 }  // namespace lapwing

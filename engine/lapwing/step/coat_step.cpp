@@ -12,58 +12,59 @@ namespace {
 using Profile = Transition::Profile;
 
 constexpr StepKey kTargetPatch{.name = "target_patch",
-                               .help = "where it is put, a disk",
+                               .help = "the patch that gets the detail; must be a disk",
                                .required = true,
                                .flag_default = "all"};
 
 void describe_detail_size(CoatSource& source, KeyVisitor& visitor) {
   visitor.number({.name = "detail_size",
-                  .help = "a length on the source: what is smaller is its coating. A wave half as "
-                          "long is carried over to 94%, one as long to a half, one twice as long "
-                          "to 6%",
+                  .help = "a length on the source: features smaller than this are its coating. "
+                          "Waves half as long are transferred to 94%, waves of this length to 50%, "
+                          "waves twice as long to 6%",
                   .required = true},
                  source.detail_size, kAboveZero);
 }
 
 void describe_surface(CoatParameters& parameters, KeyVisitor& visitor) {
   visitor.number({.name = "smooth_target",
-                  .help = "a length on the target: its own features smaller than this go first; 0 "
-                          "keeps them below the coating"},
+                  .help = "a length on the target: its own features smaller than this are removed "
+                          "first; 0 keeps them under the coating"},
                  parameters.smooth_target, kLength);
   describe(parameters.weights, visitor);
-  visitor.choice({.name = "domain", .help = "what both patches are laid into"}, parameters.domain,
-                 {{Domain::disk, "disk"}, {Domain::square, "square"}});
+  visitor.choice({.name = "domain", .help = "the shape that both patches are mapped to"},
+                 parameters.domain, {{Domain::disk, "disk"}, {Domain::square, "square"}});
 }
 
 void describe_laying(CoatSource& source, KeyVisitor& visitor) {
   visitor.pairs({.name = "boundary_pairs",
-                 .help = "a vertex of the source's border and the one of the target's that it "
-                         "comes to; four in order around for the square. Without them the patches' "
-                         "principal directions are laid on each other, or what inner pairs ask "
-                         "for; the report has the pairs",
+                 .help = "a vertex on the source's boundary and the vertex on the target's "
+                         "boundary that it maps to; the square needs four, in order around the "
+                         "boundary. The default pairs align the patches' principal directions, or "
+                         "fit the inner pairs; the report lists them",
                  .absent = "chosen",
                  .flag = "boundary-pair"},
                 source.boundary_pairs);
   visitor.pairs({.name = "inner_pairs",
-                 .help = "inner vertices that come to lie on each other",
+                 .help = "an inner vertex of the source and the inner vertex of the target that it "
+                         "maps to",
                  .absent = "none",
                  .flag = "inner-pair"},
                 source.inner_pairs);
   describe(source.sampling, visitor);
-  visitor.number(
-      {.name = "amplitude", .help = "of the coating; 0 leaves the target, negative engraves"},
-      source.amplitude, kAnyNumber);
+  visitor.number({.name = "amplitude",
+                  .help = "factor of the coating; 0 adds no coating, a negative value engraves it"},
+                 source.amplitude, kAnyNumber);
 }
 
 void describe_fading(CoatParameters& parameters, KeyVisitor& visitor) {
   visitor.object({.name = "transition",
-                  .help = "the coating fades in over this width from the patch's border; 0 is a "
-                          "step. Wider than half the patch, it leaves little",
-                  .absent = "the detail size there"},
+                  .help = "the coating fades in over this width from the patch's boundary; 0 is a "
+                          "step. If it exceeds half the patch's width, little coating is left",
+                  .absent = "the detail size on the target"},
                  parameters.transition, ObjectForm::optional);
   visitor.choice({.name = "remesh",
-                  .help = "makes the patch finer where it is too coarse for what comes to it; "
-                          "nothing outside changes",
+                  .help = "refine the patch if it is too coarse for its coating; nothing outside "
+                          "changes",
                   .off_flag = "no-remesh",
                   .off_help = "keep the target's triangles, however coarse they are"},
                  parameters.remesh, {{Remeshing::automatic, "auto"}, {Remeshing::none, "none"}});
@@ -76,11 +77,11 @@ void require_pairs(const CoatSource& source, Domain domain, const std::string& p
   visitor.require(
       count == 0 || count == pin_count(domain), pointer,
       domain == Domain::disk
-          ? "the disk takes one pair of boundary vertices, got " + got
-          : "the square takes four pairs of boundary vertices, in order around, got " + got);
+          ? "the disk needs one pair of boundary vertices, got " + got
+          : "the square needs four pairs of boundary vertices in order around it, got " + got);
 }
 
-std::vector<SharedSource> read_sources(std::span<const FileSource> sources, const StepRun& on,
+std::vector<SharedSource> read_sources(std::span<const FileSource> sources, const StepContext& on,
                                        StageTimings& timings) {
   std::vector<SharedSource> meshes;
   stage("source", timings, on.progress,
@@ -127,14 +128,15 @@ StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions po
 
 void describe(CoatOptions& options, KeyVisitor& visitor) {
   visitor.choice({.name = "sampling",
-                  .help = "of the coating's Laplacians: each target ring laid on the source, or "
-                          "interpolated between the source's vertices, so that a finer target does "
-                          "not show its triangles"},
+                  .help = "how the coating's Laplacians are sampled: from each target ring mapped "
+                          "to the source, or interpolated between the source's vertices, so that a "
+                          "finer target does not show the source's triangles"},
                  options.sampling,
                  {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
   visitor.number({.name = "scale",
-                  .help = "of the coating on the target over that on the source; by itself the "
-                          "local ratio of lengths, at most four times that of the patches",
+                  .help = "ratio of the coating's size on the target to its size on the source; "
+                          "`auto` uses the local ratio of lengths, at most four times that of the "
+                          "patches",
                   .automatic = true},
                  options.scale,
                  {.least = 0.0, .takes_least = false, .slider_from = 0.1, .slider_to = 10.0});
@@ -148,11 +150,12 @@ void describe(CoatParameters& parameters, KeyVisitor& visitor) {
 void describe(Transition& transition, KeyVisitor& visitor) {
   visitor.number(
       {.name = "width",
-       .help = "over which one detail goes over into the other; chosen if there is no transition",
+       .help = "width over which one detail blends into the other; chosen automatically if there "
+               "is no `transition`",
        .required = true,
        .flag = "transition"},
       transition.width, kLength);
-  visitor.choice({.name = "profile", .help = "of the transition"}, transition.profile,
+  visitor.choice({.name = "profile", .help = "profile of the transition"}, transition.profile,
                  {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
 }
 
@@ -161,11 +164,11 @@ void describe(CoatStep& step, KeyVisitor& visitor) {
   visitor.where(step.source.where);
   visitor.file(
       {.name = "source",
-       .help = "the file with the detail; without it, the mesh as the steps before made it",
+       .help = "the file with the detail; by default the mesh as the previous steps left it",
        .absent = "the mesh itself"},
       step.source.mesh);
   visitor.region({.name = "source_patch",
-                  .help = "where the detail is taken, a disk",
+                  .help = "the patch whose detail is copied; must be a disk",
                   .required = true,
                   .flag_default = "all"},
                  step.source.patch);
@@ -182,7 +185,7 @@ void describe(FileSource& source, KeyVisitor& visitor) {
   visitor.file({.name = "mesh", .help = "the file with the detail", .absent = "the mesh itself"},
                source.mesh);
   visitor.region({.name = "patch",
-                  .help = "where the detail is taken, a disk",
+                  .help = "the patch whose detail is copied; must be a disk",
                   .required = true,
                   .flag_default = "all"},
                  source.patch);
@@ -194,33 +197,33 @@ void describe(MixStep& step, KeyVisitor& visitor) {
   static constexpr std::array<std::string_view, 2> kPrefixes{"first", "second"};
   visitor.where(step.where);
   visitor.region(kTargetPatch, step.target_patch);
-  visitor.list({.name = "sources", .help = "two, each with these keys", .required = true},
+  visitor.list({.name = "sources", .help = "two sources, each with these keys", .required = true},
                step.sources, {"two sources", "{\"op\": \"coat\"} takes one", kPrefixes});
   visitor.choice({.name = "take",
-                  .help = "what is mixed: the detail below each detail size, over the target; or "
-                          "all of both surfaces in the target's place, between the borders that "
-                          "stay"},
+                  .help = "what is mixed: the detail smaller than each detail size, added to the "
+                          "target; or the whole shape of both surfaces, which replaces the target "
+                          "inside its fixed boundary"},
                  step.taken, {{Taken::coating, "coating"}, {Taken::shape, "shape"}});
   visitor.weight({.name = "weight",
-                  .help = "the second source's share: by distance from a region, by the v of the "
-                          "square domain, or painted",
+                  .help = "the second source's share: by distance from a region, by the coordinate "
+                          "v of the square domain, or painted",
                   .required = true},
                  step.weight);
-  visitor.choice({.name = "profile", .help = "of the weight", .flag = "weight-profile"},
+  visitor.choice({.name = "profile", .help = "profile of the weight", .flag = "weight-profile"},
                  step.weight.profile, {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
   visitor.only_when(!std::holds_alternative<PaintedWeight>(step.weight.form), "profile",
-                    "a painted field is taken as it is; remove \"profile\"");
+                    "a painted field has no profile; remove \"profile\"");
   visitor.handles({.name = "handles",
-                   .help = "as those of deform, inside the patch: moved in the same solve",
+                   .help = "handles as in deform, inside the patch; they move in the same solve",
                    .absent = "none"},
                   step.handles, HandleForm::firm);
   describe_surface(step.parameters, visitor);
   describe_fading(step.parameters, visitor);
   const Domain domain = step.parameters.domain;
-  visitor.require(
-      domain == Domain::square || !std::holds_alternative<DomainRamp>(step.weight.form),
-      "weight/domain_v",
-      "only the square domain has a v; add \"domain\": \"square\", or weigh by distance");
+  visitor.require(domain == Domain::square || !std::holds_alternative<DomainRamp>(step.weight.form),
+                  "weight/domain_v",
+                  "only the square domain has a coordinate v; add \"domain\": \"square\", or use "
+                  "\"distance_to\"");
   for (std::size_t k = 0; k < step.sources.size(); ++k) {
     require_pairs(step.sources[k], domain, "sources/" + std::to_string(k) + "/boundary_pairs",
                   visitor);
@@ -229,7 +232,7 @@ void describe(MixStep& step, KeyVisitor& visitor) {
 
 std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
                                              const std::filesystem::path& base_directory,
-                                             const MeshShelf& meshes) {
+                                             const MeshCache& meshes) {
   std::vector<SharedSource> all;
   for (const FileSource& source : sources) {
     all.push_back(source.mesh.empty() ? nullptr : meshes.mesh(base_directory, source.mesh));
@@ -237,7 +240,7 @@ std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources
   return all;
 }
 
-StepReport run_step(const CoatStep& step, const StepRun& on) {
+StepReport run_step(const CoatStep& step, const StepContext& on) {
   StageTimings timings;
   const std::vector<SharedSource> sources = read_sources({&step.source, 1}, on, timings);
   const PreparedCoat coat({step.source, step.target_patch, step.parameters, step.where},
@@ -246,7 +249,7 @@ StepReport run_step(const CoatStep& step, const StepRun& on) {
                    on.result);
 }
 
-StepReport run_step(const MixStep& step, const StepRun& on) {
+StepReport run_step(const MixStep& step, const StepContext& on) {
   StageTimings timings;
   const std::vector<SharedSource> sources = read_sources(step.sources, on, timings);
   const LayeredCoat mix(layered(step), on.result.mesh, sources, on.kernels, on.progress);

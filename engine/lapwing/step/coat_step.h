@@ -36,8 +36,8 @@ void describe(MixStep& step, KeyVisitor& visitor);
 
 /// Runs the step. If the patch has to be remeshed, `mesh` and `original` of the result are
 /// afterwards those of the finer mesh.
-StepReport run_step(const CoatStep& step, const StepRun& on);
-StepReport run_step(const MixStep& step, const StepRun& on);
+StepReport run_step(const CoatStep& step, const StepContext& on);
+StepReport run_step(const MixStep& step, const StepContext& on);
 
 /// Groups of keys that the panels show.
 void describe(CoatParameters& parameters, KeyVisitor& visitor);
@@ -49,6 +49,6 @@ void describe(FileSource& source, KeyVisitor& visitor);
 /// a source without a file. Throws as `read_mesh` does.
 std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
                                              const std::filesystem::path& base_directory,
-                                             const MeshShelf& meshes);
+                                             const MeshCache& meshes);
 
 }  // namespace lapwing

@@ -15,7 +15,7 @@ namespace lapwing {
 namespace {
 
 constexpr const char* kMirrorsInParts =
-    "a matrix that mirrors cannot be carried out in parts; leave out \"commit_every\"";
+    "a matrix that mirrors cannot be divided into substeps; remove \"commit_every\"";
 
 class Validation final : public KeyVisitor {
  public:
@@ -42,8 +42,8 @@ void require_orientations(const DeformRequest& step, KeyVisitor& visitor) {
     visitor.require(
         step.handles[k].orientation == HandleOrientation::kept || may_be_free,
         "handles/" + std::to_string(k) + "/orientation",
-        "a free handle needs a surface that settles at once, with soft constraints; leave out "
-        "\"hard\", \"commit_every\" and \"settle\": false, or keep the orientation");
+        "a free handle requires settling with soft constraints; remove \"hard\", \"commit_every\" "
+        "and \"settle\": false, or keep the orientation");
   }
 }
 
@@ -56,25 +56,26 @@ void require_paths(const DeformRequest& step, KeyVisitor& visitor) {
     const std::string place = "handles/" + std::to_string(k) + "/path";
     if (first == nullptr) first = &path;
     visitor.require(path.size() == first->size(), place,
-                    "expected as many moves as the other handles' paths have, " +
-                        std::to_string(first->size()) + ", got " + std::to_string(path.size()));
+                    "expected " + std::to_string(first->size()) +
+                        " moves, as in the paths of the other handles, got " +
+                        std::to_string(path.size()));
     visitor.require(!step.parameters.commit_every, place,
-                    "a move along a path is not made in parts; leave out \"commit_every\"");
+                    "a path excludes \"commit_every\"; remove one of the two");
   }
 }
 
 // Opens the files that no earlier step opened. Returns the indices of `files` in
 // `on.result.carried`.
-std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const StepRun& on) {
-  std::vector<CarriedFile>& open = on.result.carried;
+std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const StepContext& on) {
+  std::vector<AttachmentFile>& open = on.result.carried;
   std::vector<std::size_t> chosen;
   for (const CarrySpec& spec : files) {
     const std::filesystem::path path = (on.base_directory / spec.file).lexically_normal();
     auto at = std::find_if(open.begin(), open.end(),
-                           [&](const CarriedFile& file) { return file.file() == path; });
+                           [&](const AttachmentFile& file) { return file.file() == path; });
     const auto number = static_cast<std::size_t>(at - open.begin());
     if (at == open.end()) {
-      at = open.insert(at, CarriedFile(path));
+      at = open.insert(at, AttachmentFile(path));
       on.result.inputs.push_back(split_mesh_path(path).file);
     }
     if (!spec.save.empty()) at->save = on.base_directory / spec.save;
@@ -91,15 +92,17 @@ bool allows_free_handles(const DeformParameters& parameters) {
 
 void describe(LaplacianWeights& weights, KeyVisitor& visitor) {
   visitor.choice(
-      {.name = "weights", .help = "of the Laplacians"}, weights,
+      {.name = "weights", .help = "edge weights of the Laplacian"}, weights,
       {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
 }
 
 void describe(SettleOptions& settle, KeyVisitor& visitor) {
   visitor.number({.name = "tolerance",
-                  .help = "settling ends when no vertex would move farther, in mean edge lengths"},
+                  .help = "settling ends when no vertex would move farther than this, in mean edge "
+                          "lengths"},
                  settle.tolerance, kAboveZero);
-  visitor.whole({.name = "max_iterations", .help = "settling ends after so many, settled or not"},
+  visitor.whole({.name = "max_iterations",
+                 .help = "settling ends after this many iterations, settled or not"},
                 settle.max_iterations, {.least = 1, .most = 1e6});
 }
 
@@ -107,50 +110,51 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor) {
   describe(parameters.weights, visitor);
   visitor.number({.name = "detail_length",
                   .help = "details smaller than this keep their shape; beyond it the surface bends "
-                          "and stretches like an elastic sheet. A share of the ROI's radius, the "
-                          "root mean square distance of its surface from its centroid"},
+                          "and stretches like an elastic sheet. A fraction of the ROI's radius, "
+                          "the root mean square distance of its surface from its centroid"},
                  parameters.detail_length,
                  {.least = kLeastDetailLength,
                   .most = kMostDetailLength,
                   .slider_from = 0.01,
                   .slider_to = 1.0});
   visitor.choice({.name = "response",
-                  .help = "the linear response that a drag begins with: of the energy, or the "
-                          "paper's; with `settle` off, `rsi` is the paper's equation 10"},
+                  .help = "the linear response from which a drag starts: that of the energy, or "
+                          "that of the paper. With `settle` off, `rsi` solves the paper's equation "
+                          "10"},
                  parameters.response,
                  {{LinearResponse::tangent, "tangent"}, {LinearResponse::rsi, "rsi"}});
   visitor.number({.name = "constraint_weight",
-                  .help = "how strongly belt and handles hold, in the least squares"},
+                  .help = "weight of belt and handles in the least-squares system"},
                  parameters.constraint_weight, kWeight);
   visitor.boolean({.name = "hard", .help = "hold belt and handles exactly"}, parameters.hard);
   visitor.object({.name = "settle",
-                  .help = "minimize the energy; off leaves the linear response, which is right for "
-                          "small angles only",
+                  .help = "minimize the energy; off keeps the linear response, which is accurate "
+                          "for small angles only",
                   .off_flag = "no-settle",
-                  .off_help = "leave the linear response, which is right for small angles only"},
+                  .off_help = "keep the linear response, which is accurate for small angles only"},
                  parameters.settle, ObjectForm::boolean);
   visitor.number({.name = "commit_every",
-                  .help = "make a larger turn in equal parts of at most this many degrees, each "
-                          "the rest shape of the next",
+                  .help = "divide a larger turn into equal substeps of at most this many degrees, "
+                          "each the rest shape of the next",
                   .absent = "off"},
                  parameters.commit_every,
                  {.least = 0.0,
                   .most = kLargestSettledTurnDegrees,
                   .takes_least = false,
-                  .reason = "past half a turn the other way round is shorter",
+                  .reason = "beyond half a turn the opposite direction is shorter",
                   .first = 90.0});
   visitor.choice({.name = "loose",
                   .help = "components that no handle, belt or vertex outside the ROI holds: they "
-                          "ride along with the surface nearest to them, stay, or are an error"},
+                          "are carried along with the nearest surface, stay, or are an error"},
                  parameters.loose,
                  {{LoosePolicy::carry, "carry"},
                   {LoosePolicy::leave, "leave"},
                   {LoosePolicy::refuse, "refuse"}});
   visitor.choice(
       {.name = "seams",
-       .help = "boundary edges at one place with vertices of their own, as at hard edges "
-               "and where texture coordinates jump: they are edited as one surface and "
-               "stay closed, or move apart"},
+       .help = "boundary edges that coincide but have separate vertices, as at hard edges "
+               "and texture seams: they are edited as one surface and stay closed, or may "
+               "move apart"},
       parameters.seams, {{SeamPolicy::join, "join"}, {SeamPolicy::leave, "leave"}});
 }
 
@@ -164,22 +168,24 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                 .help = "the part of the ROI that stays: the outer fraction of it, or a region"},
                step.belt);
   visitor.handles({.name = "handles",
-                   .help = "the parts that are placed: each a region and its move",
+                   .help = "the parts that you move: each a region and its move",
                    .absent = "none"},
                   step.handles, HandleForm::graded);
   visitor.targets(
       {.name = "targets",
-       .help = "points of the surface, and where each goes: rows of vertex, x, y, z, or "
-               "of a place whose nearest point is meant and x, y, z; a weight may follow",
+       .help = "points of the surface and their prescribed positions: rows of vertex, x, y, "
+               "z, or of px, py, pz, x, y, z for the surface point nearest to p; a weight may "
+               "follow",
        .absent = "none"},
       step.targets);
   visitor.mirror({.name = "mirror",
-                  .help = "ROI, belt, handles and targets on both sides of a plane: found from the "
-                          "shape, a coordinate plane (x = 0), or any",
+                  .help = "apply ROI, belt, handles and targets on both sides of a plane: the "
+                          "plane of symmetry found from the shape, a coordinate plane (x = 0), or "
+                          "any plane",
                   .absent = "none"},
                  step.mirror);
   visitor.carry({.name = "carry",
-                 .help = "other files that follow the surface, each point with what is nearest to "
+                 .help = "other files that follow the surface, each point with the part nearest to "
                          "it: meshes, point clouds, tables of x, y, z with a normal or quaternion",
                  .absent = "none"},
                 step.carry);
@@ -195,7 +201,7 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
   }
 }
 
-StepReport run_step(const DeformRequest& step, const StepRun& on) {
+StepReport run_step(const DeformRequest& step, const StepContext& on) {
   DeformRequest named = step;
   if (on.number > 0) named.where = "step " + std::to_string(on.number);
   named.carry.clear();
@@ -213,7 +219,7 @@ StepReport run_step(const DeformRequest& step, const StepRun& on) {
   Deformed done = deform(std::move(result.mesh), named, on.kernels, result.deformed, on.progress);
   if (!carried.empty()) {
     stage("carry", done.timings, on.progress, [&] {
-      const SurfaceCarrier carrier(rest, done);
+      const AttachmentDeformer carrier(rest, done);
       for (const std::size_t k : carried) {
         result.carried[k].move(carrier.carry(result.carried[k].positions()));
       }
@@ -251,9 +257,9 @@ void require_valid(const Move& move, const DeformParameters& parameters) {
                         (!pivot || pivot->allFinite());
     if (!finite) throw InputError("move: a number is not finite; move the handle less");
     if (!(scale.minCoeff() > 0.0))
-      throw InputError("move: the scale must be above 0; a matrix can mirror");
+      throw InputError("move: the scale must be above 0; to mirror, use a matrix");
     if (!(rotate.axis.norm() > 0.0)) {
-      throw InputError("move: the axis has no length; name a direction");
+      throw InputError("move: the axis is zero; give a direction");
     }
   } else if (!std::get<MatrixMove>(move).matrix.allFinite()) {
     throw InputError("move: a number is not finite; move the handle less");

@@ -11,7 +11,7 @@ constexpr OperationWords words_of(const DeformRequest*) {
   return {"deform", "bend a region by its handles"};
 }
 void describe(DeformRequest& step, KeyVisitor& visitor);
-StepReport run_step(const DeformRequest& step, const StepRun& on);
+StepReport run_step(const DeformRequest& step, const StepContext& on);
 
 /// Returns the report of a deform, without the step's name. Moves the timings and the DeformReport
 /// out of `done`.

@@ -57,7 +57,7 @@ inline constexpr Range kAnyNumber{};
 inline constexpr Range kAboveZero{.least = 0.0, .takes_least = false};
 inline constexpr Range kFromZero{.least = 0.0};
 /// Weight of a constraint.
-inline constexpr Range kWeight{.least = kLeastWeight, .most = kMostWeight};
+inline constexpr Range kWeight{.least = kMinWeight, .most = kMaxWeight};
 /// A length on a mesh. Its slider ends at a quarter of the mesh's size.
 inline constexpr Range kLength{.least = 0.0, .slider_to = 0.25, .of_size = true};
 
@@ -67,7 +67,7 @@ struct Choice {
   std::string_view name;
 };
 
-/// Whether the weights of a handle may vary over its vertices (Grading).
+/// Whether the weights of a handle may vary over its vertices (Falloff).
 enum class HandleForm { firm, graded };
 
 /// How an optional object is written.

@@ -12,13 +12,13 @@ constexpr std::size_t kKeptFiles = 8;
 
 }  // namespace
 
-void MeshShelf::put(const std::filesystem::path& name, Mesh mesh) {
+void MeshCache::put(const std::filesystem::path& name, Mesh mesh) {
   const std::lock_guard lock(mutex_);
   put_[name] = std::make_shared<const Mesh>(std::move(mesh));
 }
 
 // Returns null if the file has to be read.
-std::shared_ptr<const Mesh> MeshShelf::kept(const std::filesystem::path& file) const {
+std::shared_ptr<const Mesh> MeshCache::kept(const std::filesystem::path& file) const {
   const auto at = read_.find(file);
   std::shared_ptr<const Mesh> mesh = at != read_.end() ? at->second.lock() : nullptr;
   if (mesh == nullptr) return nullptr;
@@ -28,7 +28,7 @@ std::shared_ptr<const Mesh> MeshShelf::kept(const std::filesystem::path& file) c
   return mesh;
 }
 
-std::shared_ptr<const Mesh> MeshShelf::mesh(const std::filesystem::path& base_directory,
+std::shared_ptr<const Mesh> MeshCache::mesh(const std::filesystem::path& base_directory,
                                             const std::filesystem::path& name) const {
   const std::filesystem::path file = base_directory / name;
   {

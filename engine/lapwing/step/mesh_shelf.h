@@ -13,7 +13,7 @@ namespace lapwing {
 /// The meshes that recipes name. A mesh comes from memory if it was put there under its name, and
 /// otherwise from a file. The shelf keeps a file's mesh while it is in use or among the last few
 /// requested. It may not notice that a file has changed. Thread-safe.
-class MeshShelf {
+class MeshCache {
  public:
   /// Makes `mesh` stand for the file that recipes call `name`.
   void put(const std::filesystem::path& name, Mesh mesh);

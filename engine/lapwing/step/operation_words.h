@@ -6,7 +6,7 @@ namespace lapwing {
 
 class KeyVisitor;
 struct StepReport;
-struct StepRun;
+struct StepContext;
 
 /// The name of an operation, and its description.
 struct OperationWords {

@@ -12,18 +12,18 @@ namespace lapwing {
 void describe(PeelRequest& step, KeyVisitor& visitor) {
   visitor.where(step.where);
   visitor.region({.name = "region",
-                  .help = "where it comes off; its border stays",
+                  .help = "the region whose detail is removed; its boundary stays fixed",
                   .required = true,
                   .flag_default = "all"},
                  step.region);
   visitor.number({.name = "detail_size",
-                  .help = "a length on the mesh: features smaller than this go",
+                  .help = "a length on the mesh: features smaller than this are removed",
                   .required = true},
                  step.detail_size, kAboveZero);
   describe(step.weights, visitor);
 }
 
-StepReport run_step(const PeelRequest& step, const StepRun& on) {
+StepReport run_step(const PeelRequest& step, const StepContext& on) {
   StepReport report;
   Peeled peeled;
   stage("peel", report.timings, on.progress,

@@ -17,6 +17,6 @@ constexpr OperationWords words_of(const PeelRequest*) {
 }
 void describe(PeelRequest& step, KeyVisitor& visitor);
 /// Runs `peel` and discards the coating.
-StepReport run_step(const PeelRequest& step, const StepRun& on);
+StepReport run_step(const PeelRequest& step, const StepContext& on);
 
 }  // namespace lapwing

@@ -36,7 +36,7 @@ void describe(Step& step, KeyVisitor& visitor) {
   std::visit([&](auto& each) { describe(each, visitor); }, step);
 }
 
-StepReport run_step(const Step& step, const StepRun& on) {
+StepReport run_step(const Step& step, const StepContext& on) {
   // Only another deform on the same triangles can reuse the workspace.
   if (!std::holds_alternative<DeformRequest>(step)) on.result.deformed = {};
   StepReport report = std::visit([&](const auto& each) { return run_step(each, on); }, step);

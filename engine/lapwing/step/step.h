@@ -30,6 +30,6 @@ void describe(Step& step, KeyVisitor& visitor);
 /// Runs `step` on the mesh of `on.result`. The same mesh gives the same bits as in `run_recipe`.
 /// Adds to the report's warnings. Throws as `run_recipe` does; the result must not be used after
 /// that.
-StepReport run_step(const Step& step, const StepRun& on);
+StepReport run_step(const Step& step, const StepContext& on);
 
 }  // namespace lapwing

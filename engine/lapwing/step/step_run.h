@@ -24,7 +24,7 @@ struct RunState {
   /// Region of the last step; empty before the first.
   EditRegion region;
   /// Files that deform steps carried along, at their current positions.
-  std::vector<CarriedFile> carried;
+  std::vector<AttachmentFile> carried;
   std::shared_ptr<const SourceFile> read_from;  ///< source of the mesh before any step
   std::vector<std::filesystem::path> inputs;    ///< all files read, except the recipe
   RunReport report;
@@ -46,13 +46,13 @@ struct RunResult : RunState {
 
 /// Input and output of a step. A step changes the mesh, the original positions, the region, the
 /// carried files, the warnings and the notes of `result`.
-struct StepRun {
+struct StepContext {
   std::size_t number;  ///< of the step in its recipe, from 1; 0 without a recipe
   const std::filesystem::path& base_directory;  ///< of the files that the step names
   Kernels& kernels;
   const Progress& progress;
   RunResult& result;
-  const MeshShelf& meshes;  ///< the meshes that the step names
+  const MeshCache& meshes;  ///< the meshes that the step names
 };
 
 }  // namespace lapwing

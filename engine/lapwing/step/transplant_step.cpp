@@ -11,32 +11,34 @@ namespace lapwing {
 
 void describe(TransplantParameters& parameters, KeyVisitor& visitor) {
   visitor.object({.name = "transition",
-                  .help = "the detail goes over from the host's to the part's within this geodesic "
-                          "distance of the part's loop; narrow is sharp, wide is soft",
-                  .absent = "half the hole's radius or what fits, smooth"},
+                  .help = "the detail blends from the host's to the part's within this geodesic "
+                          "distance of the part's loop; a narrow transition is sharp, a wide one "
+                          "soft",
+                  .absent = "half the hole's radius or the largest that fits, smooth"},
                  parameters.transition, ObjectForm::optional);
   visitor.group({.name = "belt",
-                 .help = "beyond it, on both sides, vertices are free over `padding` and held over "
-                         "`width`; farther away nothing moves, to the last bit",
-                 .absent = "half and a quarter of that"},
+                 .help = "beyond the transition, on both sides, vertices are free over `padding` "
+                         "and held over `width`; farther away no bit changes",
+                 .absent = "half and a quarter of the transition"},
                 parameters.padding || parameters.belt, [&](KeyVisitor& inside) {
                   inside.number({.name = "padding",
-                                 .help = "free on both sides beyond it",
+                                 .help = "width of the free zone beyond the transition",
                                  .absent = "half the transition"},
                                 parameters.padding, kFromZero);
                   inside.number({.name = "width",
-                                 .help = "held beyond that",
-                                 .absent = "a quarter of it",
+                                 .help = "width of the held zone beyond the padding",
+                                 .absent = "a quarter of the transition",
                                  .flag = "belt"},
                                 parameters.belt, kAboveZero);
                 });
   describe(parameters.weights, visitor);
-  visitor.choice({.name = "sampling", .help = "of the Laplacians of what was cut out"},
-                 parameters.sampling,
-                 {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
+  visitor.choice(
+      {.name = "sampling", .help = "how the Laplacians of the replaced region are sampled"},
+      parameters.sampling,
+      {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
   visitor.choice({.name = "remesh",
-                  .help = "makes triangles between the loops and over the transition even where "
-                          "the meshes' scales differ or the strip is wide; none keeps the part's "
+                  .help = "make the triangles between the loops and over the transition uniform if "
+                          "the meshes' scales differ or the strip is wide; `none` keeps the part's "
                           "triangles and the strip",
                   .off_flag = "no-remesh",
                   .off_help = "keep the triangles around the seam, however uneven they are"},
@@ -47,25 +49,25 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
   visitor.where(step.where);
   visitor.part(
       {.name = "part",
-       .help = "a mesh with a boundary loop; or what is cut from a mesh, without `mesh` from "
+       .help = "a mesh with a boundary loop, or a region cut from a mesh; without `mesh`, from "
                "the mesh itself",
        .required = true},
       step.part, step.part_region);
   visitor.whole({.name = "loop",
-                 .help = "which boundary loop is sewn on, numbered by their smallest vertices",
+                 .help = "the boundary loop to join; loops are numbered by their smallest vertices",
                  .absent = "the longest"},
                 step.loop);
   visitor.place({.name = "place",
-                 .help = "fits the part's loop to the hole, turned by `rotate_degrees` about the "
-                         "hole's normal, larger by `scale`, or not scaled at all with `keep_size`; "
-                         "or a move as in deform, from where the part is in its file, its pivot "
-                         "the centre of its loop"},
+                 .help = "`auto` fits the part's loop to the hole, rotated by `rotate_degrees` "
+                         "about the hole's normal and scaled by `scale`, or not scaled with "
+                         "`keep_size`. A move, as in deform, starts from the part's position in "
+                         "its file; its pivot is the centre of the loop"},
                 step.place,
                 {.name = "snap",
-                 .help = "after a move, the least motion that brings the loop onto the surface"},
+                 .help = "after a move, bring the loop onto the surface by the smallest motion"},
                 step.snap);
   visitor.region({.name = "target_region",
-                  .help = "what is cut out; its boundary must be one loop",
+                  .help = "the region that is replaced; its boundary must be one loop",
                   .required = true},
                  step.target_region);
   describe(step.parameters, visitor);
@@ -73,11 +75,11 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
 
 std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
                                            const std::filesystem::path& base_directory,
-                                           const MeshShelf& meshes) {
+                                           const MeshCache& meshes) {
   return step.part.empty() ? nullptr : meshes.mesh(base_directory, step.part);
 }
 
-StepReport run_step(const TransplantStep& step, const StepRun& on) {
+StepReport run_step(const TransplantStep& step, const StepContext& on) {
   RunResult& result = on.result;
   StepReport report;
   std::shared_ptr<const Mesh> read;

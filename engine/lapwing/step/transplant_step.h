@@ -22,7 +22,7 @@ constexpr OperationWords words_of(const TransplantStep*) {
 void describe(TransplantStep& step, KeyVisitor& visitor);
 /// Runs the step. `mesh` and `original` of the result are afterwards those of the joined mesh, with
 /// the host's vertices first, in their order.
-StepReport run_step(const TransplantStep& step, const StepRun& on);
+StepReport run_step(const TransplantStep& step, const StepContext& on);
 
 /// Groups of keys that the panels show.
 void describe(TransplantParameters& parameters, KeyVisitor& visitor);
@@ -31,6 +31,6 @@ void describe(TransplantParameters& parameters, KeyVisitor& visitor);
 /// It is null if that is the edited mesh. Throws as `read_mesh` does.
 std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
                                            const std::filesystem::path& base_directory,
-                                           const MeshShelf& meshes);
+                                           const MeshCache& meshes);
 
 }  // namespace lapwing

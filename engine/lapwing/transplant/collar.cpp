@@ -12,9 +12,9 @@ namespace lapwing {
 namespace {
 
 // Splits a piece into the collar and the core beyond it.
-class Parting {
+class CoreSplitter {
  public:
-  Parting(std::span<const Triangle> piece, std::span<const double> distances, double width)
+  CoreSplitter(std::span<const Triangle> piece, std::span<const double> distances, double width)
       : piece_(piece), sides_(sides_by_edge(piece, distances.size())), is_core_(piece.size()) {
     for (std::size_t t = 0; t < piece.size(); ++t) {
       is_core_[t] = std::none_of(piece[t].begin(), piece[t].end(),
@@ -109,7 +109,7 @@ BoundaryLoop from_smallest(BoundaryLoop loop) {
 
 Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
                    std::span<const double> distances, double width, const std::string& where) {
-  Parting parting(piece, distances, width);
+  CoreSplitter parting(piece, distances, width);
   parting.clean();
   Collar collar;
   if (!parting.has_core()) return collar;
@@ -126,13 +126,13 @@ Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
   }
   if (loops.size() != 2 || others.size() != 1) {
     throw InputError(where + ": the transition reaches another boundary of the mesh, at " +
-                         name_vertices(others) + "; make its \"width\" less than " +
-                         std::to_string(width) + ", or close that hole before",
+                         name_vertices(others) + "; set its \"width\" below " +
+                         std::to_string(width) + ", or close that hole first",
                      others);
   }
   if (euler_characteristic(collar.triangles, sides) != 0) {
-    throw InputError(where + ": there is a handle of the surface within the transition, around " +
-                         name_vertices(collar.inner) + "; make its \"width\" less than " +
+    throw InputError(where + ": the transition contains a topological handle, around " +
+                         name_vertices(collar.inner) + "; set its \"width\" below " +
                          std::to_string(width),
                      collar.inner);
   }

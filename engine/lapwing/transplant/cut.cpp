@@ -17,9 +17,9 @@ KeepMask polygons_inside(const Mesh& mesh, const VertexSet& region, const std::s
     mask[f] = std::ranges::all_of(mesh.face(f), [&](Index v) { return inside[v] != 0; });
   }
   if (std::ranges::find(mask, 1) == mask.end()) {
-    throw InputError(where + ": no polygon of the mesh has all its corners among the " +
+    throw InputError(where + ": no polygon of the mesh has all its corners in the region (" +
                      std::to_string(region.size()) +
-                     " vertices of the region, so nothing is cut; choose a larger region");
+                     " vertices), so nothing is cut; choose a larger region");
   }
   return mask;
 }
@@ -53,8 +53,8 @@ CutPiece cut_away(const Mesh& mesh, const VertexSet& region, const std::string& 
   const KeepMask inside = polygons_inside(mesh, region, where);
   if (std::ranges::find(inside, 0) == inside.end()) {
     throw InputError(where +
-                     ": the region has every polygon of the mesh, so nothing is left around the "
-                     "hole; choose a smaller region");
+                     ": the region contains every polygon of the mesh, so nothing remains around "
+                     "the hole; choose a smaller region");
   }
   KeepMask outside(inside.size());
   for (std::size_t f = 0; f < inside.size(); ++f) outside[f] = inside[f] == 0;

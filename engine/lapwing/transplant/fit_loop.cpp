@@ -107,7 +107,7 @@ class StartSearch {
 };
 
 // Returns the local minima of `tried`, which goes once around the loop.
-std::vector<Start> valleys_of(const std::vector<Start>& tried) {
+std::vector<Start> local_minima(const std::vector<Start>& tried) {
   std::vector<Start> valleys;
   for (std::size_t k = 0; k < tried.size(); ++k) {
     const double before = tried[(k + tried.size() - 1) % tried.size()].distance;
@@ -126,7 +126,7 @@ Matrix3d fitted_rotation(const LoopCurve& part, const LoopCurve& host) {
   for (std::size_t k = 0; k < kCurvePoints; ++k) {
     tried.push_back(search.try_at(kStep * static_cast<double>(k)));
   }
-  std::vector<Start> valleys = valleys_of(tried);
+  std::vector<Start> valleys = local_minima(tried);
   std::ranges::stable_sort(valleys, {}, &Start::distance);
   if (valleys.size() > kRefined) {
     std::stable_sort(valleys.begin() + kRefined, valleys.end(),
@@ -149,11 +149,10 @@ void require_usable(const LoopFit& fit, const std::string& where) {
   }
   if (fit.keep_size && fit.scale != 1.0) {
     throw InputError(where +
-                     ": \"keep_size\" keeps the part as large as it is, and \"scale\" makes "
-                     "it another size; give one of them");
+                     ": \"keep_size\" and \"scale\" exclude each other; remove one of the two");
   }
   if (!std::isfinite(fit.rotate_degrees)) {
-    throw InputError(where + ": the part's turn must be a finite number of degrees");
+    throw InputError(where + ": the part's rotation must be a finite number of degrees");
   }
 }
 

@@ -14,7 +14,7 @@ std::size_t edges_between(std::size_t from, std::size_t to, std::size_t size) {
   return to > from ? to - from : to + size - from;
 }
 
-Vector3d normal_behind(const ZipLoop& loop, std::size_t k) {
+Vector3d normal_behind(const BridgeLoop& loop, std::size_t k) {
   if (loop.across.empty()) return Vector3d::Zero();
   const Vector3d& from = loop.points[k];
   const Vector3d& to = loop.points[(k + 1) % loop.points.size()];
@@ -35,7 +35,7 @@ std::size_t half_way(const RimLoop& loop, std::size_t first) {
 
 }  // namespace
 
-RimLoop::RimLoop(const ZipLoop& loop, bool backwards) : backwards_(backwards) {
+RimLoop::RimLoop(const BridgeLoop& loop, bool backwards) : backwards_(backwards) {
   const std::size_t count = loop.points.size();
   points_.resize(count);
   normals_.resize(count);

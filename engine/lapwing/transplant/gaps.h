@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "lapwing/transplant/zip.h"
-#include "lapwing/transplant/zip_path.h"
+#include "lapwing/transplant/bridge.h"
+#include "lapwing/transplant/bridge_path.h"
 
 namespace lapwing::zipping {
 
@@ -12,7 +12,7 @@ namespace lapwing::zipping {
 /// edges between its vertices. Numbers are places in the direction taken.
 class RimLoop {
  public:
-  RimLoop(const ZipLoop& loop, bool backwards);
+  RimLoop(const BridgeLoop& loop, bool backwards);
 
   std::size_t size() const { return points_.size(); }
   const Positions& points() const { return points_; }
@@ -63,7 +63,7 @@ class Gaps {
   /// this strip no vertex is the apex of all triangles on the other loop.
   Strip solve_with_second_rung(const Node& node) const;
 
-  /// Returns the triangles as in Zip. `strip` must not be blocked.
+  /// Returns the triangles as in Bridge. `strip` must not be blocked.
   std::vector<Triangle> triangles(const Strip& strip) const;
 
  private:

@@ -40,14 +40,14 @@ Rim find_rim(const Mesh& mesh, const BoundaryLoop& loop, const std::string& whos
     if (rim.faces[k] != kNoIndex) continue;
     throw InputError("the " + whose + "'s loop goes from vertex " + std::to_string(loop[k]) +
                      " to vertex " + std::to_string(loop[(k + 1) % loop.size()]) +
-                     ", but no face has that side; take a loop of `boundary_loops`");
+                     ", but no face has that edge; use a loop from `boundary_loops`");
   }
   return rim;
 }
 
 class Joiner {
  public:
-  Joiner(const Rim& host, const Rim& part, const Zip& zip)
+  Joiner(const Rim& host, const Rim& part, const Bridge& zip)
       : host_(host),
         part_(part),
         zip_(zip),
@@ -127,7 +127,7 @@ class Joiner {
 
   const Rim& host_;
   const Rim& part_;
-  const Zip& zip_;
+  const Bridge& zip_;
   std::vector<Index> part_of_host_;  // per place of the host's loop: the part's place welded to it
   JoinPlan plan_;
   Joined joined_;
@@ -136,7 +136,7 @@ class Joiner {
 }  // namespace
 
 Joined join(const Mesh& host, const BoundaryLoop& host_loop, const Mesh& part,
-            const BoundaryLoop& part_loop, const Zip& zip, const std::string& group) {
+            const BoundaryLoop& part_loop, const Bridge& zip, const std::string& group) {
   validate_attributes(host);
   validate_attributes(part);
   const Rim host_rim = find_rim(host, host_loop, "host");

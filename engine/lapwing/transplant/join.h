@@ -5,7 +5,7 @@
 
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/boundary_loops.h"
-#include "lapwing/transplant/zip.h"
+#include "lapwing/transplant/bridge.h"
 
 namespace lapwing {
 
@@ -34,6 +34,6 @@ struct Joined {
 /// `zip` must be that of the two loops. Throws InputError if no face of its mesh has a loop edge as
 /// a side, and what `validate_attributes` throws.
 Joined join(const Mesh& host, const BoundaryLoop& host_loop, const Mesh& part,
-            const BoundaryLoop& part_loop, const Zip& zip, const std::string& group);
+            const BoundaryLoop& part_loop, const Bridge& zip, const std::string& group);
 
 }  // namespace lapwing

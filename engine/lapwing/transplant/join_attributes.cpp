@@ -113,8 +113,8 @@ class Merger {
       number.push_back(number_of(name, result_.materials));
       if (number.back() < a.materials.size() && a.material_libraries != b.material_libraries) {
         notes_.push_back("material '" + name +
-                         "' is in host and part, which name different libraries: both use what is "
-                         "found first under that name");
+                         "' is in host and part, which use different libraries: both get the "
+                         "first definition with that name");
       }
     }
     if (!note_one_sided(!a.face_materials.empty(), !b.face_materials.empty(), "materials",
@@ -217,7 +217,7 @@ class Merger {
         (has_normals(a) && !a.has_vertex_normals) || (has_normals(b) && !b.has_vertex_normals);
     if (!note_one_sided(
             has_normals(a), has_normals(b), "normals",
-            per_corner_somewhere ? "its corners have none" : "they are the means of its faces'")) {
+            per_corner_somewhere ? "its corners have none" : "they are averaged from its faces")) {
       return;
     }
     if (per_corner_somewhere) {
@@ -276,7 +276,7 @@ class Merger {
       if (same != of_part.end() && !fits) {
         notes_.push_back(kind + " '" + extra.name + "' has " + std::to_string(extra.components) +
                          " components on the host and " + std::to_string(same->components) +
-                         " on the part: the part's are left out");
+                         " on the part: the part's values are dropped");
       }
       add(extra, &extra, fits ? &*same : nullptr);
     }

@@ -46,12 +46,12 @@ Moments moments_of(std::span<const Vector3d> closed) {
 void require_loop(std::span<const Vector3d> points, const std::string& where) {
   if (points.size() < 3) {
     throw InputError(where + " has " + std::to_string(points.size()) +
-                     " vertices; a boundary loop has 3 or more");
+                     " vertices; a boundary loop needs at least 3");
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!points[k].allFinite()) {
-      throw InputError(where + ": its point " + std::to_string(k) +
-                       " is not finite; mend the mesh with `lapwing check --fix`");
+      throw InputError(where + " has a non-finite position at index " + std::to_string(k) +
+                       "; repair the mesh with `lapwing check --fix`");
     }
   }
 }
@@ -70,8 +70,8 @@ LoopCurve::LoopCurve(std::span<const Vector3d> points, const std::string& where)
     if (axes.values[1] > kThinnest * kThinnest * length() * length()) return;
   }
   throw InputError(where +
-                   ": its points are on a line, which leaves open how the part is to stand; choose "
-                   "another loop or region");
+                   ": its points are collinear, so the orientation of the part is undefined; "
+                   "choose another loop or region");
 }
 
 void LoopCurve::spread(double start, std::span<Vector3d> spread) const {

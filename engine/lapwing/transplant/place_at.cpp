@@ -14,10 +14,10 @@ Eigen::Affine3d place_at(const Eigen::Affine3d& placement, std::span<const Eigen
                          const SurfacePlace& place, const std::string& where) {
   const double length = place.normal.norm();
   if (!place.point.allFinite() || !(length > 0.0) || !std::isfinite(length)) {
-    throw InputError(where + ": the part needs a point and a normal that is not 0 to stand at");
+    throw InputError(where + ": the place of the part needs a finite point and a nonzero normal");
   }
   if (!(place.scale > 0.0) || !std::isfinite(place.scale) || !std::isfinite(place.rotate_degrees)) {
-    throw InputError(where + ": the part needs a turn that is a number, and a scale above 0");
+    throw InputError(where + ": the part needs a finite rotation and a scale above 0");
   }
   const std::vector<Eigen::Vector3d> placed = transformed(part, placement);
   const LoopFrame frame = loop_frame(LoopCurve(placed, where + ": the part's boundary loop"));

@@ -47,13 +47,13 @@ BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
   const auto loops = boundary_loops(topology.triangles, name);
   if (loops.empty()) {
     throw InputError(name +
-                     ": the part is closed, it has no boundary loop to be sewn on by; cut one "
-                     "with `lapwing cut`, or give a \"region\" of it");
+                     ": the part is closed, so it has no boundary loop to join; cut it open with "
+                     "`lapwing cut`, or give a \"region\" of it");
   }
   if (request.loop) {
     if (*request.loop < loops.size()) return loops[*request.loop];
     throw InputError(request.where + "/loop: the part has no boundary loop " +
-                     std::to_string(*request.loop) + "; there are " + loops_in_words(loops));
+                     std::to_string(*request.loop) + "; its loops are " + loops_in_words(loops));
   }
   const auto length = [&](const BoundaryLoop& loop) {
     return LoopCurve(points_of(loop, part.positions), name).length();
@@ -99,7 +99,8 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
   for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
     if (part.mesh.positions[v].allFinite()) continue;
     throw InputError(where + ": vertex " + std::to_string(v) +
-                         " of the part has no finite position; mend it with `lapwing check --fix`",
+                         " of the part has a non-finite position; repair the part with `lapwing "
+                         "check --fix`",
                      {static_cast<Index>(v)});
   }
   std::vector<Index> all(part.mesh.vertex_count());
@@ -158,18 +159,19 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
   const auto loops = boundary_loops(hole.triangles, where);
   if (loops.size() != 1) {
     throw InputError(
-        where + ": the region must have one boundary loop, on which the part is sewn; it has " +
+        where + ": the region must have one boundary loop, at which the part is joined; it has " +
         (loops.empty() ? std::string("none")
                        : std::to_string(loops.size()) + ": " + loops_in_words(loops)) +
-        ". Choose another one, or write {\"disk_in\": REGION} in its place");
+        ". Choose another region, or use {\"disk_in\": REGION}");
   }
   hole.loop = loops.front();
-  const std::vector<Index> numbers = places_in(hole.rest.vertices, mesh.vertex_count());
+  const std::vector<Index> numbers = inverse_index(hole.rest.vertices, mesh.vertex_count());
   const VertexSet open = without_other_side(hole.loop, hole.rest, numbers);
   if (!open.empty()) {
     throw InputError(where + ": the region reaches the boundary of the mesh at " +
                          name_vertices(open) +
-                         "; leave the faces there out of it, so that the hole has a rim",
+                         "; remove the faces there from the region, so that faces remain around "
+                         "the hole",
                      open);
   }
   for (const Index v : hole.loop) hole.rest_loop.push_back(numbers[v]);
@@ -196,7 +198,7 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   const double determinant = part.motion.linear().determinant();
   if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant)) {
     throw InputError(request.where +
-                     "/place: the matrix flattens the part; give one that can be undone");
+                     "/place: the matrix flattens the part; give an invertible matrix");
   }
   transform(part.mesh, part.motion);
   if (determinant < 0.0) std::reverse(part.loop.begin() + 1, part.loop.end());
@@ -210,9 +212,9 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   }
   if (part.turned) {
     part.notes.push_back(request.where +
-                         ": the part's faces looked inwards where it is placed; they were turned "
-                         "over. Where that is not meant, check \"place\", or the part with "
-                         "`lapwing check`");
+                         ": the part's faces pointed inward at its place, so they were flipped. If "
+                         "that is not intended, check \"place\", or check the part with `lapwing "
+                         "check`");
   }
   return part;
 }

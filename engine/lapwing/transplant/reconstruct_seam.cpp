@@ -12,7 +12,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/transplant/laid_collar.h"
+#include "lapwing/transplant/mapped_collar.h"
 #include "lapwing/transplant/seam_collars.h"
 #include "lapwing/transplant/seam_zone.h"
 
@@ -124,9 +124,9 @@ void SeamReconstruction::lay_collars() {
   result_.sampled_host = start != kNoIndex;
   if (result_.sampled_host) {
     const auto at = std::find(host_.hole.begin(), host_.hole.end(), start) - host_.hole.begin();
-    const LaidCollar lower = lay_collar(below, host_geometry_, start, where_);
-    const LaidCollar upper =
-        lay_collar(above, joined_.geometry, zone_.seam[static_cast<std::size_t>(at)], where_);
+    const MappedCollar lower = map_collar(below, host_geometry_, start, where_);
+    const MappedCollar upper =
+        map_collar(above, joined_.geometry, zone_.seam[static_cast<std::size_t>(at)], where_);
     points_ = lay_on(upper, lower, joined_.positions.size());
     result_.flipped = flipped_triangles(lower.patch.triangles, lower.map.points).size() +
                       flipped_triangles(upper.patch.triangles, upper.map.points).size();

@@ -65,12 +65,13 @@ Positions smooth_seam(const TransplantHost& host, const TransplantJoined& joined
 
 /// Reconstructs the surface around the seam of a transplant (paper section 6). Solves
 ///     (L'L + W) u = L' ((1 - w) (delta(D smooth) + T_U xi_U) + w T_S delta_S - delta(D))
-/// for the displacement u of D, on one n x n factor. w is the transition's share, and delta_S are
-/// the Laplacians of the part as it was placed. xi_U are those of the host's offset from its shape,
-/// sampled where D lies on the host: its host vertices on themselves, the transition on the collar
-/// of the removed region. Both collars are mapped to the unit square from the same seam, with their
-/// cuts aligned. T_U and T_S = s R rotate with the shapes, from host and part to the result, whose
-/// shape is updated in two more passes.
+/// for the displacement u of D, with one n x n factor. w is the transition's share, and delta_S are
+/// the Laplacians of the part as it was placed. xi_U are the Laplacians of the host's offset from
+/// its shape. They are sampled at the point of the host that corresponds to each vertex of D. A
+/// host vertex corresponds to itself, a vertex of the transition to a point on the collar of the
+/// removed region. Both collars are mapped to the unit square from the same seam, with their cuts
+/// aligned. T_U and T_S = s R rotate with the shapes, from host and part to the result, whose shape
+/// is updated in two more passes.
 ///
 /// Shape is larger than twice the free zone's width, detail smaller than half of it. The host's
 /// detail is transferred whole, as in coating. Features in between are as large as what was cut

@@ -50,7 +50,7 @@ std::vector<double> distances_in_cut(const TransplantHost& host) {
 }
 
 BoundaryLoop seam_of(const TransplantHost& host, const TransplantJoined& joined) {
-  const std::vector<Index> of_host = places_in(joined.host_vertices, host.positions.size());
+  const std::vector<Index> of_host = inverse_index(joined.host_vertices, host.positions.size());
   BoundaryLoop seam;
   for (const Index v : host.hole) seam.push_back(of_host[v]);
   return seam;

@@ -58,7 +58,8 @@ double mean(std::span<const double> values) {
 
 }  // namespace
 
-double strip_width(const Zip& zip, std::span<const Vector3d> host, std::span<const Vector3d> part) {
+double strip_width(const Bridge& zip, std::span<const Vector3d> host,
+                   std::span<const Vector3d> part) {
   const std::vector<Vector3d> corners = corners_of(host, part);
   double sum = 0.0;
   std::size_t count = zip.welded.size();
@@ -74,7 +75,7 @@ double strip_width(const Zip& zip, std::span<const Vector3d> host, std::span<con
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-bool is_even(const Zip& zip, std::span<const Vector3d> host, std::span<const Vector3d> part) {
+bool is_even(const Bridge& zip, std::span<const Vector3d> host, std::span<const Vector3d> part) {
   constexpr double kSliver = 15.0 * std::numbers::pi / 180.0;
   constexpr double kMostSlivers = 0.1;
   constexpr double kWidest = 2.0;
@@ -87,9 +88,9 @@ bool is_even(const Zip& zip, std::span<const Vector3d> host, std::span<const Vec
          strip_width(zip, host, part) <= kWidest * std::max(mean_side(host), mean_side(part));
 }
 
-SeamLengths::SeamLengths(std::span<const Vector3d> positions, const Topology& topology,
-                         std::span<const Index> host_vertices, std::span<const double> depths,
-                         double width)
+SeamSizingField::SeamSizingField(std::span<const Vector3d> positions, const Topology& topology,
+                                 std::span<const Index> host_vertices,
+                                 std::span<const double> depths, double width)
     : lengths_(positions.size(), 0.0) {
   const auto is_host = [&](Index v) { return host_vertices[v] != kNoIndex; };
   std::vector<double> host_edges;
@@ -126,12 +127,12 @@ SeamLengths::SeamLengths(std::span<const Vector3d> positions, const Topology& to
   closest_.emplace(triangles_, positions, group);
 }
 
-bool SeamLengths::asks_for_remeshing() const {
+bool SeamSizingField::asks_for_remeshing() const {
   if (host_length_ <= 0.0 || part_length_ <= 0.0) return false;
   return std::max(host_length_, part_length_) > kScaleRatio * std::min(host_length_, part_length_);
 }
 
-double SeamLengths::expected_triangles(std::span<const Vector3d> positions) const {
+double SeamSizingField::expected_triangles(std::span<const Vector3d> positions) const {
   double count = 0.0;
   for (const auto& [a, b, c] : triangles_) {
     const double length = (lengths_[a] + lengths_[b] + lengths_[c]) / 3.0;
@@ -140,7 +141,7 @@ double SeamLengths::expected_triangles(std::span<const Vector3d> positions) cons
   return count;
 }
 
-double SeamLengths::operator()(const Vector3d& point) const {
+double SeamSizingField::operator()(const Vector3d& point) const {
   const TrianglePoint found = closest_->find(0, point);
   const Triangle& corners = triangles_[found.triangle];
   double length = 0.0;

@@ -18,21 +18,21 @@
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/remesh/isotropic.h"
+#include "lapwing/transplant/bridge.h"
 #include "lapwing/transplant/join.h"
 #include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/placed_part.h"
 #include "lapwing/transplant/reconstruct_seam.h"
 #include "lapwing/transplant/seam_collars.h"
 #include "lapwing/transplant/seam_lengths.h"
-#include "lapwing/transplant/zip.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
 
-ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
-  return zip_loop(mesh.topology().triangles, mesh.positions, loop);
+BridgeLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
+  return bridge_loop(mesh.topology().triangles, mesh.positions, loop);
 }
 
 // The joined mesh before the seam is reconstructed.
@@ -71,7 +71,7 @@ class TransplantRun {
   TransplantJoined joined() const;
   TransplantOptions options();
   void narrow(TransplantOptions& chosen) const;
-  void tell_narrowed(double from, double to);
+  void warn_narrowed(double from, double to);
   void reconstruct();
   void require_valid(const TransplantResult& seam) const;
   double seam_degrees(const Positions& positions) const;
@@ -99,9 +99,9 @@ void TransplantRun::assemble() {
   });
   for (std::string& note : part.notes) result_.warnings.push_back(std::move(note));
   timed("zip", [&] {
-    const ZipLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
-    const ZipLoop part_loop = zip_loop_of(part.mesh, part.loop);
-    const Zip zip = zip_loops(host_loop, part_loop, request_.where);
+    const BridgeLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
+    const BridgeLoop part_loop = zip_loop_of(part.mesh, part.loop);
+    const Bridge zip = bridge_loops(host_loop, part_loop, request_.where);
     Joined joined = join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, zip, part_name_);
     for (const std::string& note : joined.notes) {
       result_.warnings.push_back(request_.where + ": " + note);
@@ -159,8 +159,8 @@ TransplantOptions TransplantRun::options() {
     options.belt *= share;
     if (parameters.transition) {
       std::ostringstream text;
-      text << request_.where << ": the part reaches only " << joined_.depth
-           << " from its loop; the transition's width, padding and belt, together " << needed
+      text << request_.where << ": the part extends only " << joined_.depth
+           << " from its loop, so the transition's width, padding and belt, together " << needed
            << ", were scaled by " << share << ". Choose a narrower \"transition\"";
       result_.warnings.push_back(text.str());
     }
@@ -180,26 +180,26 @@ void TransplantRun::narrow(TransplantOptions& chosen) const {
   if (!parameters.belt) chosen.belt *= share;
 }
 
-void TransplantRun::tell_narrowed(double from, double to) {
+void TransplantRun::warn_narrowed(double from, double to) {
   std::ostringstream text;
   text << request_.where << ": the transition was narrowed from " << from << " to " << to
-       << ", since it would reach another boundary or a handle of the surface; give \"transition\" "
-          "a \"width\" to choose it yourself";
+       << ", because it would reach another boundary or a topological handle. To choose the width "
+          "yourself, set \"width\" of \"transition\"";
   result_.warnings.push_back(text.str());
 }
 
 void TransplantRun::remesh() {
   if (request_.parameters.remesh == Remeshing::none) return;
   const double width = result_.report.transition_width;
-  const SeamLengths lengths(joined_.geometry, joined_.mesh.topology(), joined_.host_vertices,
-                            joined_.depths, width);
+  const SeamSizingField lengths(joined_.geometry, joined_.mesh.topology(), joined_.host_vertices,
+                                joined_.depths, width);
   if (even_strip_ && !lengths.asks_for_remeshing()) return;
   Limit limit = kMostSeamTriangles;
   limit.most = std::max(limit.most, static_cast<double>(joined_.mesh.topology().triangles.size()));
   require_at_most(limit, lengths.expected_triangles(joined_.geometry),
                   request_.where + ": the seam between mesh and part would get about",
-                  "make the part smaller, give \"transition\" a smaller \"width\", or turn "
-                  "\"remesh\" off");
+                  "make the part smaller, give \"transition\" a smaller \"width\", or set "
+                  "\"remesh\" to \"none\"");
   timed("remesh", [&] {
     // Remeshes the smooth surface. Extra attributes carry the joined mesh's positions and depths.
     Mesh smooth = joined_.mesh;
@@ -241,18 +241,15 @@ void TransplantRun::require_valid(const TransplantResult& seam) const {
   for (const Index v : seam.region) {
     if (seam.positions[v].allFinite()) continue;
     throw SolverError(
-        request_.where + ": the result has positions that are not finite, vertex " +
-            std::to_string(v) +
-            " for one, so the mesh was left as it was; run `lapwing check` on the part "
-            "and on the mesh",
+        request_.where + ": the result has a non-finite position at vertex " + std::to_string(v) +
+            ", so the mesh is unchanged; run `lapwing check` on the part and on the mesh",
         {v});
   }
   if (seam.relative_residual <= kLargestResidual) return;
   std::ostringstream text;
-  text << request_.where << ": the solution misses the equations by " << seam.relative_residual
-       << " (at most " << kLargestResidual
-       << " is allowed), so the mesh was left as it was; remesh both meshes around the seam with "
-          "`lapwing remesh`";
+  text << request_.where << ": the relative residual of the solution is " << seam.relative_residual
+       << ", above the limit of " << kLargestResidual
+       << ", so the mesh is unchanged; remesh both meshes around the seam with `lapwing remesh`";
   throw SolverError(text.str());
 }
 
@@ -286,15 +283,15 @@ void TransplantRun::reconstruct() {
   // Remeshing may have changed the surface next to a hole of the part.
   narrow(chosen);
   report.transition_width = chosen.transition.width;
-  if (chosen.transition.width < wanted) tell_narrowed(wanted, chosen.transition.width);
+  if (chosen.transition.width < wanted) warn_narrowed(wanted, chosen.transition.width);
   TransplantResult seam = reconstruct_seam(host(), joined(), chosen, kernels_, request_.where,
                                            result_.timings, progress_);
   require_valid(seam);
   if (!seam.sampled_host) {
     result_.warnings.push_back(
         request_.where +
-        ": the target region or the part has no inside whose detail could be blended, so the seam "
-        "was only made smooth; choose a larger \"target_region\" for more");
+        ": the target region or the part has no inner vertices whose detail could be blended, so "
+        "the seam is only smooth; choose a larger \"target_region\" to blend detail");
   }
   hand_over(std::move(seam));
 }

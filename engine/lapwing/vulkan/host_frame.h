@@ -20,7 +20,7 @@ inline Vec4 place_of(const Eigen::Vector3d& position, const Eigen::Vector3d& ori
 /// shaders/blend_response.comp.
 struct alignas(16) BlendGroup {
   Vec4 parameters;
-  std::uint32_t number;  ///< of the group among all
+  std::uint32_t number;  ///< index among all groups of columns, skipped ones included
 };
 
 /// The kernels of a drag frame on the CPU, in the memory and layouts of the shaders, in float32.

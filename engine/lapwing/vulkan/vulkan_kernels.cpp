@@ -42,8 +42,8 @@ bool choose_float64(const gpu::Context& context, Precision precision) {
   const bool available = context.description().float64;
   if (precision == Precision::float64 && !available) {
     throw GpuError(context.description().name +
-                   " has no float64 (shaderFloat64); choose the precision float32 or another "
-                   "device");
+                   " does not support float64 (shaderFloat64); choose the precision float32 or "
+                   "another device");
   }
   return available && precision != Precision::float32;
 }

@@ -43,7 +43,7 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
     most_entries = state_->context->limits().maxStorageBufferRange / real_bytes(*state_, 3);
   }
   const std::uint32_t flags = rings.stiffness.empty() ? 0 : kStiffness;
-  const std::vector<Index> unknown_of_row = places_in(rings.unknown_rows, rings.row_count());
+  const std::vector<Index> unknown_of_row = inverse_index(rings.unknown_rows, rings.row_count());
   for (std::size_t first = 0; first < row_count_;) {
     const std::size_t last = end_of_range(rings, first, most_entries);
     add_range(rings, first, last, unknown_of_row, flags);

@@ -95,7 +95,7 @@ std::string end_of(int status) {
 
 }  // namespace
 
-Told told_apart(const Work& work, double most_seconds) {
+Told run_in_child_process(const Work& work, double most_seconds) {
   std::optional<Clock::time_point> deadline;
   if (most_seconds > 0.0) {
     deadline = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * most_seconds));
@@ -127,8 +127,8 @@ Told told_apart(const Work& work, double most_seconds) {
   return told;
 }
 
-Report made_apart(const std::function<Report()>& work) {
-  const Told told = told_apart([&](const auto& tell) { tell(to_json(work())); });
+Report report_from_child_process(const std::function<Report()>& work) {
+  const Told told = run_in_child_process([&](const auto& tell) { tell(to_json(work())); });
   if (!told.failure.empty()) throw Error(told.failure);
   return parse_report(told.text, "what was measured");
 }

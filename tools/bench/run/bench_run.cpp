@@ -128,12 +128,13 @@ void BenchRun::leave_out(const std::string& what, const Subject& subject, const 
 Report run_benchmark(const RunSettings& settings,
                      const std::function<void(const Report&)>& after_mesh) {
   Report report;
-  if (settings.limits) report.limits = made_apart([&] { return limits_of(settings); }).limits;
+  if (settings.limits)
+    report.limits = report_from_child_process([&] { return limits_of(settings); }).limits;
   for (const SubjectSource& source : all_subjects(settings.models)) {
     if (source.vertices > settings.most_vertices || source.vertices < settings.least_vertices) {
       continue;
     }
-    Report one = made_apart([&] { return measure_subject(settings, source); });
+    Report one = report_from_child_process([&] { return measure_subject(settings, source); });
     std::move(one.measurements.begin(), one.measurements.end(),
               std::back_inserter(report.measurements));
     report.targets = targets_of(report);

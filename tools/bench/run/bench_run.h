@@ -75,8 +75,9 @@ class BenchRun {
   std::map<std::string, std::vector<gpu::KernelUse>> last_kernels_;
 };
 
-/// Measures everything that the settings ask for, each mesh in a separate process (made_apart).
-/// Prints progress to standard error. Calls `after_mesh` with the report so far after each mesh.
+/// Measures everything that the settings ask for, each mesh in a separate process
+/// (report_from_child_process). Prints progress to standard error. Calls `after_mesh` with the
+/// report so far after each mesh.
 Report run_benchmark(const RunSettings& settings,
                      const std::function<void(const Report&)>& after_mesh = {});
 

@@ -56,7 +56,8 @@ void measure_factorization(BenchRun& run, const Subject& subject, const EditPart
   const BlockMatrix N = parts.pattern->normal().normal_matrix(M, parts.constraints.W);
   const auto analyze = [&] { solver->analyze(parts.pattern->blocks(), 3, parts.pattern->order()); };
   if (run.measure("analyze", by, subject, analyze) == nullptr) analyze();
-  if (run.measure("factor", by, subject, [&] { solver->factor(N); }) == nullptr) solver->factor(N);
+  if (run.measure("factor", by, subject, [&] { solver->factorize(N); }) == nullptr)
+    solver->factorize(N);
   std::vector<double> x(kResponseColumns * N.scalar_size(), 1.0);
   run.measure(
       "response", by, subject, [&] { solver->solve(x, x, kResponseColumns); },

@@ -249,9 +249,9 @@ using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const
 
 // Measures a preparation that follows another one of the same region. The first one and its
 // background results are destroyed by then.
-void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                   const std::string& stage, const EditRegion& region, const DeformOptions& options,
-                   const Prepare& prepare) {
+void measure_repreparation(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                           const std::string& stage, const EditRegion& region,
+                           const DeformOptions& options, const Prepare& prepare) {
   // Each run needs another preparation before it, which takes too long on larger meshes.
   constexpr std::size_t kMostForAgain = 120'000;
   if (subject.vertices() > kMostForAgain) return;
@@ -275,7 +275,8 @@ void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice&
   other_laplacians.weights = LaplacianWeights::uniform;
   const auto measure = [&](const char* change, const EditRegion& region,
                            const DeformOptions& changed) {
-    measure_again(run, subject, device, stage + ", other " + change, region, changed, prepare);
+    measure_repreparation(run, subject, device, stage + ", other " + change, region, changed,
+                          prepare);
   };
   measure("handle", with_other_handle(subject), options);
   measure("belt", with_other_belt(subject), options);

@@ -56,11 +56,11 @@ void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& par
   std::unique_ptr<BlockSolver> solver;
   Measurement* row = run.measure(
       "analyze", kLapwing, subject,
-      [&] { solver->analyze(pattern.blocks(), 3, pattern.thorough_order()); },
+      [&] { solver->analyze(pattern.blocks(), 3, pattern.factorization_order()); },
       [&] { solver = make_solver(); });
   if (solver == nullptr) {
     solver = make_solver();
-    solver->analyze(pattern.blocks(), 3, pattern.thorough_order());
+    solver->analyze(pattern.blocks(), 3, pattern.factorization_order());
   }
   const SolverStatistics statistics = solver->statistics();
   if (row != nullptr) row->counts["nonzeros"] = statistics.factor_bytes / sizeof(double);
@@ -76,10 +76,10 @@ void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& par
                   "it needs " + std::to_string(statistics.peak_bytes / 1'000'000) + " MB");
     return;
   }
-  row = run.measure("factor", kLapwing, subject, [&] { solver->factor(N); });
+  row = run.measure("factor", kLapwing, subject, [&] { solver->factorize(N); });
   count_factor(row, statistics);
   if (!solves) return;
-  solver->factor(N);
+  solver->factorize(N);
   const std::size_t size = N.scalar_size();
   std::vector<double> x(kResponseColumns * size, 1.0);
   row = run.measure(
@@ -102,7 +102,7 @@ void measure_solver_stages(BenchRun& run, const Subject& subject) {
   });
   std::unique_ptr<SystemPattern> unordered;
   run.measure(
-      "order", kLapwing, subject, [&] { unordered->thorough_order(); },
+      "order", kLapwing, subject, [&] { unordered->factorization_order(); },
       [&] {
         unordered = std::make_unique<SystemPattern>(subject.mesh.topology(), subject.region.roi,
                                                     parts.constraints.unknowns);
@@ -111,7 +111,7 @@ void measure_solver_stages(BenchRun& run, const Subject& subject) {
   run.measure("laplacian weights", kLapwing, subject, [&] {
     laplacian_weights(subject.mesh.topology(), subject.mesh.positions, LaplacianWeights::uniform);
   });
-  parts.pattern->thorough_order();
+  parts.pattern->factorization_order();
   run.measure("laplacian", kLapwing, subject, [&] { parts.laplacian_system(subject); });
   measure_assembly(run, subject, parts);
   measure_coupled(run, subject, parts);

@@ -29,9 +29,9 @@ void CholmodSolver::analyze(const BlockPattern& pattern, int block_size,
   analyze();
 }
 
-void CholmodSolver::factor(const BlockMatrix& matrix) {
+void CholmodSolver::factorize(const BlockMatrix& matrix) {
   set_values(matrix);
-  factor();
+  factorize();
 }
 
 void CholmodSolver::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
@@ -58,7 +58,7 @@ void CholmodSolver::analyze() {
   check("analysis");
 }
 
-void CholmodSolver::factor() {
+void CholmodSolver::factorize() {
   cholmod_sparse view = sparse_view();
   cholmod_factorize(&view, factor_, &common_);
   if (common_.status == CHOLMOD_NOT_POSDEF) throw not_positive_definite();

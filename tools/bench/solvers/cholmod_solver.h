@@ -18,7 +18,7 @@ class CholmodSolver final : public BlockSolver {
 
   std::string_view name() const override { return "CHOLMOD"; }
   void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) override;
-  void factor(const BlockMatrix& matrix) override;
+  void factorize(const BlockMatrix& matrix) override;
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override;
 
   /// `order` is that of the blocks; ignored if CHOLMOD orders by itself.
@@ -26,7 +26,7 @@ class CholmodSolver final : public BlockSolver {
   void set_values(const BlockMatrix& matrix);
   /// The steps of BlockSolver, after the two functions above.
   void analyze();
-  void factor();
+  void factorize();
   /// The view is valid until the next solve.
   std::span<const double> solve(std::span<const double> B);
   std::size_t factor_bytes() const { return factor_->xsize * sizeof(double); }

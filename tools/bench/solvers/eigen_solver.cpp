@@ -30,7 +30,7 @@ class EigenSolver final : public BlockSolver {
     factor_.analyzePattern(permuted_);
   }
 
-  void factor(const BlockMatrix& matrix) override {
+  void factorize(const BlockMatrix& matrix) override {
     fill_scalar_lower(matrix, lower_);
     permute();
     factor_.clear();

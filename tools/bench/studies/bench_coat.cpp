@@ -5,11 +5,11 @@
 #include <map>
 #include <numbers>
 
-#include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/patch_coating.h"
+#include "lapwing/coating/sizing_field.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/mesh/shapes.h"
@@ -294,7 +294,7 @@ void CoatBenchRun::measure_parts() {
         }));
   const auto own = on_patch<Vector3d>(target_, mesh.positions);
   print("look whether to remesh", measure(repeats, [&] {
-          CarriedLength(coating_, target_, own, points).asks_for_remeshing();
+          SizingField(coating_, target_, own, points).asks_for_remeshing();
         }));
 }
 

@@ -102,7 +102,7 @@ double peak_mb() {
 // Runs one edit in a separate process. Its time excludes reading and subdividing.
 EditCost run_apart(const ConstraintsBench& settings, const char* name,
                    const std::function<DeformRequest(const LeaningMesh&)>& request) {
-  const Told told = told_apart([&](const auto& tell) {
+  const Told told = run_in_child_process([&](const auto& tell) {
     Mesh mesh = read_mesh(settings.mesh);
     for (int k = 0; k < settings.subdivisions; ++k) {
       mesh = settings.rounded ? loop_subdivide(mesh) : subdivide(mesh);

@@ -12,7 +12,7 @@
 #include "studies/real/ends_motion.h"
 #include "studies/real/real_json.h"
 #include "studies/real/real_table.h"
-#include "studies/real_ways.h"
+#include "studies/real_methods.h"
 #include "studies/studies.h"
 
 namespace lapwing::bench {
@@ -80,7 +80,7 @@ RealMesh last_of(const std::string& lines) {
 // Runs a mesh in a separate process. If it takes too long or too much memory, or if CGAL crashes,
 // only the missing results are lost.
 RealMesh run_apart(const MeshFile& file, const RealBench& settings) {
-  const Told told = told_apart(
+  const Told told = run_in_child_process(
       [&](const auto& tell) {
         run_real_mesh(file.path, file.name, {settings.most_vertices, settings.arap_iterations},
                       [&](const RealMesh& so_far) { tell(to_json_line(so_far)); });

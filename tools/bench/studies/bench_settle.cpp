@@ -145,14 +145,14 @@ std::vector<Row> solve_by_cgal([[maybe_unused]] const Cylinder& cylinder,
 }
 
 void draw(const Motion& motion, const Cylinder& cylinder, const std::vector<Row>& rows,
-          PictureMaker& pictures) {
+          PictureWriter& pictures) {
   for (const Row& row : rows) {
     pictures.write(std::string(motion.name) + " " + row.name, cylinder.mesh, row.positions,
                    {Vector3d(1.0, -0.3, 0.2), Vector3d::UnitZ()});
   }
 }
 
-void bench_cylinder(Kernels& kernels, PictureMaker* pictures, int repeats) {
+void bench_cylinder(Kernels& kernels, PictureWriter* pictures, int repeats) {
   const Cylinder cylinder;
   const std::array<Motion, 3> motions{
       {{"bend-90", turn_and_move(90.0, Vector3d::UnitX(), Vector3d(0.0, -1.5, -1.0))},
@@ -201,7 +201,7 @@ Row row_of(const std::string& name, const RunResult& result) {
 }
 
 void bench_classics(Kernels& kernels, const std::filesystem::path& recipes,
-                    PictureMaker* pictures) {
+                    PictureWriter* pictures) {
   const std::array<Classic, 4> classics{
       {{"lift-plane", view_axes(View::three_quarter, UpAxis::z)},
        {"bend-cylinder", {Vector3d(-0.3, -1.0, 0.2), Vector3d::UnitZ()}},
@@ -225,9 +225,9 @@ void bench_classics(Kernels& kernels, const std::filesystem::path& recipes,
 
 void bench_settle(const SettleBench& settings) {
   const auto kernels = open_device(settings.device).kernels;
-  std::optional<PictureMaker> pictures;
+  std::optional<PictureWriter> pictures;
   if (!settings.pictures.empty()) pictures.emplace(settings.pictures);
-  PictureMaker* const maker = pictures ? &*pictures : nullptr;
+  PictureWriter* const maker = pictures ? &*pictures : nullptr;
   bench_cylinder(*kernels, maker, settings.repeats);
   bench_classics(*kernels, settings.recipes, maker);
 }

@@ -5,13 +5,13 @@
 
 namespace lapwing::bench {
 
-PictureMaker::PictureMaker(std::filesystem::path folder)
+PictureWriter::PictureWriter(std::filesystem::path folder)
     : folder_(std::move(folder)), context_(std::make_shared<gpu::Context>()) {
   std::filesystem::create_directories(folder_);
 }
 
-void PictureMaker::write(std::string name, const Mesh& mesh,
-                         std::span<const Eigen::Vector3d> positions, const ViewAxes& axes) {
+void PictureWriter::write(std::string name, const Mesh& mesh,
+                          std::span<const Eigen::Vector3d> positions, const ViewAxes& axes) {
   std::erase(name, ',');
   std::replace(name.begin(), name.end(), ' ', '-');
   Surface surface(context_, positions, mesh.topology());

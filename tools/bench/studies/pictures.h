@@ -12,10 +12,10 @@
 namespace lapwing::bench {
 
 /// Writes pictures of results into a folder.
-class PictureMaker {
+class PictureWriter {
  public:
   /// Creates the folder. Throws GpuError if there is no Vulkan device.
-  explicit PictureMaker(std::filesystem::path folder);
+  explicit PictureWriter(std::filesystem::path folder);
 
   /// Writes NAME.png: `mesh` with its vertices at `positions`. In the file name, spaces become
   /// dashes and commas are left out.

@@ -56,7 +56,7 @@ SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int 
       analyze.milliseconds.push_back(watch.elapsed_ms());
       touch_memory(coupled->factor_bytes());
       watch.restart();
-      coupled->factor();
+      coupled->factorize();
       first_factor[static_cast<std::size_t>(threads - 1)].milliseconds.push_back(
           watch.elapsed_ms());
     }
@@ -75,8 +75,8 @@ SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int 
   };
   for (const int threads : {1, 2}) {
     set_blas_threads(threads);
-    best(row.factor, measure_cold(repeats, [&] { coupled->factor(); }));
-    best(row.scalar_factor, measure(repeats, [&] { scalar.factor(); }));
+    best(row.factor, measure_cold(repeats, [&] { coupled->factorize(); }));
+    best(row.scalar_factor, measure(repeats, [&] { scalar.factorize(); }));
     best(row.twelve_columns, measure(repeats, [&] { coupled->solve(b); }));
     best(row.one_column, measure(2 * repeats, [&] { coupled->solve(b1); }));
   }

@@ -56,17 +56,17 @@ SolverRow time_solver(const BenchSystem& system, const std::string& name,
     analyze.milliseconds.push_back(watch.elapsed_ms());
     touch_memory(solver->statistics().peak_bytes);
     watch.restart();
-    solver->factor(matrix);
+    solver->factorize(matrix);
     first_factor.milliseconds.push_back(watch.elapsed_ms());
   }
   row.analyze = analyze.median();
   row.first_factor = first_factor.median();
-  row.factor = measure_cold(repeats, [&] { solver->factor(matrix); }).median();
+  row.factor = measure_cold(repeats, [&] { solver->factorize(matrix); }).median();
   std::mt19937 random(2);
   row.one_diagonal = measure(2 * repeats, [&] {
                        const auto block = static_cast<Index>(random() % system.pattern.size());
                        matrix.values[9 * system.pattern.starts[block]] += 1.0;
-                       solver->refactor_diagonal(matrix, std::span(&block, 1));
+                       solver->refactorize_diagonal(matrix, std::span(&block, 1));
                      }).median();
   const std::size_t n = matrix.scalar_size();
   const std::vector<double> b = right_hand_sides(12 * n);
@@ -77,7 +77,7 @@ SolverRow time_solver(const BenchSystem& system, const std::string& name,
   row.one_column = measure(2 * repeats, [&] { solver->solve(b1, x1, 1); }).median();
   row.error = normwise_backward_error(matrix, x1, b1);
   solver->analyze(system.pattern, 1, order);
-  row.scalar_factor = measure(repeats, [&] { solver->factor(system.scalar); }).median();
+  row.scalar_factor = measure(repeats, [&] { solver->factorize(system.scalar); }).median();
   return row;
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 using NamedMeshes = std::map<std::string, Mesh>;
 
-void put(const NamedMeshes& meshes, MeshShelf& shelf) {
+void put(const NamedMeshes& meshes, MeshCache& shelf) {
   for (const auto& [name, mesh] : meshes) shelf.put(name, mesh);
 }
 
@@ -34,7 +34,7 @@ Result carry_out(const Mesh& mesh, const std::string& step_json, const std::stri
   return Interruptible(heard).call([&](const Progress& progress) {
     const Step step = read_step(JsonNode::parse(step_json, name));
     const Device opened = open_device(device);
-    MeshShelf shelf;
+    MeshCache shelf;
     put(meshes, shelf);
     RunResult run;
     run.mesh = mesh;
@@ -55,7 +55,7 @@ Result run(const std::string& recipe_json, const std::filesystem::path& folder,
   return Interruptible(heard).call([&](const Progress& progress) {
     const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
     const Device opened = open_device(device);
-    MeshShelf shelf;
+    MeshCache shelf;
     put(meshes, shelf);
     const auto result = run_recipe(recipe, *opened.kernels, progress, {.meshes = &shelf});
     if (saves && !recipe.save.empty()) save_result(*result, recipe.save_path());
@@ -207,7 +207,7 @@ void add_edits(py::module_& module) {
         for (const Operation& operation : operations()) {
           if (operation.name == op) return key_table(operation);
         }
-        throw InputError("no operation is called \"" + op + "\"");
+        throw InputError("unknown operation \"" + op + "\"");
       },
       py::arg("op"));
 }

@@ -57,13 +57,13 @@ void translate(std::exception_ptr thrown) {
 
 void add_errors(py::module_& module) {
   classes.error = add_class(module, "Error", PyExc_Exception, {},
-                            "Base of what Lapwing raises. `vertices` are those that the message "
-                            "is about, all of them; empty where it is about none.");
+                            "Base of the exceptions that Lapwing raises. `vertices` are all "
+                            "vertices that the message is about; empty if it is about none.");
   classes.error.attr("vertices") = array_of(std::span<const Index>());
   classes.input = add_class(module, "InputError", classes.error, PyExc_ValueError,
                             "An array, region or key does not fit, or a file is malformed.");
   classes.solver = add_class(module, "SolverError", classes.error, PyExc_ArithmeticError,
-                             "A system that cannot be solved, or a result that is not valid.");
+                             "A system cannot be solved, or a result is not valid.");
   classes.device = add_class(module, "DeviceError", classes.error, PyExc_RuntimeError,
                              "No Vulkan device fits, or it failed.");
   classes.file = add_class(module, "FileError", classes.error, PyExc_OSError,

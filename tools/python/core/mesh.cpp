@@ -46,20 +46,20 @@ Mesh shape(const std::string& name) {
   }
   std::string known;
   for (const std::string& each : shape_names()) known += (known.empty() ? "" : ", ") + each;
-  throw InputError("no shape is called \"" + name + "\"; there are " + known);
+  throw InputError("unknown shape \"" + name + "\"; choose one of " + known);
 }
 
 }  // namespace
 
 void add_mesh(py::module_& module) {
   py::class_<Mesh>(module, "Mesh",
-                   "A polygon mesh with all that its file had. Not changed by any function.")
+                   "A polygon mesh with all data of its file. No function changes it.")
       .def(py::init(&mesh_of), py::arg("vertices"), py::arg("faces"))
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) { return array_of(mesh.positions); },
           "(n, 3) float64, a new array each time.")
       .def_property_readonly("faces", &faces_of,
-                             "(m, k) uint32, or a list of arrays where the polygons differ.")
+                             "(m, k) uint32, or a list of arrays if the polygons differ in size.")
       .def_property_readonly("vertex_count", &Mesh::vertex_count)
       .def_property_readonly("face_count", &Mesh::face_count)
       .def(

@@ -5,7 +5,7 @@
 #include "result.h"
 
 PYBIND11_MODULE(_core, module) {
-  module.doc() = "What the package lapwing is made of; call that instead.";
+  module.doc() = "Implementation of the package lapwing; call that instead.";
   module.attr("__version__") = LAPWING_VERSION;
   lapwing::python::add_errors(module);
   lapwing::python::add_mesh(module);

@@ -59,21 +59,21 @@ py::object vertex(const Certificate& c) {
 void add_certificate(py::module_& module) {
   using C = Certificate;
   py::class_<C>(module, "Certificate",
-                "What a deformed surface promises, measured on the surface itself.")
-      .def_readonly("settled", &C::settled, "False where the iterations ran out first.")
+                "The quality of a deformed surface, measured on the surface itself.")
+      .def_readonly("settled", &C::settled, "False if the iterations ended first.")
       .def_readonly("settle_iterations", &C::settle_iterations)
       .def_readonly("settle_last_step", &C::settle_last_step,
                     "How far a vertex would still move, in mean edge lengths.")
       .def_readonly("relative_gradient", &C::relative_gradient,
-                    "What of the energy's pull is not in balance, over the force of the handles.")
+                    "Forces that are not in balance, relative to the force of the handles.")
       .def_readonly("relative_residual", &C::relative_residual,
-                    "Of the linear response, where nothing settles.")
+                    "Residual of the linear response, if the edit does not settle.")
       .def_readonly("handle_error", &C::handle_error,
-                    "Largest distance of a handle vertex from where its motion wants it.")
+                    "Largest distance of a handle vertex from its prescribed position.")
       .def_readonly("target_error", &C::target_error,
-                    "Largest distance of a target's point from where it is to go.")
+                    "Largest distance of a target's point from its prescribed position.")
       .def_readonly("detail_error", &C::detail_error,
-                    "How far details are from their rest shapes, over their size: 0 is none lost.")
+                    "Change of the details' shapes, relative to their size; 0 is no loss.")
       .def_readonly("edge_stretch", &C::edge_stretch,
                     "Root mean square of the relative change of edge lengths.")
       .def_readonly("largest_edge_stretch", &C::largest_edge_stretch)
@@ -85,16 +85,16 @@ void add_certificate(py::module_& module) {
           },
           "The ends of the edge that changed most.")
       .def_readonly("smallest_scale", &C::smallest_scale,
-                    "Of a ring's best similarity; 1 is no change of size.")
+                    "Smallest scale of the best similarity of a ring; 1 is no change of size.")
       .def_readonly("largest_scale", &C::largest_scale)
       .def_property_readonly("smallest_scale_vertex", &vertex<&C::smallest_scale_vertex>)
       .def_property_readonly("largest_scale_vertex", &vertex<&C::largest_scale_vertex>)
       .def_readonly("largest_rotation_degrees", &C::largest_rotation_degrees,
-                    "By which a ring has turned, 0 to 180.")
+                    "Largest rotation of a ring, 0 to 180.")
       .def_property_readonly("largest_rotation_vertex", &vertex<&C::largest_rotation_vertex>)
       .def_readonly("flipped_triangles", &C::flipped_triangles)
       .def_readonly("inside_out_share", &C::inside_out_share,
-                    "What of the region is inside out, by area: 0 to 1.")
+                    "Share of the region's area that is inside out: 0 to 1.")
       .def_property_readonly("first_flipped_triangles",
                              [](const C& c) { return array_of(c.first_flipped_triangles); })
       .def("__repr__", [](const C& c) {
@@ -109,34 +109,34 @@ void add_certificate(py::module_& module) {
 
 void add_result(py::module_& module) {
   add_certificate(module);
-  py::class_<Result>(module, "Result", "What an edit leaves.")
+  py::class_<Result>(module, "Result", "The result of an edit.")
       .def_property_readonly(
           "vertices", [](const Result& r) { return array_of(r.mesh.positions); },
           "(n, 3) float64, a new array each time.")
       .def_property_readonly(
           "faces", [](const Result& r) { return faces_of(r.mesh); },
-          "(m, k) uint32, or a list of arrays where the polygons differ. The faces that were "
-          "given, unless the edit made new ones.")
+          "(m, k) uint32, or a list of arrays if the polygons differ in size. The given faces, "
+          "unless the edit made new ones.")
       .def_property_readonly(
           "mesh", [](const Result& r) { return r.mesh; },
-          "The Mesh, with texture coordinates and all else that its file had.")
+          "The Mesh, with texture coordinates and all other data of its file.")
       .def_property_readonly("rotations", &rotations_of,
-                             "(n, 3, 3) float64: how the ring of each vertex has turned.")
+                             "(n, 3, 3) float64: the rotation of the ring of each vertex.")
       .def_property_readonly("displacements", &displacements_of,
-                             "(n, 3) float64: from where each vertex was.")
+                             "(n, 3) float64: the displacement of each vertex.")
       .def_property_readonly("certificate", &certificate_of,
                              "Certificate of the last step, None unless that is a deform.")
       .def_property_readonly(
           "roi", [](const Result& r) { return array_of(r.region.roi); },
-          "Vertices that the last step concerned, ascending.")
+          "Vertices of the last step's region, ascending.")
       .def_property_readonly("belt", [](const Result& r) { return array_of(r.region.belt); })
       .def_property_readonly("handles", &handles_of, "A list of arrays of vertices.")
       .def_property_readonly(
           "warnings", [](const Result& r) { return r.report.warnings; },
-          "What is not as it should be, where, and what to change. Empty when all is well.")
+          "Problems of the result: where they are, and what to change.")
       .def_property_readonly(
           "notes", [](const Result& r) { return r.report.notes; },
-          "What was done that the call does not say by itself. No cause for worry.")
+          "Actions that no argument asked for. They are no cause for concern.")
       .def_property_readonly(
           "report_json", [](const Result& r) { return to_json(r.report); },
           "What `lapwing run --report` writes.");

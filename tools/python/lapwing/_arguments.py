@@ -81,7 +81,7 @@ def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
     if vertices.dtype == bool:
         if vertex_count is not None and vertices.size != vertex_count:
             raise _core.InputError(
-                f"{where}: a mask has a value for each of the {vertex_count} vertices, "
+                f"{where}: expected a mask with a value for each of the {vertex_count} vertices, "
                 f"got {vertices.size}"
             )
         return {"vertices": np.flatnonzero(vertices).tolist()}
@@ -101,7 +101,7 @@ def vertices_of(vertices: Any, where: str) -> List[int]:
     if int(numbers.min()) < 0:
         place = int(np.argmin(numbers))
         raise _core.InputError(
-            f"{where}[{place}]: expected the number of a vertex, from 0, got {numbers[place]}"
+            f"{where}[{place}]: expected a vertex number from 0, got {numbers[place]}"
         )
     return [int(v) for v in numbers.tolist()]
 

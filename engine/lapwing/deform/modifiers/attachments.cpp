@@ -20,7 +20,8 @@ constexpr std::size_t kPointsPerTask = 64;
 
 Adjacency one_group(const Topology& topology) {
   if (topology.triangles.empty()) {
-    throw InputError("a surface without triangles carries nothing along");
+    throw InputError(
+        "a surface without triangles cannot carry attachments; use a mesh with triangles");
   }
   Adjacency group;
   group.values.resize(topology.triangles.size());
@@ -29,7 +30,7 @@ Adjacency one_group(const Topology& topology) {
   return group;
 }
 
-// All that may move: loose parts ride along and are no part of the ROI that is solved for.
+// Returns the ROI and the loose parts, which move along but are not unknowns.
 std::vector<Index> moving_vertices(const EditRegion& region) {
   std::vector<Index> moving = region.roi;
   for (const LoosePart& part : region.loose) {
@@ -38,7 +39,7 @@ std::vector<Index> moving_vertices(const EditRegion& region) {
   return moving;
 }
 
-// Each vertex once, in order.
+// Merges the shares of equal vertices and sorts by vertex.
 void merge(std::vector<CarryShare>& shares) {
   std::stable_sort(shares.begin(), shares.end(),
                    [](const CarryShare& a, const CarryShare& b) { return a.vertex < b.vertex; });
@@ -118,26 +119,26 @@ std::optional<CarryShares> SurfaceContacts::find_all(std::span<const Vector3d> p
   return all;
 }
 
-SurfaceCarrier::SurfaceCarrier(std::span<const Vector3d> rest, const Deformed& deformed)
-    : SurfaceCarrier(std::make_shared<const SurfaceContacts>(rest, deformed.mesh.topology()),
-                     deformed) {}
+AttachmentDeformer::AttachmentDeformer(std::span<const Vector3d> rest, const Deformed& deformed)
+    : AttachmentDeformer(std::make_shared<const SurfaceContacts>(rest, deformed.mesh.topology()),
+                         deformed) {}
 
-SurfaceCarrier::SurfaceCarrier(std::shared_ptr<const SurfaceContacts> contacts,
-                               const Deformed& deformed)
+AttachmentDeformer::AttachmentDeformer(std::shared_ptr<const SurfaceContacts> contacts,
+                                       const Deformed& deformed)
     : contacts_(std::move(contacts)),
       deformed_(deformed),
       motion_(vertex_motion(moving_vertices(deformed.region), contacts_->rest(),
                             deformed.mesh.positions, deformed.mesh.topology())) {}
 
-bool SurfaceCarrier::is_still(std::span<const CarryShare> shares) const {
+bool AttachmentDeformer::is_still(std::span<const CarryShare> shares) const {
   return std::all_of(shares.begin(), shares.end(), [&](const CarryShare& of) {
     return motion_.displacements[of.vertex].isZero(0.0) &&
            motion_.rotations[of.vertex].vec().isZero(0.0);
   });
 }
 
-void SurfaceCarrier::carry(const Vector3d& point, std::span<const CarryShare> shares,
-                           Vector3d& position, Quaterniond& rotation) const {
+void AttachmentDeformer::carry(const Vector3d& point, std::span<const CarryShare> shares,
+                               Vector3d& position, Quaterniond& rotation) const {
   position = point;
   rotation = Quaterniond::Identity();
   if (is_still(shares)) return;
@@ -158,7 +159,7 @@ void SurfaceCarrier::carry(const Vector3d& point, std::span<const CarryShare> sh
   rotation = unit_quaternion(R);
 }
 
-CarriedPoints SurfaceCarrier::carry(std::span<const Vector3d> points) const {
+CarriedPoints AttachmentDeformer::carry(std::span<const Vector3d> points) const {
   CarriedPoints carried;
   carried.positions.resize(points.size());
   carried.rotations.resize(points.size());
@@ -173,8 +174,8 @@ CarriedPoints SurfaceCarrier::carry(std::span<const Vector3d> points) const {
   return carried;
 }
 
-CarriedPoints SurfaceCarrier::carry(std::span<const Vector3d> points,
-                                    const CarryShares& shares) const {
+CarriedPoints AttachmentDeformer::carry(std::span<const Vector3d> points,
+                                        const CarryShares& shares) const {
   CarriedPoints carried;
   carried.positions.resize(points.size());
   carried.rotations.resize(points.size());
@@ -188,7 +189,7 @@ CarriedPoints SurfaceCarrier::carry(std::span<const Vector3d> points,
 
 CarriedPoints carry_points(std::span<const Vector3d> points, std::span<const Vector3d> rest,
                            const Deformed& deformed) {
-  return SurfaceCarrier(rest, deformed).carry(points);
+  return AttachmentDeformer(rest, deformed).carry(points);
 }
 
 }  // namespace lapwing

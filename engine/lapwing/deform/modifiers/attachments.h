@@ -13,21 +13,21 @@
 
 namespace lapwing {
 
-/// Where points that follow a surface came to.
+/// The new positions of points that follow a surface.
 struct CarriedPoints {
   Positions positions;
-  /// By which the surface turned there, w >= 0: what a point points at turns along. Exactly the
-  /// identity for a point that stayed.
+  /// Rotations of the surface at the points, with w >= 0, for directions attached to them. Exactly
+  /// the identity for a point that did not move.
   std::vector<Eigen::Quaterniond> rotations;
 };
 
-/// By how much a point follows a vertex.
+/// The weight by which a point follows a vertex.
 struct CarryShare {
   Index vertex = 0;
   double share = 0.0;
 };
 
-/// What each of some points follows, in compressed rows; the shares of a row sum to 1.
+/// The shares of several points, in compressed rows. The shares of a row sum to 1.
 struct CarryShares {
   std::vector<std::size_t> starts{0};
   std::vector<CarryShare> values;
@@ -37,23 +37,26 @@ struct CarryShares {
   }
 };
 
-/// Which vertices of a surface at rest the points around it follow.
+/// Finds the vertices of a surface at rest that points around it follow.
 ///
-/// The contacts of a point p are the closest points x_k of the triangles that are hardly farther
-/// from it than the nearest one: within a band of kCarryBand times its distance, at most
-/// kWidestCarryBand of the surface's diagonal. The triangles count by area and by closeness, down
-/// to none at the edge of the band; the share of a vertex is what it has of all contacts.
+/// The contacts of a point p are the closest points x_k of all triangles in a band: they are
+/// farther than the nearest one by at most kCarryBand times its distance, and at most
+/// kWidestCarryBand of the surface's diagonal. Contacts are weighted by triangle area and by
+/// closeness, which falls to 0 at the edge of the band. The share of a vertex is its part of all
+/// contacts.
 class SurfaceContacts {
  public:
-  /// Both must outlive the object. O(n log n). Throws InputError for a mesh without triangles.
+  /// `rest` and `topology` must outlive the object. O(n log n). Throws InputError for a mesh
+  /// without triangles.
   SurfaceContacts(std::span<const Eigen::Vector3d> rest, const Topology& topology);
 
-  /// Of one point, ascending by vertex; replaces `shares`. O(log n) for a point near the surface;
-  /// one farther than a few of its features has many contacts. The position must be finite.
-  /// `hint` of the last search close by, kNoIndex at first, makes it quicker.
+  /// Replaces `shares` by those of one point, ascending by vertex. O(log n) for a point near the
+  /// surface; a distant point has many contacts. The position must be finite. `hint` speeds up the
+  /// search: pass kNoIndex first, then the value of the last search nearby.
   void find(const Eigen::Vector3d& point, Index& hint, std::vector<CarryShare>& shares) const;
 
-  /// Of all, on all processors; nothing where they are more than `most`, of 16 bytes each.
+  /// Returns the shares of all points, on all processors. Returns nothing if there are more than
+  /// `most` shares, of 16 bytes each.
   std::optional<CarryShares> find_all(std::span<const Eigen::Vector3d> points,
                                       std::size_t most) const;
 
@@ -67,27 +70,27 @@ class SurfaceContacts {
   ClosestPoint surface_;
 };
 
-/// Carries points of space along with the surface that `deform` moved: a hat, a point cloud. Let x,
-/// x', R and S be the weighted means of rest position, new position, rotation (VertexMotion) and
-/// rest stretch over the contacts of a point p (SurfaceContacts). Then
+/// Moves points, such as a hat or a point cloud, with a surface that `deform` moved. Let x, x', R
+/// and S be the weighted means of rest position, new position, rotation (VertexMotion) and rest
+/// stretch over the contacts of a point p (SurfaceContacts). Then
 ///
 ///     p' = x' + R S (p - x)
 ///
-/// A point on the surface stays on it. Where the surface moves rigidly, so do the points. p' is a
-/// continuous function of p, also half way between two parts of the surface. Points whose contacts
-/// did not move keep their bits.
-class SurfaceCarrier {
+/// A point on the surface stays on it. If the surface moves rigidly, so do the points. p' is
+/// continuous in p, also half way between two parts of the surface. Points whose contacts did not
+/// move keep their bits.
+class AttachmentDeformer {
  public:
   /// `rest` are the positions before `deformed`; both must outlive the object. O(n log n). Throws
   /// InputError for a mesh without triangles.
-  SurfaceCarrier(std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
-  /// The same where the contacts with the surface at rest are kept from one deform of it to the
-  /// next, as in a drag. Linear in the region.
-  SurfaceCarrier(std::shared_ptr<const SurfaceContacts> contacts, const Deformed& deformed);
+  AttachmentDeformer(std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
+  /// The same with contacts that are reused for several deformations of one surface, as in a drag.
+  /// Linear in the region.
+  AttachmentDeformer(std::shared_ptr<const SurfaceContacts> contacts, const Deformed& deformed);
 
-  /// On all processors. Positions must be finite.
+  /// Runs on all processors. Positions must be finite.
   CarriedPoints carry(std::span<const Eigen::Vector3d> points) const;
-  /// The same bits where the shares of the points are known. Linear in these.
+  /// The same for known shares of the points, bit for bit. Linear in the shares.
   CarriedPoints carry(std::span<const Eigen::Vector3d> points, const CarryShares& shares) const;
 
  private:
@@ -100,12 +103,12 @@ class SurfaceCarrier {
   VertexMotion motion_;
 };
 
-/// The same for one use: carry_points(hat.positions, head.positions, deformed).
+/// Carries points once, e.g. carry_points(hat.positions, head.positions, deformed).
 CarriedPoints carry_points(std::span<const Eigen::Vector3d> points,
                            std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
 
-/// Wide enough that what hangs over a fold is not torn, narrow enough that a point follows what is
-/// under it.
+/// Wide enough that points over a fold are not torn apart, narrow enough that a point follows the
+/// surface under it.
 inline constexpr double kCarryBand = 0.5;
 inline constexpr double kWidestCarryBand = 0.02;
 

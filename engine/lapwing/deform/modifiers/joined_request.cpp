@@ -14,7 +14,8 @@ std::size_t joined_edges_in(const VertexSet& roi, const JoinedSurface& joined) {
       joined.edges, [&](const auto& ends) { return inside[ends[0]] && inside[ends[1]]; }));
 }
 
-// The joined surface has the triangles of the mesh but for those that lost their extent.
+// Returns the mesh's index of each triangle of the joined surface, which lacks the triangles that
+// became degenerate.
 std::vector<Index> triangles_of_mesh(const JoinedSurface& joined, const Topology& topology) {
   std::vector<Index> numbers;
   for (Index t = 0; t < topology.triangles.size(); ++t) {
@@ -32,7 +33,7 @@ DeformRequest joined_request(DeformRequest request, const JoinedSurface& joined)
   request.belt = led(request.belt, joined);
   for (MovedHandle& handle : request.handles) {
     handle.region = led(handle.region, joined);
-    handle.grading = led(std::move(handle.grading), joined);
+    handle.falloff = led(std::move(handle.falloff), joined);
   }
   request.targets = led(std::move(request.targets), joined);
   return request;
@@ -42,7 +43,7 @@ void give_back_seams(const JoinedSurface& joined, Mesh mesh, const std::string& 
                      Deformed& result) {
   if (const std::size_t count = joined_edges_in(result.region.roi, joined); count > 0) {
     result.notes.push_back(where + ": " + std::to_string(count) +
-                           " seam edges of the roi are edited as one surface");
+                           " seam edges of the ROI are joined, so both sides move as one surface");
   }
   result.region = with_followers(std::move(result.region), joined);
   if (std::vector<Index>& flipped = result.certificate.first_flipped_triangles; !flipped.empty()) {

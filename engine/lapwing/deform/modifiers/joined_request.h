@@ -8,13 +8,13 @@
 
 namespace lapwing {
 
-/// `request` over the surface with its seams joined, at its positions: regions are lists of leaders
-/// (a belt by fraction stays one), targets are at leaders. Throws what `resolve` does.
+/// Returns `request` for the surface with joined seams. Regions become lists of leaders, except for
+/// a belt by fraction, and targets are at leaders. Throws what `resolve` throws.
 DeformRequest joined_request(DeformRequest request, const JoinedSurface& joined);
 
-/// Makes what came of such a request, `result` of the joined surface, that of `mesh`: followers are
-/// where their leaders are and belong to the same regions, triangles are numbered as in `mesh`. A
-/// note that begins with `where` says how many seam edges of the ROI were joined.
+/// Converts the `result` of such a request from the joined surface to `mesh`. Followers get the
+/// positions and regions of their leaders, and triangles the indices of `mesh`. A note that begins
+/// with `where` gives the number of joined seam edges in the ROI.
 void give_back_seams(const JoinedSurface& joined, Mesh mesh, const std::string& where,
                      Deformed& result);
 

@@ -15,10 +15,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Of the anchors of a part, against 1 for the surface: they give way to it only where they leave
-// the part free.
+// Weight of a part's anchors, against 1 for the surface. The surface only determines what the
+// anchors leave free.
 constexpr double kAnchorWeight = 1e4;
-// Of no rotation, against the spread of the guides: for those that lie on one line.
+// Weight of the identity rotation, relative to the spread of the guides. It matters for guides on a
+// line.
 constexpr double kStillness = 1e-9;
 
 double size_of(const VertexSet& vertices, std::span<const Vector3d> positions) {
@@ -31,7 +32,7 @@ double size_of(const VertexSet& vertices, std::span<const Vector3d> positions) {
   return (max - min).norm();
 }
 
-// The mean over the guides of a value per vertex.
+// Returns the weighted mean of `values` over the guides.
 double mean_of(std::span<const double> values, const auto& guides, double otherwise) {
   if (values.empty()) return otherwise;
   double sum = 0.0;
@@ -39,7 +40,7 @@ double mean_of(std::span<const double> values, const auto& guides, double otherw
   return sum;
 }
 
-// The triangles of the mesh that belong to no loose part.
+// Returns the triangles of the mesh that belong to no loose part.
 Adjacency triangles_of_rest(const EditRegion& region, const Topology& topology) {
   std::vector<char> is_loose(topology.vertex_count(), 0);
   for (const LoosePart& part : region.loose) {
@@ -60,7 +61,7 @@ Adjacency triangles_of_rest(const EditRegion& region, const Topology& topology) 
   return group;
 }
 
-// How much each vertex of the surface tells of a part's motion.
+// Returns the weight of each vertex of the surface for a part's motion.
 std::map<Index, double> contacts(const VertexSet& part, std::span<const Vector3d> rest,
                                  const Topology& topology, const ClosestPoint& surface) {
   std::vector<TrianglePoint> nearest;
@@ -138,7 +139,7 @@ void LooseParts::carry(std::span<const Vector3d> wanted, std::span<const double>
     }
     const bool still = std::all_of(displacements.begin(), displacements.end(),
                                    [](const Vector3d& d) { return d.isZero(0.0); });
-    Matrix3d turn = Matrix3d::Zero();  // less the identity
+    Matrix3d turn = Matrix3d::Zero();  // minus the identity
     if (!still || scale != 1.0) {
       H += kStillness * spread * Matrix3d::Identity();
       turn = scale * nearest_rotation(H) - Matrix3d::Identity();

@@ -16,12 +16,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A search looks at `samples` vertices and takes so many steps at most.
+// A search uses at most `samples` vertices and `rounds` steps.
 struct Effort {
   std::size_t samples;
   int rounds;
 };
-// Of all planes that are begun from, then of the best of them.
+// First for all starting planes, then for the best ones.
 constexpr Effort kCoarse{300, 12};
 constexpr Effort kFine{2000, 60};
 constexpr std::size_t kBest = 3;
@@ -35,18 +35,19 @@ ClosestPoint surface_of(const Mesh& mesh, const std::string& where) {
     if (finite) group.values.push_back(static_cast<Index>(t));
   }
   if (group.values.empty()) {
-    throw InputError(where + ": the mesh has no triangle, and so no surface to mirror");
+    throw InputError(where + ": the mesh has no triangles, so there is no surface to mirror");
   }
   group.starts.push_back(static_cast<Index>(group.values.size()));
   return {triangles, mesh.positions, group};
 }
 
-// Not `normalized`, which a length of 1e-200 or 1e200 defeats.
+// `normalized` fails for lengths of 1e-200 or 1e200.
 Vector3d unit_normal(const MirrorPlane& plane) {
   return plane.normal.stableNormalized();
 }
 
-// Vertices with a triangle, evenly by number.
+// Returns the positions of at most `most` vertices that are in a triangle, evenly spaced by vertex
+// index.
 std::vector<Vector3d> samples_of(const Mesh& mesh, std::size_t most) {
   std::vector<Vector3d> all;
   const Adjacency& rings = mesh.topology().rings;
@@ -65,8 +66,8 @@ Vector3d mean_of(std::span<const Vector3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
-// The points of the surface that are nearest to the images of the samples, and the mean square
-// distance. `hints`, one per sample, are those of the last search.
+// Returns the points of the surface closest to the images of the samples, and sets the mean squared
+// distance. `hints`, one per sample, come from the last search.
 std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
                                         std::span<const Vector3d> samples, const MirrorPlane& plane,
                                         std::span<Index> hints, double& mean_square) {
@@ -87,8 +88,8 @@ std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
   return nearest;
 }
 
-// The plane that carries each p nearest to its q: through the middle of all, across the direction
-// n that makes sum (n.p) (n.q) least.
+// Returns the plane that mirrors the p closest to the q. It passes through the mean of all points,
+// and its normal n minimizes sum (n.p) (n.q).
 MirrorPlane best_plane(std::span<const Vector3d> p, std::span<const Vector3d> q) {
   const Vector3d center = 0.5 * (mean_of(p) + mean_of(q));
   Matrix3d B = Matrix3d::Zero();
@@ -99,8 +100,8 @@ MirrorPlane best_plane(std::span<const Vector3d> p, std::span<const Vector3d> q)
   return {center, symmetric_eigenvectors(B).vectors.col(0)};
 }
 
-// Where the search begins: across the faces, edges and corners of a cube that lies along the
-// coordinate axes, and of one along the principal axes.
+// Returns the normals of the starting planes: the directions to faces, edges and corners of a cube
+// along the coordinate axes, and of one along the principal axes.
 std::vector<Vector3d> first_normals(std::span<const Vector3d> samples, const Vector3d& center) {
   constexpr int kCube[13][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
                                 {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
@@ -135,13 +136,15 @@ FoundMirror refined(const ClosestPoint& surface, std::span<const Vector3d> sampl
 
 void require_plane(const MirrorPlane& plane, const std::string& where) {
   if (!plane.point.allFinite()) {
-    throw InputError(where + ": the point of the mirror plane is not finite");
+    throw InputError(where +
+                     ": the point of the mirror plane is not finite; give finite coordinates");
   }
   if (!plane.normal.allFinite()) {
-    throw InputError(where + ": the normal of the mirror plane is not finite");
+    throw InputError(where +
+                     ": the normal of the mirror plane is not finite; give finite coordinates");
   }
   if (plane.normal.isZero(0.0)) {
-    throw InputError(where + ": the normal of the mirror plane has no length; name a direction");
+    throw InputError(where + ": the normal of the mirror plane is zero; give a direction");
   }
 }
 
@@ -169,14 +172,17 @@ FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where) {
   const ClosestPoint surface = surface_of(mesh, where);
   const std::vector<Vector3d> samples = samples_of(mesh, kFine.samples);
   const double diagonal = bounds_of(samples).diagonal();
-  if (!(diagonal > 0.0)) throw InputError(where + ": the mesh has no extent to be mirrored");
+  if (!(diagonal > 0.0)) {
+    throw InputError(where + ": all vertices of the mesh coincide, so it cannot be mirrored");
+  }
   const std::vector<Vector3d> few = samples_of(mesh, kCoarse.samples);
   const Vector3d center = mean_of(samples);
   std::vector<FoundMirror> found;
   for (const Vector3d& normal : first_normals(samples, center)) {
     found.push_back(refined(surface, few, {center, normal}, kCoarse.rounds));
   }
-  // Of two as good the first, so that shapes with many planes take a coordinate one.
+  // Of equally good planes the first one wins, so that shapes with many planes get a coordinate
+  // plane.
   const double rounding = 1e-20 * diagonal * diagonal;
   std::stable_sort(found.begin(), found.end(), [&](const FoundMirror& a, const FoundMirror& b) {
     return std::max(a.asymmetry, rounding) < std::max(b.asymmetry, rounding);

@@ -18,52 +18,50 @@ struct MirrorPlane {
   bool operator==(const MirrorPlane&) const = default;
 };
 
-/// The plane is found from the shape (`find_mirror_plane`).
+/// Finds the plane from the shape (`find_mirror_plane`).
 struct AutomaticMirror {
   bool operator==(const AutomaticMirror&) const = default;
 };
 
-/// A mirror as a person gave it.
+/// A mirror as the user wrote it.
 struct MirrorSpec {
   std::variant<AutomaticMirror, MirrorPlane> plane;
   std::string where = "mirror";  ///< as in RegionSpec; no part of the value
   bool operator==(const MirrorSpec& other) const { return plane == other.plane; }
 };
 
-/// Throws InputError, naming `where`, for a plane that is none: numbers that are not finite, a
-/// normal without length.
+/// Throws InputError, naming `where`, if a number is not finite or the normal is 0.
 void require_plane(const MirrorPlane& plane, const std::string& where);
 
 /// Throws InputError, naming `where`, for a plane that does not pass through the bounds of the
 /// mesh, and what `require_plane` throws.
 void require_through(const MirrorPlane& plane, const Mesh& mesh, const std::string& where);
 
-/// x -> its mirror image.
+/// Returns the map of points to their mirror images.
 Eigen::Affine3d reflection(const MirrorPlane& plane);
 
 struct FoundMirror {
   MirrorPlane plane;
-  /// The root mean square distance of the mirrored vertices from the surface, a share of the
-  /// diagonal of its bounds: 0 for a symmetric shape.
+  /// Root mean square distance of the mirrored vertices from the surface, over the diagonal of its
+  /// bounds; 0 for a symmetric shape.
   double asymmetry = 0.0;
 };
 
-/// The plane in which the surface is most nearly its own mirror image: from 26 planes through its
-/// centroid on, by closest points (as ICP goes). About a second for any mesh, since at most 2,000
-/// vertices are looked at. Throws InputError, naming
-/// `where`, for a mesh without triangles of any extent.
+/// Finds the plane in which the surface is most symmetric, by iterated closest points (ICP) from 26
+/// planes through its centroid. Takes about a second for any mesh, since it uses at most 2,000
+/// vertices. Throws InputError, naming `where`, if no triangle of the mesh has any extent.
 FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where);
 
-/// How far a mesh is from its image in `plane`, as above.
+/// Returns FoundMirror::asymmetry of a mesh for `plane`.
 double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::string& where);
 
-/// For each vertex the one that lies where its mirror image is: the nearest corner of the nearest
-/// point of the surface. On a symmetric mesh these are its pairs. Vertices without a triangle have
-/// themselves. O(n log n). Throws what `require_through` throws.
+/// Returns for each vertex the vertex at its mirror image: the nearest corner of the triangle that
+/// is closest to the image. On a symmetric mesh these are its pairs. A vertex without a triangle is
+/// its own image. O(n log n). Throws what `require_through` throws.
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where);
 
-/// The vertices whose image is in `set`.
+/// Returns the vertices whose image is in `set`.
 VertexSet mirrored(const VertexSet& set, std::span<const Index> images);
 
 }  // namespace lapwing

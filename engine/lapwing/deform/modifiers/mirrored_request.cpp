@@ -15,10 +15,10 @@ using Eigen::Affine3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// From here on people would call a shape not symmetric.
+// Share of the diagonal. If the asymmetry is larger, a note asks to check the plane.
 constexpr double kLargeAsymmetry = 0.02;
-// A share of the diagonal below this is rounding: a place so near to the plane is meant to lie in
-// it, a mesh so near to its image to be symmetric.
+// Share of the diagonal. A point closer to the plane counts as lying in it, and a mesh closer to
+// its image as symmetric.
 constexpr double kRounding = 1e-9;
 
 Matrix3d mirror_matrix(const MirrorPlane& plane) {
@@ -49,7 +49,7 @@ class Mirroring {
     if (const auto* belt = std::get_if<RegionSpec>(&request_.belt)) both.belt = with_image(*belt);
     result.handle_images = add_handles(both);
     add_targets(both);
-    list_what_distances_choose(both, result.handle_images);
+    make_regions_symmetric(both, result.handle_images);
     return result;
   }
 
@@ -60,36 +60,36 @@ class Mirroring {
   }
 
   std::vector<double> mirrored_field(const std::vector<double>& field) const {
-    if (field.size() != images_.size()) return field;  // which is an error elsewhere, or none
+    if (field.size() != images_.size()) return field;  // empty, or an error reported elsewhere
     std::vector<double> mirrored;
     for (const Index image : images_) mirrored.push_back(field[image]);
     return mirrored;
   }
 
-  Grading with_image(Grading grading) const {
-    const std::vector<double> mirrored = mirrored_field(grading.field);
+  Falloff with_image(Falloff falloff) const {
+    const std::vector<double> mirrored = mirrored_field(falloff.field);
     for (std::size_t v = 0; v < mirrored.size(); ++v) {
-      grading.field[v] = std::max(grading.field[v], mirrored[v]);
+      falloff.field[v] = std::max(falloff.field[v], mirrored[v]);
     }
-    return grading;
+    return falloff;
   }
 
-  // The vertices that a handle holds with all its weight.
-  VertexSet full(const VertexSet& set, const Grading& grading) const {
-    if (grading.field.size() != images_.size()) return set;
+  // Returns the vertices that a handle holds with its full weight.
+  VertexSet full(const VertexSet& set, const Falloff& falloff) const {
+    if (falloff.field.size() != images_.size()) return set;
     VertexSet full;
     std::copy_if(set.begin(), set.end(), std::back_inserter(full),
-                 [&](Index v) { return grading.field[v] == 1.0; });
+                 [&](Index v) { return falloff.field[v] == 1.0; });
     return full;
   }
 
-  // Returns, for each handle there is then, the number of its image.
+  // Returns the index of the image for each handle, added ones included.
   std::vector<std::size_t> add_handles(DeformRequest& both) const {
     std::vector<MovedHandle> images;
     std::vector<std::size_t> numbers(both.handles.size());
     std::vector<VertexSet> held;
     for (const MovedHandle& handle : both.handles) {
-      held.push_back(full(resolve(handle.region, mesh_), handle.grading));
+      held.push_back(full(resolve(handle.region, mesh_), handle.falloff));
     }
     for (std::size_t h = 0; h < both.handles.size(); ++h) {
       MovedHandle& handle = both.handles[h];
@@ -99,7 +99,7 @@ class Mirroring {
       require_other_place(both.handles, held, h, held_image);
       if (!intersect(held[h], held_image).empty()) {
         handle = {listed(unite(set, image), handle.region), along_mirror(handle.move, plane_),
-                  with_image(handle.grading), handle.orientation,
+                  with_image(handle.falloff), handle.orientation,
                   mapped(handle.path, [&](const Move& m) { return along_mirror(m, plane_); })};
         numbers[h] = h;
         continue;
@@ -107,11 +107,11 @@ class Mirroring {
       numbers[h] = both.handles.size() + images.size();
       numbers.push_back(h);
       RegionSpec region = listed(std::move(image), handle.region);
-      region.where += " (its image)";
+      region.where += " (mirror image)";
       images.push_back(
           {std::move(region),
            mirror_image(handle.move, plane_),
-           {handle.grading.weight, handle.grading.falloff, mirrored_field(handle.grading.field)},
+           {handle.falloff.weight, handle.falloff.transition, mirrored_field(handle.falloff.field)},
            handle.orientation,
            mapped(handle.path, [&](const Move& m) { return mirror_image(m, plane_); })});
     }
@@ -132,9 +132,9 @@ class Mirroring {
       if (k == h) continue;
       const VertexSet shared = intersect(held[k], image);
       if (shared.empty()) continue;
-      throw InputError(handles[h].region.where + ": its mirror image takes vertex " +
+      throw InputError(handles[h].region.where + ": its mirror image contains vertex " +
                            std::to_string(shared.front()) + " of handle " + std::to_string(k) +
-                           "; give the handles of one side only, or leave out the mirror",
+                           "; give the handles of one side only, or remove \"mirror\"",
                        shared);
     }
   }
@@ -148,7 +148,7 @@ class Mirroring {
     for (std::size_t r = 0; r < both.targets.rows.size(); ++r) {
       TargetRow& row = both.targets.rows[r];
       const auto* vertex = std::get_if<Index>(&row.point);
-      // The first is an error elsewhere; vertices without a triangle have no image.
+      // A wrong index is reported elsewhere; vertices without a triangle have no image.
       if (vertex != nullptr && (*vertex >= images_.size() || is_lone(*vertex))) continue;
       const Vector3d point =
           vertex != nullptr ? mesh_.positions[*vertex] : std::get<Vector3d>(row.point);
@@ -162,49 +162,49 @@ class Mirroring {
     both.targets.rows.insert(both.targets.rows.end(), images.begin(), images.end());
   }
 
-  // Geodesic distances depend on the order of the vertices where several ways are as short, and are
-  // not the same on both sides. So a belt by fraction, falloffs and fields become lists and fields
-  // that are.
-  void list_what_distances_choose(DeformRequest& both,
-                                  const std::vector<std::size_t>& handle_images) const {
+  // Geodesic distances depend on the order of the vertices if several paths are equally short, so
+  // they differ between the sides. Replaces a belt by fraction, falloffs and fields by symmetric
+  // lists and fields.
+  void make_regions_symmetric(DeformRequest& both,
+                              const std::vector<std::size_t>& handle_images) const {
     const EditRegion region = resolve_edit_region(both, mesh_);
-    if (const auto* belt = std::get_if<BorderBelt>(&both.belt)) {
+    if (const auto* belt = std::get_if<BoundaryAnchors>(&both.belt)) {
       VertexSet listed = unite(region.belt, intersect(region.roi, mirrored(region.belt, images_)));
       for (const VertexSet& handle : region.handles) listed = subtract(listed, handle);
       listed = subtract(listed, corners_of(region.targets));
       both.belt = RegionSpec{ListedVertices{std::move(listed)}, belt->where};
     }
-    const std::vector<GradedVertex> graded = symmetric(region.graded, handle_images);
+    const std::vector<FalloffVertex> graded = symmetric(region.graded, handle_images);
     for (std::size_t h = 0; h < both.handles.size(); ++h) {
       MovedHandle& handle = both.handles[h];
       VertexSet set = region.handles[h];
       std::vector<double> field(mesh_.vertex_count(), 0.0);
       for (const Index v : set) field[v] = 1.0;
-      for (const GradedVertex& g : graded) {
+      for (const FalloffVertex& g : graded) {
         if (g.handle != h) continue;
         set.push_back(g.vertex);
         field[g.vertex] = g.weight;
       }
       if (set.size() == region.handles[h].size()) field.clear();
       handle.region = listed(make_vertex_set(std::move(set)), handle.region);
-      handle.grading = {handle.grading.weight, {}, std::move(field)};
+      handle.falloff = {handle.falloff.weight, {}, std::move(field)};
     }
   }
 
-  // What both vertices of a pair agree on, with the mean of their weights. A vertex that is its own
-  // image goes with no handle that is not.
-  std::vector<GradedVertex> symmetric(const std::vector<GradedVertex>& graded,
-                                      const std::vector<std::size_t>& handle_images) const {
-    std::vector<const GradedVertex*> of_vertex(images_.size(), nullptr);
-    for (const GradedVertex& g : graded) of_vertex[g.vertex] = &g;
-    std::vector<GradedVertex> agreed;
-    for (const GradedVertex& g : graded) {
+  // Returns the entries on which both vertices of a pair agree, with the mean of their weights. A
+  // vertex that is its own image follows only handles that are too.
+  std::vector<FalloffVertex> symmetric(const std::vector<FalloffVertex>& graded,
+                                       const std::vector<std::size_t>& handle_images) const {
+    std::vector<const FalloffVertex*> of_vertex(images_.size(), nullptr);
+    for (const FalloffVertex& g : graded) of_vertex[g.vertex] = &g;
+    std::vector<FalloffVertex> agreed;
+    for (const FalloffVertex& g : graded) {
       const Index image = images_[g.vertex];
       if (images_[image] != g.vertex) {
         agreed.push_back(g);  // A mesh that is only nearly symmetric has vertices without a pair.
         continue;
       }
-      const GradedVertex* other = of_vertex[image];
+      const FalloffVertex* other = of_vertex[image];
       if (other == nullptr || other->handle != handle_images[g.handle]) continue;
       agreed.push_back({g.vertex, g.handle, 0.5 * (g.weight + other->weight)});
     }
@@ -226,7 +226,7 @@ std::string in_words(const Vector3d& v) {
 std::string in_words(const FoundMirror& found, bool automatic) {
   std::ostringstream text;
   if (automatic) {
-    text << "mirrored in the plane through " << in_words(found.plane.point) << " across "
+    text << "mirrored in the plane through " << in_words(found.plane.point) << " with normal "
          << in_words(found.plane.normal.normalized()) << ", found from the shape";
   } else {
     text << "mirrored";
@@ -235,10 +235,10 @@ std::string in_words(const FoundMirror& found, bool automatic) {
     text << "; the mesh is symmetric";
     return text.str();
   }
-  text << "; the mesh is off from its image by " << std::setprecision(3) << 100.0 * found.asymmetry
+  text << "; the mesh differs from its image by " << std::setprecision(3) << 100.0 * found.asymmetry
        << "% of its diagonal (root mean square)";
   if (found.asymmetry > kLargeAsymmetry) {
-    text << ", which is much: is this its plane of symmetry?";
+    text << ". That is large: make sure that this is its plane of symmetry";
   }
   return text.str();
 }
@@ -247,7 +247,7 @@ std::string in_words(const FoundMirror& found, bool automatic) {
 
 namespace {
 
-// Scales along the axes, seen in the mirror. Only a plane along the axes has them along axes again.
+// Returns the mirror image of scales along the axes. For most planes that is not along the axes.
 Vector3d mirrored_scale(const Vector3d& scale, const MirrorPlane& plane) {
   const Matrix3d F = mirror_matrix(plane);
   const Matrix3d image = F * scale.asDiagonal() * F;
@@ -256,9 +256,8 @@ Vector3d mirrored_scale(const Vector3d& scale, const MirrorPlane& plane) {
   if (scale.maxCoeff() == scale.minCoeff()) return scale;
   if (off_axes.norm() > kAlongAxes * image.norm()) {
     throw InputError(
-        "a move that scales its axes differently cannot be mirrored across a plane that is not "
-        "along "
-        "two of the axes; scale all axes alike, or give the move as a \"matrix\"");
+        "a move with a different scale for each axis can only be mirrored across a plane "
+        "perpendicular to an axis; scale all axes equally, or give the move as a \"matrix\"");
   }
   return image.diagonal();
 }

@@ -9,30 +9,29 @@
 
 namespace lapwing {
 
-/// The move of the mirror image of a handle that moves by `move`.
+/// Returns the move of the mirror image of a handle that moves by `move`.
 Move mirror_image(const Move& move, const MirrorPlane& plane);
 
-/// The part of `move` that is its own mirror image, for a handle that lies across the plane: of a
-/// translation what is along the plane, of a turn what is about its normal; of a matrix the mean
-/// with its image.
+/// Returns the symmetric part of `move`, for a handle that lies across the plane: the translation
+/// along the plane and the turn about its normal, or the mean of a matrix and its image.
 Move along_mirror(const Move& move, const MirrorPlane& plane);
 
-/// A request without a mirror that does what one with it asks for.
+/// A request without a mirror that is equivalent to one with a mirror.
 struct MirroredRequest {
   DeformRequest request;
-  /// Of each of its handles, the number of its image there; its own where it lies across the plane.
-  /// Those of the request come first, then the images. Empty without a mirror.
+  /// For each handle of `request` the index of its image, or its own index if it lies across the
+  /// plane. The original handles come first, then the images. Empty without a mirror.
   std::vector<std::size_t> handle_images;
   std::optional<MirrorPlane> plane;  ///< given or found
-  std::vector<std::string> notes;    ///< for a person: which plane, how symmetric the mesh is
+  std::vector<std::string> notes;    ///< for the user: the plane and how symmetric the mesh is
 };
 
-/// ROI, belt, handles and targets, each with its image. A handle that shares a vertex with its
-/// image becomes one with it and moves `along_mirror`; likewise a target that is its own image. The
-/// images of vertices are `mirror_images`. Regions, a belt by fraction too, become lists, falloffs
-/// become fields: on a symmetric mesh they are symmetric to the last vertex. Between a falloff and
-/// its image the vertices in the plane are free. Throws InputError as `mirror_images` and
-/// `resolve_edit_region` do, and for a handle whose image takes vertices of another handle.
+/// Adds the images of ROI, belt, handles and targets, by `mirror_images` of the vertices. A handle
+/// that shares a vertex with its image is merged with it and moves `along_mirror`; so does a target
+/// that is its own image. Regions and belts by fraction become lists, and falloffs become fields,
+/// so that they are exactly symmetric on a symmetric mesh. Vertices in the plane between a falloff
+/// and its image are free. Throws what `mirror_images` and `resolve_edit_region` throw, and
+/// InputError if the image of a handle contains vertices of another handle.
 MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -14,10 +14,10 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-// 0.3 degrees in parts of 0.1 are three, though the quotient is rounded to a little more.
+// 0.3 degrees in parts of 0.1 must give three parts, although the quotient is rounded up.
 constexpr double kRoundingOfQuotient = 1e-9;
 
-// A half turn that was computed.
+// Tolerance for a computed half turn.
 constexpr double kRoundingDegrees = 1e-6;
 
 }  // namespace
@@ -38,19 +38,19 @@ std::size_t commit_count(const DeformRequest& request) {
   const double count = std::ceil(degrees / *every - kRoundingOfQuotient);
   if (!(count <= static_cast<double>(kMostCommits))) {
     std::ostringstream text;
-    text << request.where << ": a handle turns by " << degrees << " degrees; in parts of " << *every
-         << " that is more than " << kMostCommits
+    text << request.where << ": a handle turns by " << degrees << " degrees; with substeps of "
+         << *every << " degrees that takes more than " << kMostCommits
          << " commits. Raise \"commit_every\", or turn less";
     throw InputError(text.str());
   }
   return static_cast<std::size_t>(std::max(count, 1.0));
 }
 
-Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
+Certificate certify(const ResolvedRequest& bound, std::span<const Vector3d> start,
                     std::span<const Vector3d> end, std::span<const Certificate> parts,
                     std::span<const Eigen::Matrix3d> stretch) {
   Certificate certificate;
-  // Where a free handle should end is not known; each part has measured how far it was off.
+  // The final position of a free handle is not known, but each part has measured its error.
   const auto is_free = [](const MovedHandle& handle) {
     return handle.orientation == HandleOrientation::free;
   };

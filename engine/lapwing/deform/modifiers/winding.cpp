@@ -14,19 +14,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Down to this a smaller detail length keeps more winding, at little cost in details.
+// Down to this detail length, a smaller one keeps more winding and costs few details.
 constexpr double kSmallDetailLength = 0.045;
 
-// Whole degrees: equal parts below the limit, with room left at exact multiples of it, and at most
-// half of the parts that the turn was made in.
+// Returns whole degrees: equal parts below the limit, one part more at exact multiples of it, and
+// at most half of the current parts.
 double suggested_commit_every(const DeformRequest& request, double degrees) {
   const double below_limit = degrees / (std::floor(degrees / kLargestSettledTurnDegrees) + 1.0);
   const double half_part = 0.5 * degrees / static_cast<double>(commit_count(request));
   return std::ceil(std::min(below_limit, half_part));
 }
 
-// The fewest edges from `vertex` through the region to a vertex that stays, that one first; empty
-// when none is reached.
+// Returns a shortest edge path from a vertex that stays to `vertex` through the region; empty if
+// there is none.
 std::vector<Index> path_from_still(const EditRegion& region, const Topology& topology,
                                    Index vertex) {
   std::vector<char> moves(topology.vertex_count(), 0);
@@ -52,7 +52,7 @@ std::vector<Index> path_from_still(const EditRegion& region, const Topology& top
 
 std::string advice(const DeformRequest& request, double degrees) {
   std::ostringstream text;
-  if (!request.parameters.settle) text << "let the surface settle";
+  if (!request.parameters.settle) text << "turn \"settle\" on";
   if (!request.parameters.commit_every) {
     const double every = suggested_commit_every(request, degrees);
     text << (request.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
@@ -61,7 +61,7 @@ std::string advice(const DeformRequest& request, double degrees) {
     const double less = std::max(kSmallDetailLength, 0.5 * request.parameters.detail_length);
     text << "set \"detail_length\" to " << less << " (or --detail-length " << less << ")";
   } else if (request.parameters.settle) {
-    text << "turn less, or give the turn a longer region";
+    text << "turn less, or choose a longer region";
   }
   return text.str();
 }
@@ -78,9 +78,9 @@ LargestTurn largest_turn(const DeformRequest& request) {
   return largest;
 }
 
-std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn& largest,
-                                    std::span<const Vector3d> start,
-                                    std::span<const Vector3d> end) {
+std::optional<double> winding_degrees(const ResolvedRequest& bound, const LargestTurn& largest,
+                                      std::span<const Vector3d> start,
+                                      std::span<const Vector3d> end) {
   if (largest.turn.degrees <= kFarTurnDegrees) return std::nullopt;
   const Index on_handle = bound.region.handles[largest.handle].front();
   const auto path = path_from_still(bound.region, bound.topology, on_handle);
@@ -88,7 +88,8 @@ std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn
   double wound = 0.0;
   for (const Index v : path) {
     const Eigen::Quaterniond q(fit_rotation(v, bound.topology.rings[v], start, end));
-    // The turn about the axis alone: near whole turns a small tilt would lead the axis anywhere.
+    // Only the turn about the given axis: near whole turns a small tilt can change the axis
+    // arbitrarily.
     const double turn = 2.0 * std::atan2(q.vec().dot(largest.turn.axis), q.w());
     wound += std::remainder(turn - wound, 2.0 * std::numbers::pi);
   }
@@ -105,10 +106,11 @@ std::string winding_warning(const DeformRequest& request, const std::optional<do
   std::ostringstream text;
   text << "handle " << largest.handle + 1 << " turns by " << degrees << " degrees";
   if (lost) {
-    text << ", but the surface came out wound by " << std::lround(*wound) << ": ";
+    text << ", but the surface is wound by " << std::lround(*wound)
+         << " degrees. To correct this, ";
   } else {
-    text << " at once; beyond " << kLargestSettledTurnDegrees << " a surface may unwind"
-         << (wound ? ", and this one did not" : "") << ". To be sure: ";
+    text << " at once; beyond " << kLargestSettledTurnDegrees << " degrees a surface may unwind"
+         << (wound ? ", although this one did not" : "") << ". To prevent this, ";
   }
   text << advice(request, degrees);
   return text.str();

@@ -68,8 +68,8 @@ class Factorization {
  public:
   virtual ~Factorization() = default;
   virtual void touch() = 0;
-  virtual Refusal factor(const BlockMatrix& matrix, const Progress& progress,
-                         const std::vector<char>& kept) = 0;
+  virtual Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
+                            const std::vector<char>& kept) = 0;
   virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
                      std::span<const Index> places) = 0;
 };
@@ -91,9 +91,9 @@ class FactorizationIn final : public Factorization {
         solve_(symbolic, numeric_, kernels_in<Real>(tables), pool) {}
 
   void touch() override { numeric_.touch(); }
-  Refusal factor(const BlockMatrix& matrix, const Progress& progress,
-                 const std::vector<char>& kept) override {
-    return numeric_.factor(matrix, progress, kept);
+  Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
+                    const std::vector<char>& kept) override {
+    return numeric_.factorize(matrix, progress, kept);
   }
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
              std::span<const Index> places) override {
@@ -128,7 +128,7 @@ NotPositiveDefinite refused_pivot(const Symbolic& symbolic, const Refusal& refus
 SolverError not_finite(const BlockPattern& pattern, std::size_t entry) {
   const auto after = std::upper_bound(pattern.starts.begin(), pattern.starts.end(), entry);
   const auto column = after - pattern.starts.begin() - 1;
-  return SolverError("the matrix has a number that is not finite at block row " +
+  return SolverError("the matrix has a non-finite entry at block row " +
                      std::to_string(pattern.rows[entry]) + ", block column " +
                      std::to_string(column) +
                      "; check the positions and weights of those vertices");
@@ -185,18 +185,19 @@ class BlockCholesky::Implementation {
     factorization_->touch();
   }
 
-  void factor(const BlockMatrix& matrix, const Progress& progress, const std::vector<char>& kept) {
+  void factorize(const BlockMatrix& matrix, const Progress& progress,
+                 const std::vector<char>& kept) {
     check(matrix);
     factored_ = false;
     take_memory();
-    const Refusal refusal = factorization_->factor(matrix, progress, kept);
+    const Refusal refusal = factorization_->factorize(matrix, progress, kept);
     if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(symbolic(), refusal);
     if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(pattern(), refusal.where);
     factored_ = true;
   }
 
-  void refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed,
-                         const Progress& progress) {
+  void refactorize_diagonal(const BlockMatrix& matrix, std::span<const Index> changed,
+                            const Progress& progress) {
     std::vector<char> kept;
     if (factored_) {
       kept.assign(symbolic().upward.size(), 1);
@@ -210,12 +211,12 @@ class BlockCholesky::Implementation {
         }
       }
     }
-    factor(matrix, progress, kept);
+    factorize(matrix, progress, kept);
   }
 
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
              std::span<const Index> places) {
-    if (!factored_) throw SolverError("there is no factorization to solve with; call factor first");
+    if (!factored_) throw SolverError("the matrix is not factorized; call factorize first");
     const std::scoped_lock lock(solving_);  // all solves use the same scratch memory
     factorization_->solve(B, X, columns, places);
   }
@@ -271,13 +272,14 @@ class BlockCholesky::Implementation {
 
   int front_of(Index block) const {
     if (block >= symbolic().front_of_block.size()) {
-      throw SolverError("there is no block " + std::to_string(block) + " to refactor");
+      throw SolverError("block " + std::to_string(block) +
+                        " cannot be refactorized: it does not exist");
     }
     return symbolic().front_of_block[block];
   }
 
   void require_analysis() const {
-    if (!analysis_) throw SolverError("there is no analysis to factor with; call analyze first");
+    if (!analysis_) throw SolverError("the pattern is not analyzed; call analyze first");
   }
 
   void check(const BlockMatrix& matrix) const {
@@ -322,12 +324,14 @@ void BlockCholesky::prepare_memory() {
   implementation_->guard([&] { implementation_->prepare_memory(); });
 }
 
-void BlockCholesky::factor(const BlockMatrix& matrix) {
-  implementation_->guard([&] { implementation_->factor(matrix, progress_, {}); });
+void BlockCholesky::factorize(const BlockMatrix& matrix) {
+  implementation_->guard([&] { implementation_->factorize(matrix, progress_, {}); });
 }
 
-void BlockCholesky::refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) {
-  implementation_->guard([&] { implementation_->refactor_diagonal(matrix, changed, progress_); });
+void BlockCholesky::refactorize_diagonal(const BlockMatrix& matrix,
+                                         std::span<const Index> changed) {
+  implementation_->guard(
+      [&] { implementation_->refactorize_diagonal(matrix, changed, progress_); });
 }
 
 void BlockCholesky::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {

@@ -24,8 +24,8 @@ struct BlockCholeskyOptions {
 /// fronts, with kernels for the processor's vector instructions. The same input gives the same bits
 /// on every run and for every number of threads.
 ///
-/// If `factor` or `refactor_diagonal` throws (NotPositiveDefinite, Cancelled), the analysis stays
-/// valid and `factor` may be called again.
+/// If `factor` or `refactorize_diagonal` throws (NotPositiveDefinite, Cancelled), the analysis
+/// stays valid and `factor` may be called again.
 class BlockCholesky final : public BlockSolver {
  public:
   /// Throws SolverError if the processor lacks the instruction set.
@@ -49,10 +49,10 @@ class BlockCholesky final : public BlockSolver {
   /// Throws SolverError with the block if a number is not finite, NotPositiveDefinite with block
   /// and component if a pivot is refused, and Cancelled. Allocates all memory in the first call,
   /// unless `prepare_memory` has done so.
-  void factor(const BlockMatrix& matrix) override;
+  void factorize(const BlockMatrix& matrix) override;
 
   /// Redoes only the subtrees that hold changed blocks and the fronts above them.
-  void refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) override;
+  void refactorize_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) override;
 
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override;
 

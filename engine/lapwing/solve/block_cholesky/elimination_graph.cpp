@@ -29,7 +29,7 @@ void for_each_block(const BlockPattern& pattern, const std::vector<int>& places,
 EliminationGraph elimination_graph(const BlockPattern& pattern, std::span<const int> order) {
   if (pattern.rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw SolverError("the system has " + std::to_string(pattern.rows.size()) +
-                      " blocks, more than the factorization can number; choose a smaller region");
+                      " blocks, more than the factorization can index; choose a smaller region");
   }
   EliminationGraph graph;
   graph.places.resize(order.size());

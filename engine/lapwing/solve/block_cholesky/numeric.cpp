@@ -80,8 +80,8 @@ std::size_t Numeric<Real>::bytes_needed(const Symbolic& symbolic, int threads) {
 }
 
 template <typename Real>
-Refusal Numeric<Real>::factor(const BlockMatrix& matrix, const Progress& progress,
-                              const std::vector<char>& skipped) {
+Refusal Numeric<Real>::factorize(const BlockMatrix& matrix, const Progress& progress,
+                                 const std::vector<char>& skipped) {
   matrix_ = &matrix;
   progress_ = &progress;
   stop_at_ = std::numeric_limits<int>::max();

@@ -38,8 +38,8 @@ class Numeric final : private NodeWork {
   /// Factorizes `matrix`. `skipped` marks the nodes of the upward graph whose results of the last
   /// call are still valid. Returns the refusal of the earliest front, the same for every number of
   /// threads. Throws Cancelled, and what `progress` throws.
-  Refusal factor(const BlockMatrix& matrix, const Progress& progress,
-                 const std::vector<char>& skipped);
+  Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
+                    const std::vector<char>& skipped);
 
   /// Returns the part of the factor that `front` computed.
   FrontView<Real> view(const Front& front) const;

@@ -147,8 +147,8 @@ class FrontNumbering {
 // two stacks by the parity of their depth. When a front is done, the results of its children are on
 // top of the other stack.
 template <typename SizeOf>
-HandOverPlan plan_hand_over(Symbolic& symbolic, std::size_t Front::*place, SizeOf size_of) {
-  HandOverPlan plan;
+FrontMemoryPlan plan_hand_over(Symbolic& symbolic, std::size_t Front::*place, SizeOf size_of) {
+  FrontMemoryPlan plan;
   for (int task = 0; task < symbolic.task_count(); ++task) {
     std::size_t used[2] = {0, 0};
     for (int f = symbolic.task_starts[task]; f < symbolic.task_starts[task + 1]; ++f) {
@@ -213,7 +213,7 @@ Symbolic analyze_pattern(const BlockPattern& pattern, int block_size, std::span<
   const std::size_t limit = std::numeric_limits<int>::max() / 8;
   if (pattern.size() * static_cast<std::size_t>(block_size) > limit) {
     throw SolverError("the system has " + std::to_string(pattern.size()) +
-                      " blocks, more than the factorization can number; choose a smaller region");
+                      " blocks, more than the factorization can index; choose a smaller region");
   }
   const EliminationGraph graph = elimination_graph(pattern, order);
   const EliminationTree tree = build_elimination_tree(graph);

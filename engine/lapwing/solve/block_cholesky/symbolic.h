@@ -49,7 +49,7 @@ struct MatrixEntry {
 };
 
 /// Memory for what fronts pass to their parents, in numbers.
-struct HandOverPlan {
+struct FrontMemoryPlan {
   std::size_t kept = 0;
   std::size_t stacks[2] = {0, 0};  ///< per thread, one stack for each parity of depth
 };
@@ -82,8 +82,8 @@ struct Symbolic {
   std::vector<Piece> pieces;
   std::vector<MatrixEntry> entries;
   std::size_t factor_size = 0;
-  HandOverPlan updates;
-  HandOverPlan vectors;            ///< for one right-hand side
+  FrontMemoryPlan updates;
+  FrontMemoryPlan vectors;         ///< for one right-hand side
   WorkGraph upward;                ///< tasks, then top fronts: children before parents
   WorkGraph downward;              ///< the same nodes: parents before children
   double flops = 0;                ///< true operations of the factorization

@@ -22,7 +22,8 @@ class PartBuilder {
     part_.graph.neighbours.reserve(edges);
   }
 
-  // Nodes of a group come one after the other, and share any number `group`.
+  // Adds a node. The nodes of a group are added one after the other, with the same `group`; another
+  // value starts a new group.
   void add(int node, int weight, int border, int group) {
     Groups& groups = part_.groups;
     if (std::exchange(last_group_, group) != group) groups.starts.push_back(groups.starts.back());

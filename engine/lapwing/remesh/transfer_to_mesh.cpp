@@ -1,0 +1,226 @@
+#include "lapwing/remesh/transfer_to_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/mesh/compact.h"
+#include "lapwing/remesh/attribute_sources.h"
+
+namespace lapwing::remeshing {
+namespace {
+
+class Carrier {
+ public:
+  Carrier(const Mesh& mesh, const WorkingPatch& patch)
+      : mesh_(mesh),
+        patch_(patch),
+        net_(patch.net),
+        original_(patch.original),
+        sources_(find_attribute_sources(patch)) {
+    result_.mesh = mesh;
+  }
+
+  RemeshResult run() {
+    number_vertices();
+    carry_faces();
+    carry_vertices();
+    carry_corners();
+    result_.region = make_vertex_set(std::move(result_.region));
+    return std::move(result_);
+  }
+
+ private:
+  // Numbers the mesh vertices that stay first, then those of the patch.
+  void number_vertices() {
+    std::vector<char> stays(mesh_.vertex_count(), 1);
+    for (Index v = 0; v < original_.mesh_vertices.size(); ++v) {
+      if (!original_.bound[v]) stays[original_.mesh_vertices[v]] = 0;
+    }
+    new_numbers_.assign(mesh_.vertex_count(), kNoIndex);
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (!stays[v]) continue;
+      new_numbers_[v] = static_cast<Index>(vertex_sources_.size());
+      vertex_sources_.push_back(v);
+    }
+    result_.kept = vertex_sources_;
+    numbers_.assign(net_.vertex_count(), kNoIndex);
+    CancelCheck cancel_check;
+    for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
+      if (!net_.has_vertex(v)) continue;
+      if (is_bound(v)) {
+        numbers_[v] = new_numbers_[original_.mesh_vertices[v]];
+      } else {
+        numbers_[v] = static_cast<Index>(vertex_sources_.size());
+        vertex_sources_.push_back(nearest_corner(sources_.vertices[v]));
+        result_.kept.push_back(kNoIndex);
+      }
+      result_.region.push_back(numbers_[v]);
+    }
+  }
+
+  bool is_bound(Index v) const { return v < original_.bound.size() && original_.bound[v]; }
+
+  void carry_faces() {
+    FaceSources faces;
+    CancelCheck cancel_check;
+    for (Index f = 0; f < mesh_.face_count(); ++f) {
+      cancel_check();
+      if (!original_.faces_outside[f]) continue;
+      faces.faces.push_back(f);
+      for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
+        faces.corners.push_back(c);
+      }
+      faces.starts.push_back(static_cast<Index>(faces.corners.size()));
+    }
+    first_corner_ = faces.corners.size();
+    for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
+      if (!net_.is_alive(h)) continue;
+      if (h % 3 == 0) faces.faces.push_back(sources_.faces[h / 3]);
+      faces.corners.push_back(nearest_corner(sources_.sectors[sources_.sectors_of_corners[h]]));
+      corner_halfedges_.push_back(h);
+      if (h % 3 == 2) faces.starts.push_back(static_cast<Index>(faces.corners.size()));
+    }
+    replace_faces(result_.mesh, faces);
+    std::vector<Index>& vertices = result_.mesh.edit_faces().vertices;
+    for (std::size_t c = 0; c < first_corner_; ++c) vertices[c] = new_numbers_[vertices[c]];
+    for (std::size_t i = 0; i < corner_halfedges_.size(); ++i) {
+      vertices[first_corner_ + i] = numbers_[net_.origin(corner_halfedges_[i])];
+    }
+  }
+
+  void carry_vertices() {
+    replace_vertices(result_.mesh, vertex_sources_);
+    MeshAttributes& a = result_.mesh.edit_attributes();
+    const MeshAttributes& old = mesh_.attributes();
+    CancelCheck cancel_check;
+    for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
+      if (!net_.has_vertex(v) || is_bound(v)) continue;
+      const Index n = numbers_[v];
+      const SurfacePoint& source = sources_.vertices[v];
+      result_.mesh.positions[n] = patch_.at(v);
+      if (!a.vertex_colors.empty()) a.vertex_colors[n] = color(source);
+      if (a.has_vertex_normals) a.normals[n] = blend_normals(source, old.normals);
+      for (std::size_t e = 0; e < a.vertex_extras.size(); ++e) {
+        blend_extra(source, old.vertex_extras[e], n, a.vertex_extras[e]);
+      }
+    }
+  }
+
+  Eigen::Vector4f color(const SurfacePoint& source) const {
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector4f& corner = mesh_.attributes().vertex_colors[source.corners[k]];
+      sum += source.weights[k] * corner.cast<double>();
+    }
+    return sum.cast<float>();
+  }
+
+  // Returns the blended unit normal or, if the normals cancel out, that of the nearest corner.
+  static Eigen::Vector3d blend_normals(const SurfacePoint& source,
+                                       const std::vector<Eigen::Vector3d>& normals) {
+    const Eigen::Vector3d sum = source.of<Eigen::Vector3d>(normals);
+    const double length = sum.norm();
+    return length > 1e-6 ? Eigen::Vector3d(sum / length) : normals[nearest_corner(source)];
+  }
+
+  // Blends real numbers. Whole numbers (flags, labels) keep the value of the nearest vertex, which
+  // replace_vertices copied.
+  static void blend_extra(const SurfacePoint& source, const ExtraAttribute& old, Index n,
+                          ExtraAttribute& extra) {
+    const bool is_real = extra.type.find("float") != std::string::npos ||
+                         extra.type.find("double") != std::string::npos;
+    if (!is_real || extra.values.empty()) return;
+    const auto components = static_cast<std::size_t>(extra.components);
+    for (std::size_t c = 0; c < components; ++c) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum += source.weights[k] * old.values[source.corners[k] * components + c];
+      }
+      extra.values[n * components + c] = sum;
+    }
+  }
+
+  void carry_corners() {
+    MeshAttributes& a = result_.mesh.edit_attributes();
+    if (!a.corner_uvs.empty()) {
+      carry_list(mesh_.attributes().corner_uvs, a.uvs, a.corner_uvs,
+                 [](const SurfacePoint& source, const std::vector<Eigen::Vector2d>& uvs) {
+                   return source.of<Eigen::Vector2d>(uvs);
+                 });
+    }
+    if (!a.corner_normals.empty()) {
+      carry_list(mesh_.attributes().corner_normals, a.normals, a.corner_normals, blend_normals);
+    }
+  }
+
+  // New corners of a sector share one new value, or that of the corner they lie on. If one of the
+  // original corners has none, the nearest one's value stays, which replace_faces copied.
+  template <class Value, class Blend>
+  void carry_list(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
+                  std::vector<Index>& of_corner, const Blend& blend) {
+    std::vector<Index> of_sector(sources_.sectors.size(), kNoIndex);
+    CancelCheck cancel_check;
+    for (std::size_t i = 0; i < corner_halfedges_.size(); ++i) {
+      cancel_check();
+      const Index sector = sources_.sectors_of_corners[corner_halfedges_[i]];
+      SurfacePoint source = sources_.sectors[sector];
+      if (std::ranges::find(source.weights, 1.0) != source.weights.end()) continue;
+      for (Index& corner : source.corners) corner = old_of_corner[corner];
+      if (std::ranges::find(source.corners, kNoIndex) != source.corners.end()) continue;
+      if (of_sector[sector] == kNoIndex) {
+        of_sector[sector] = static_cast<Index>(values.size());
+        values.push_back(blend(source, values));
+      }
+      of_corner[first_corner_ + i] = of_sector[sector];
+    }
+    drop_unused(old_of_corner, values, of_corner);
+  }
+
+  // Drops the values that only corners of the old patch used.
+  template <class Value>
+  static void drop_unused(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
+                          std::vector<Index>& of_corner) {
+    std::vector<char> is_dropped(values.size(), 0);
+    for (const Index i : old_of_corner) {
+      if (i != kNoIndex) is_dropped[i] = 1;
+    }
+    for (const Index i : of_corner) {
+      if (i != kNoIndex) is_dropped[i] = 0;
+    }
+    std::vector<Index> numbers(values.size(), kNoIndex);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (is_dropped[i]) continue;
+      values[left] = values[i];
+      numbers[i] = static_cast<Index>(left++);
+    }
+    values.resize(left);
+    for (Index& i : of_corner) {
+      if (i != kNoIndex) i = numbers[i];
+    }
+  }
+
+  const Mesh& mesh_;
+  const WorkingPatch& patch_;
+  const Halfedges& net_;
+  const OriginalPatch& original_;
+  AttributeSources sources_;
+  RemeshResult result_;
+  std::vector<Index> new_numbers_;       // per mesh vertex
+  std::vector<Index> numbers_;           // per vertex of the patch
+  std::vector<Index> vertex_sources_;    // per vertex of the result: the mesh vertex it copies
+  std::vector<Index> corner_halfedges_;  // per new corner
+  std::size_t first_corner_ = 0;         // first corner of the patch in the result
+};
+
+}  // namespace
+
+RemeshResult transfer_to_mesh(const Mesh& mesh, const WorkingPatch& patch) {
+  return Carrier(mesh, patch).run();
+}
+
+}  // namespace lapwing::remeshing

@@ -1,0 +1,139 @@
+#include "window/cached_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lapwing/gpu/context.h"
+#include "lapwing/render/surface.h"
+
+namespace lapwing::viewer {
+namespace {
+
+constexpr std::uint32_t kFineSamples = 4;
+
+VkOffset3D corner_of(VkExtent2D extent) {
+  return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height), 1};
+}
+
+}  // namespace
+
+PictureSource picture_way(const PictureNeed& need) {
+  if (!need.changed) {
+    return need.is_quick && need.at_rest ? PictureSource::fine : PictureSource::keep;
+  }
+  const bool jumps = need.only_view_changed && need.fine_is_slow;
+  return need.moving || jumps ? PictureSource::quick : PictureSource::fine;
+}
+
+CachedPicture::Drawing::Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples,
+                                Renderer::Pipelines pipelines)
+    : format(antialiased(context, color, samples)), renderer(context, format, pipelines) {}
+
+CachedPicture::CachedPicture(gpu::Context& context, VkFormat color, const PaintingOptions& options)
+    : context_(context),
+      options_(options),
+      fine_(context, color, kFineSamples, options.pipelines),
+      quick_(context, color, 1, options.pipelines) {}
+
+void CachedPicture::resize(VkExtent2D extent) {
+  if (extent.width == extent_.width && extent.height == extent_.height) return;
+  extent_ = extent;
+  for (Drawing* drawing : {&fine_, &quick_}) {
+    drawing->image.reset();
+    drawing->scope.reset();
+  }
+  forget();
+}
+
+PictureSource CachedPicture::choose(const Scene& scene, bool at_rest) {
+  next_.take(scene);
+  const bool has_other = shown_ == nullptr || !options_.keeps_pictures || next_ != contents_;
+  return picture_way(
+      {.changed = has_other,
+       .only_view_changed = shown_ != nullptr && next_.differs_in_view_alone(contents_),
+       .is_quick = is_quick(),
+       .moving = scene.moving,
+       .at_rest = at_rest,
+       .fine_is_slow = fine_ms_ > MovingResolution::kLongestFrame});
+}
+
+void CachedPicture::took(PictureSource way, double milliseconds) {
+  if (way == PictureSource::fine) fine_ms_ = milliseconds;
+  if (way == PictureSource::quick) resolution_.took(milliseconds);
+}
+
+void CachedPicture::fit(Drawing& drawing, std::uint32_t pixels) const {
+  if (drawing.image && drawing.pixels == pixels) return;
+  drawing.image.reset();
+  drawing.scope.reset();
+  drawing.pixels = pixels;
+  drawing.extent = {(extent_.width + pixels - 1) / pixels, (extent_.height + pixels - 1) / pixels};
+  drawing.image.emplace(context_, DeviceImageInfo{.name = "picture under the panels",
+                                                  .format = drawing.format.color,
+                                                  .extent = drawing.extent,
+                                                  .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  drawing.scope.emplace(context_, drawing.extent, drawing.format);
+}
+
+void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, PictureSource way) {
+  if (way == PictureSource::keep) return;
+  forget();  // until all is recorded
+  Drawing& drawing = way == PictureSource::fine ? fine_ : quick_;
+  fit(drawing, way == PictureSource::fine
+                   ? 1
+                   : options_.moving_pixels.value_or(resolution_.pixels_per_pixel()));
+  drawing.image->transition(commands, kDiscarded, kColorTarget);
+  drawing.scope->begin(commands, drawing.image->view());
+  drawing.renderer.begin(commands, drawing.extent, scene.background);
+  // `draw` gets the window's size, so lines and points keep their width in a coarse picture.
+  SurfaceStyle style = scene.style;
+  style.pixels_per_point /= static_cast<float>(drawing.pixels);
+  if (scene.surface != nullptr) {
+    drawing.renderer.draw(commands, extent_, *scene.surface, *scene.paint, scene.camera, style);
+  }
+  for (const CarriedDrawing& carried : scene.carried) {
+    drawing.renderer.draw(commands, extent_, carried, scene.camera,
+                          carried.surface != nullptr ? style : scene.style);
+  }
+  if (scene.beside) draw_beside(commands, drawing, *scene.beside, scene.background);
+  drawing.scope->end(commands, drawing.image->view());
+  drawing.image->transition(commands, kColorTarget, kCopySource);
+  shown_ = &drawing;
+  std::swap(contents_, next_);
+}
+
+void CachedPicture::draw_beside(VkCommandBuffer commands, const Drawing& drawing,
+                                const SideScene& scene, Background background) const {
+  const auto pixel = [&](double place, std::uint32_t limit) {
+    return static_cast<std::uint32_t>(
+        std::clamp(place / drawing.pixels, 0.0, static_cast<double>(limit)));
+  };
+  const VkExtent2D all = drawing.extent;
+  const std::uint32_t left = pixel(scene.corner.x(), all.width);
+  const std::uint32_t top = pixel(scene.corner.y(), all.height);
+  const VkRect2D area{
+      {static_cast<std::int32_t>(left), static_cast<std::int32_t>(top)},
+      {pixel(scene.size.x(), all.width - left), pixel(scene.size.y(), all.height - top)}};
+  if (area.extent.width == 0 || area.extent.height == 0) return;
+  const VkExtent2D shown{area.extent.width * drawing.pixels, area.extent.height * drawing.pixels};
+  drawing.renderer.begin(commands, area, background);
+  drawing.renderer.draw(commands, shown, *scene.surface, *scene.paint, scene.camera, scene.style);
+}
+
+void CachedPicture::record_copy(VkCommandBuffer commands, VkImage target) const {
+  constexpr VkImageSubresourceLayers kWhole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  const VkImage source = shown_->image->handle();
+  if (shown_->pixels == 1) {
+    VkImageCopy region{kWhole, {}, kWhole, {}, {extent_.width, extent_.height, 1}};
+    context_.vk().vkCmdCopyImage(commands, source, kCopySource.layout, target, kCopyTarget.layout,
+                                 1, &region);
+    return;
+  }
+  const VkImageBlit region{
+      kWhole, {{}, corner_of(shown_->extent)}, kWhole, {{}, corner_of(extent_)}};
+  context_.vk().vkCmdBlitImage(commands, source, kCopySource.layout, target, kCopyTarget.layout, 1,
+                               &region, VK_FILTER_LINEAR);
+}
+
+}  // namespace lapwing::viewer

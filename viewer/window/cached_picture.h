@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+
+#include "lapwing/gpu/recorder.h"
+#include "lapwing/render/device_image.h"
+#include "lapwing/render/draw_scope.h"
+#include "lapwing/render/renderer.h"
+#include "window/app.h"
+#include "window/moving_resolution.h"
+#include "window/scene_contents.h"
+
+namespace lapwing::viewer {
+
+/// How a frame gets the picture under the panels.
+enum class PictureSource {
+  keep,   ///< shows the last one
+  quick,  ///< draws it without antialiasing, and coarsely if that would take too long
+  fine,   ///< draws it in full quality
+};
+
+/// The conditions that decide it.
+struct PictureNeed {
+  bool changed = true;             ///< the scene's contents differ from the picture's
+  bool only_view_changed = false;  ///< only the cameras differ
+  bool is_quick = false;           ///< the picture was drawn quickly
+  bool moving = false;             ///< Scene::moving
+  bool at_rest = false;            ///< nothing in the scene has changed for a while
+  bool fine_is_slow = false;       ///< a fine picture takes longer than a frame may
+};
+
+/// Returns how to get the picture. It is redrawn if its contents have changed: quickly while
+/// something moves, or if the view jumps (as by the wheel) and antialiasing is slow. At rest it is
+/// redrawn finely.
+PictureSource picture_way(const PictureNeed& need);
+
+/// Options for benchmarks and tests. The window uses the defaults.
+struct PaintingOptions {
+  bool keeps_pictures = true;
+  /// Window pixels, across and down, per pixel drawn while something moves. By default
+  /// MovingResolution chooses them by the frame times.
+  std::optional<std::uint32_t> moving_pixels;
+  Renderer::Pipelines pipelines = Renderer::Pipelines::by_style;
+};
+
+/// Holds the picture of a scene in an image, from one frame to the next, and copies it under the
+/// panels. The context must outlive it, and have finished the last frame at every call.
+class CachedPicture {
+ public:
+  CachedPicture(gpu::Context& context, VkFormat color, const PaintingOptions& options);
+
+  /// Sets the size of frames. Releases the images if it changes.
+  void resize(VkExtent2D extent);
+
+  /// Returns how the next frame, which shows `scene`, gets its picture.
+  PictureSource choose(const Scene& scene, bool at_rest);
+  /// Draws the picture in that way, unless it is kept. Must be called outside a rendering scope.
+  void record(VkCommandBuffer commands, const Scene& scene, PictureSource way);
+  /// Copies the picture to all of `target`, in the layout of kCopyTarget. Enlarges a coarse
+  /// picture.
+  void record_copy(VkCommandBuffer commands, VkImage target) const;
+  /// Reports how long the device took to draw and show the last frame in that way.
+  void took(PictureSource way, double milliseconds);
+
+  /// Makes the next frame redraw the picture.
+  void forget() { shown_ = nullptr; }
+  /// Whether the picture was drawn quickly, so that it will be redrawn at rest.
+  bool is_quick() const { return shown_ == &quick_; }
+  /// Window pixels, across and down, per pixel of the picture.
+  std::uint32_t pixels_per_pixel() const { return shown_ != nullptr ? shown_->pixels : 1; }
+
+ private:
+  /// A picture with a certain number of samples per pixel.
+  struct Drawing {
+    Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples,
+            Renderer::Pipelines pipelines);
+
+    TargetFormat format;
+    Renderer renderer;
+    std::uint32_t pixels = 1;  ///< window pixels per pixel of the picture, across and down
+    VkExtent2D extent{};       ///< of the picture
+    std::optional<DeviceImage> image;
+    std::optional<DrawScope> scope;
+  };
+
+  void fit(Drawing& drawing, std::uint32_t pixels) const;
+  void draw_beside(VkCommandBuffer commands, const Drawing& drawing, const SideScene& scene,
+                   Background background) const;
+
+  gpu::Context& context_;
+  PaintingOptions options_;
+  VkExtent2D extent_{};
+  Drawing fine_;
+  Drawing quick_;
+  const Drawing* shown_ = nullptr;  ///< the one that was drawn last
+  SceneContents contents_;          ///< of *shown_
+  SceneContents next_;              ///< of the scene last given to `choose`
+  MovingResolution resolution_;
+  double fine_ms_ = 0.0;  ///< time of the last fine frame
+};
+
+/// State of an image that is copied to.
+inline constexpr ImageState kCopyTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                        VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
+
+}  // namespace lapwing::viewer

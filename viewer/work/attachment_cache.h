@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "lapwing/base/progress.h"
+#include "state/carried_object.h"
+
+namespace lapwing::viewer {
+
+/// Carries objects along with successive deforms of a surface, by the AttachmentDeformer of a run
+/// and with the same bits. Finds once per object what it follows on the rest surface. After that, a
+/// deform costs a rotation fit per vertex that may move and a mean per point. Threads may share
+/// one.
+class AttachmentCache {
+ public:
+  /// Returns where `objects`, at rest with the surface of `rest`, are after it moved to `deformed`,
+  /// in their order; nothing for one that stays. Throws what SurfaceContacts throws, and Cancelled
+  /// if `progress`, asked once per object, says so.
+  std::vector<std::optional<CarriedPoints>> carry(std::span<const CarriedObject> objects,
+                                                  const std::shared_ptr<const Mesh>& rest,
+                                                  const Deformed& deformed,
+                                                  const Progress& progress);
+
+  /// Limit per object, 128 MB. If the points of an object follow more, such as those of a large one
+  /// far from a fine surface, it is carried, too, but what it follows is found each time.
+  static constexpr std::size_t kMostShares = 8'000'000;
+
+ private:
+  // Empty if it is too much to keep.
+  using Known = std::shared_ptr<const std::optional<CarryShares>>;
+
+  std::shared_ptr<const SurfaceContacts> with(const std::shared_ptr<const Mesh>& rest);
+  Known of(const std::shared_ptr<const AttachmentFile>& file, const SurfaceContacts& surface);
+
+  std::mutex mutex_;  // the others wait for what one thread finds
+  std::shared_ptr<const Mesh> rest_;
+  std::shared_ptr<const SurfaceContacts> surface_;
+  std::map<std::weak_ptr<const AttachmentFile>, Known, std::owner_less<>> known_;
+};
+
+/// Returns `objects` as files, moved to `carried`.
+CarriedFiles files_of(std::span<const CarriedObject> objects,
+                      std::vector<std::optional<CarriedPoints>> carried);
+
+}  // namespace lapwing::viewer
