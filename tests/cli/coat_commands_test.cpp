@@ -131,7 +131,7 @@ TEST_F(CoatCommands, EveryFlagOfMixIsInItsRecipe) {
   second.patch = {GeodesicDisk{Vector3d(0.5, 0.5, 0.0), 0.4}};
   second.detail_size = 0.4;
   second.amplitude = 3.0;
-  expected.taken = Taken::shape;
+  expected.transfer = TransferMode::shape;
   expected.weight = {DomainRamp{0.25, 0.75}, Transition::Profile::linear};
   expected.handles.push_back({{ListedVertices{{144}}}, SimilarityMove{{0.0, 0.0, 0.1}}});
   expected.parameters.smooth_target = 0.25;

@@ -57,7 +57,7 @@ TEST_F(SameBits, WithAnyNumberOfThreads) {
   }
 }
 
-// The choices of remeshing and of zipping do not hang on the last bits.
+// The choices of remeshing and of bridging do not hang on the last bits.
 TEST_F(SameBits, WithOtherInstructionsTheSameTriangles) {
   const Mesh baseline = made("all.json", "LAPWING_INSTRUCTION_SET=baseline");
   for (const char* environment : {"", "LAPWING_INSTRUCTION_SET=avx2"}) {

@@ -182,7 +182,7 @@ TEST(Coat, TakesTheTargetsOwnDetailAwayWhereAsked) {
     before += scene.coating.displacement[own].norm();
   }
   EXPECT_LT(inside, 0.2 * before);
-  // Taken off and put on again it is what it was.
+  // TransferMode off and put on again it is what it was.
   EXPECT_LT(largest_distance(coater.coat(1.0), scene.source.mesh.positions), 1e-9);
 }
 

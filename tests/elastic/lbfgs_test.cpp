@@ -1,11 +1,11 @@
-#include "lapwing/elastic/lbfgs.h"
-
 #include <cmath>
 #include <cstring>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+
+#include "lapwing/elastic/lbfgs_history.h"
 
 namespace lapwing {
 namespace {

@@ -221,7 +221,7 @@ void mix_meshes(Bytes bytes) {
   } else {
     request.parameters.domain = Domain::square;
   }
-  if (choices.one_in(4)) request.taken = Taken::shape;
+  if (choices.one_in(4)) request.transfer = TransferMode::shape;
   try {
     require_coated(target, request.target_patch, mix(target, meshes[0], meshes[1], request));
   } catch (const Error&) {

@@ -50,7 +50,7 @@ MixStep full_mix_step() {
   first.inner_pairs = {{5, 50}, {6, 60}};
   first.sampling = {MappedSampling::linear, 0.1 + 0.2};
   first.amplitude = -1.5;
-  step.taken = Taken::shape;
+  step.transfer = TransferMode::shape;
   step.weight = {DomainRamp{0.75, 0.25}, Transition::Profile::linear};
   step.handles.push_back(
       {{ListedVertices{{2}}}, SimilarityMove{{0, 0, 1}, {}, Eigen::Vector3d::Constant(2.0), {}}});
@@ -66,7 +66,7 @@ TEST(MixStep, ShortestFormHasTheDefaults) {
   const MixStep step = mix_of(kByDistance);
   EXPECT_EQ(step, short_step());
   EXPECT_TRUE(step.sources[1].mesh.empty());
-  EXPECT_EQ(step.taken, Taken::coating);
+  EXPECT_EQ(step.transfer, TransferMode::coating);
   EXPECT_EQ(step.weight.profile, Transition::Profile::smooth);
   EXPECT_EQ(step.parameters, CoatParameters{});
   EXPECT_TRUE(step.handles.empty());

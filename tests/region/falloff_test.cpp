@@ -155,7 +155,8 @@ TEST_F(AGradedSheet, ThatCannotBeIsAnErrorWithItsPlace) {
   EXPECT_EQ(error(), "handle: all vertices of the handle have weight 0. Paint some with weight 1");
   handles_[0].falloff.field = field(1.0);
   handles_[0].falloff.transition = Transition{0.1};
-  EXPECT_EQ(error(), "handle: painted weights replace a falloff. Remove one of the two");
+  EXPECT_EQ(error(),
+            "handle: the handle has both painted weights and a falloff. Remove one of the two");
   for (const double wrong : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
     handles_[0].falloff = {.weight = wrong};
     EXPECT_THAT(error(),

@@ -1,5 +1,3 @@
-#include "lapwing/step/mesh_shelf.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/session/run_recipe.h"
+#include "lapwing/step/mesh_cache.h"
 
 namespace lapwing {
 namespace {

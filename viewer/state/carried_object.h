@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lapwing/deform/deform.h"
-#include "lapwing/step/carried_file.h"
+#include "lapwing/step/attachment_file.h"
 
 namespace lapwing::viewer {
 

@@ -15,9 +15,9 @@ bool goes_in_substeps(const EditParameters& parameters, std::span<const HandleMo
 /// Returns the diagonal of the ROI at rest, the unit of distances. Linear in its vertices.
 double region_size(const AppState& state);
 
-/// Returns whether the surface may need a waypoint between the moves to end in the same minimum:
-/// the handle turns by 30 degrees, moves by a tenth of the region's size, or stretches by a
-/// quarter.
+/// Returns whether the surface may need a waypoint between the moves to end in the same minimum.
+/// This is so if the handle turns by 30 degrees or more, moves by a tenth of the region's size or
+/// more, or stretches by a quarter or more.
 bool are_far_apart(const Move& from, const Move& to, const Eigen::Vector3d& handle_centroid,
                    double region_size);
 

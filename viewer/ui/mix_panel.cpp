@@ -67,9 +67,9 @@ void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
     ImGui::SameLine();
   }
   ImGui::NewLine();
-  bool shape = desk.draft().taken == Taken::shape;
+  bool shape = desk.draft().transfer == TransferMode::shape;
   if (ImGui::Checkbox("the whole shapes, not only their detail", &shape)) {
-    desk.draft().taken = shape ? Taken::shape : Taken::coating;
+    desk.draft().transfer = shape ? TransferMode::shape : TransferMode::coating;
   }
   ImGui::TreePop();
 }

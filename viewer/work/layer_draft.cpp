@@ -55,7 +55,7 @@ Step step_of(const LayerDraft& draft) {
   step.target_patch = draft.target_patch;
   step.sources = draft.sources;
   step.weight = draft.weight;
-  step.taken = draft.taken;
+  step.transfer = draft.transfer;
   step.handles = draft.handles;
   step.parameters = draft.parameters;
   return step;
@@ -75,7 +75,7 @@ std::optional<LayerDraft> layer_draft_of(const Step& step) {
     draft.target_patch = mix->target_patch;
     draft.parameters = mix->parameters;
     draft.weight = mix->weight;
-    draft.taken = mix->taken;
+    draft.transfer = mix->transfer;
     draft.handles = mix->handles;
     return draft;
   }

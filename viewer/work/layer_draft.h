@@ -21,7 +21,7 @@ struct LayerDraft {
   CoatParameters parameters;
   // Only for a mix:
   MixWeight weight;
-  Taken taken = Taken::coating;
+  TransferMode transfer = TransferMode::coating;
   std::vector<MovedHandle> handles;
 
   bool operator==(const LayerDraft&) const = default;

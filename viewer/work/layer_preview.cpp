@@ -14,7 +14,7 @@ LayeredRequest layered(const LayerDraft& draft) {
                          .target_patch = draft.target_patch,
                          .parameters = draft.parameters,
                          .where = "preview",
-                         .taken = draft.taken,
+                         .transfer = draft.transfer,
                          .handles = draft.handles};
   for (const FileSource& source : draft.all_sources()) request.sources.push_back(source);
   if (draft.operation == LayerDraft::Operation::mix) request.weight = draft.weight;

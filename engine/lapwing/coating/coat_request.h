@@ -28,7 +28,7 @@ struct CoatOf {
 using CoatRequest = CoatOf<CoatSource>;
 
 /// What is taken from a source and replaced on the target.
-enum class Taken {
+enum class TransferMode {
   coating,  ///< the detail below each source's detail size, which is put on the target
   shape,    ///< the full Laplacians; frames are free of detail below the detail size
 };
@@ -40,15 +40,15 @@ struct MixOf {
   RegionSpec target_patch;
   std::array<Source, 2> sources;
   MixWeight weight;
-  Taken taken = Taken::coating;
+  TransferMode transfer = TransferMode::coating;
   std::vector<MovedHandle> handles;  ///< in the patch, moved in the same solve
-  /// With Taken::shape, the target's frames are free of detail below `smooth_target`; 0 stands for
-  /// the mean of the sources' detail sizes, scaled to the target.
+  /// With TransferMode::shape, the target's frames are free of detail below `smooth_target`; 0
+  /// stands for the mean of the sources' detail sizes, scaled to the target.
   CoatParameters parameters;
   std::string where = "mix";  ///< as in RegionSpec; ignored by ==
   bool operator==(const MixOf& other) const {
     return target_patch == other.target_patch && sources == other.sources &&
-           weight == other.weight && taken == other.taken && handles == other.handles &&
+           weight == other.weight && transfer == other.transfer && handles == other.handles &&
            parameters == other.parameters;
   }
 };

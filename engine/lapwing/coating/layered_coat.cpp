@@ -81,7 +81,7 @@ LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
 void LayeredCoat::make_sides(const Progress& progress) {
   const auto take_sources = [&] {
     for (Layer& layer : layers_) {
-      layer.source.take(request_.taken, layer.source.asked().detail_size,
+      layer.source.take(request_.transfer, layer.source.asked().detail_size,
                         request_.parameters.weights, kernels_);
     }
   };
@@ -93,7 +93,7 @@ void LayeredCoat::make_sides(const Progress& progress) {
     }
   };
   timed("peel", progress, [&] {
-    if (request_.taken == Taken::coating) {
+    if (request_.transfer == TransferMode::coating) {
       parallel_invoke(take_sources, [&] {
         find_target();
         lay_target();
@@ -183,7 +183,7 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
 
 // Returns the length by which the target is smoothed; 0: not at all.
 double LayeredCoat::target_size() const {
-  if (request_.taken == Taken::coating || request_.parameters.smooth_target > 0.0) {
+  if (request_.transfer == TransferMode::coating || request_.parameters.smooth_target > 0.0) {
     return request_.parameters.smooth_target;
   }
   // All frames should contain the same frequencies.
@@ -238,7 +238,7 @@ void LayeredCoat::make_coater() {
   const std::vector<HeldVertex> held = target_->held();
   CoatTarget target{.rest = target_->mesh().positions};
   if (target_size() > 0.0) target.smooth = target_->smooth_positions();
-  target.whole = request_.taken == Taken::shape;
+  target.whole = request_.transfer == TransferMode::shape;
   target.held = held;
   options_ = coater_options();
   try {
@@ -264,7 +264,7 @@ void LayeredCoat::take(const Progress& progress) {
 
 void LayeredCoat::set_detail_size(std::size_t k, double size, const Progress& progress) {
   const ProgressScope scope(progress);
-  layers_.at(k).source.take(request_.taken, size, request_.parameters.weights, kernels_);
+  layers_.at(k).source.take(request_.transfer, size, request_.parameters.weights, kernels_);
   take(progress);
 }
 

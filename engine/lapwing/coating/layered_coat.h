@@ -20,7 +20,7 @@ struct LayeredRequest {
   RegionSpec target_patch;
   CoatParameters parameters;
   std::string where;  ///< as in RegionSpec
-  Taken taken = Taken::coating;
+  TransferMode transfer = TransferMode::coating;
   std::optional<MixWeight> weight = {};  ///< of the second source; none if there is one only
   std::vector<MovedHandle> handles = {};
 };
@@ -39,7 +39,7 @@ LayeredRequest layered(const MixOf<Source>& mix) {
           .target_patch = mix.target_patch,
           .parameters = mix.parameters,
           .where = mix.where,
-          .taken = mix.taken,
+          .transfer = mix.transfer,
           .weight = mix.weight,
           .handles = mix.handles};
 }

@@ -7,10 +7,11 @@ namespace lapwing {
 SourceSide::SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& target)
     : source_(source), shared_(std::move(mesh)), mesh_(shared_ ? *shared_ : target) {}
 
-void SourceSide::take(Taken taken, double size, LaplacianWeights weights, Kernels& kernels) {
+void SourceSide::take(TransferMode transfer, double size, LaplacianWeights weights,
+                      Kernels& kernels) {
   Patch patch = disk_patch(resolve(source_.patch, mesh_), mesh_.topology(), mesh_.positions,
                            source_.patch.where);
-  const auto take_off = taken == Taken::coating ? peel_patch : whole_shape;
+  const auto take_off = transfer == TransferMode::coating ? peel_patch : whole_shape;
   coating_ = take_off(std::move(patch), mesh_.positions, mesh_.topology(), size, weights, kernels);
 }
 

@@ -21,7 +21,7 @@ class SourceSide {
 
   /// Takes the detail below `size`, or the whole shape. Throws what `resolve`, `disk_patch`,
   /// `peel_patch` and `whole_shape` throw.
-  void take(Taken taken, double size, LaplacianWeights weights, Kernels& kernels);
+  void take(TransferMode transfer, double size, LaplacianWeights weights, Kernels& kernels);
   const Coating& coating() const { return coating_; }
 
   /// Maps the surface without its detail to the domain, so that detail does not influence the map.

@@ -46,9 +46,9 @@ Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centro
 /// Interpolates the move from the identity (`share` 0) to `to_affine(move, centroid)` bit for bit
 /// (1). A similarity takes that share of its translation and angle, about the same axis and pivot,
 /// and scales by scale^share along each axis. A matrix is interpolated by its polar decomposition:
-/// the rotation takes that share of its angle, the stretch S becomes (1 - share) I + share S, and
-/// the centroid moves on a line. Invertible below 1. Throws InputError for a part of a matrix that
-/// mirrors.
+/// its rotation turns by that share of the angle, and its stretch S becomes (1 - share) I + share
+/// S. The centroid moves on a straight line. Invertible below 1. Throws InputError for a part of a
+/// matrix that mirrors.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid, double share);
 
 /// Returns the rotation of `move`, 0 degrees or more about an axis of length 1. The angle is the

@@ -10,7 +10,7 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/elastic/free_rotation.h"
-#include "lapwing/elastic/lbfgs.h"
+#include "lapwing/elastic/lbfgs_history.h"
 
 namespace lapwing {
 

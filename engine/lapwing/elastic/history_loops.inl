@@ -1,4 +1,4 @@
-// The inner loops of Lbfgs (elastic/lbfgs.cpp). Included by history_loops_*.cpp inside an
+// The inner loops of Lbfgs (elastic/lbfgs_history.cpp). Included by history_loops_*.cpp inside an
 // unnamed namespace. Calls nothing that has external linkage: the linker would be free to take
 // another instruction set's copy.
 

@@ -82,8 +82,8 @@ void GltfFile::split_chunks() {
     const std::size_t size = word_at(bytes, at);
     const std::size_t room = length - at - kGlbChunkHeaderSize;
     if (size > room) {
-      source_.fail(at, "the chunk promises " + std::to_string(size) + " bytes, the file has " +
-                           std::to_string(room) + " more");
+      source_.fail(at, "the chunk's header announces " + std::to_string(size) + " bytes, but " +
+                           std::to_string(room) + " follow");
     }
     return bytes.substr(at + kGlbChunkHeaderSize, size);
   };

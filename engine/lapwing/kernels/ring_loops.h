@@ -70,7 +70,7 @@ struct GradientRings {
   const std::uint32_t* unknown_rows;
   std::size_t unknown_count;
   const PaddedVector* displacement;  ///< per vertex
-  const PaddedVector* residuals;     ///< per vertex; 0 if it is no row
+  const PaddedVector* residuals;     ///< per vertex; 0 for vertices that are not rows
   const PaddedTurn* turns;           ///< likewise
 };
 

@@ -5,7 +5,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_format.h"
 #include "lapwing/io/real_path.h"
-#include "lapwing/step/carried_file.h"
+#include "lapwing/step/attachment_file.h"
 #include "lapwing/step/step_files.h"
 
 namespace lapwing {

@@ -89,7 +89,8 @@ void require_falloff(const Falloff& falloff, const std::string& where) {
                      std::to_string(width));
   }
   if (!falloff.field.empty()) {
-    throw InputError(where + ": painted weights replace a falloff. Remove one of the two");
+    throw InputError(where +
+                     ": the handle has both painted weights and a falloff. Remove one of the two");
   }
 }
 

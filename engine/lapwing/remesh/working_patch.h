@@ -5,7 +5,7 @@
 #include "lapwing/base/numbers.h"
 #include "lapwing/closest/closest_point.h"
 #include "lapwing/remesh/original_patch.h"
-#include "lapwing/remesh/target_length.h"
+#include "lapwing/remesh/target_sizing_field.h"
 
 namespace lapwing::remeshing {
 

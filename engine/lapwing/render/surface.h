@@ -40,8 +40,8 @@ class Surface {
   void place(std::span<const Eigen::Vector3d> positions);
 
   /// Makes blends of `response` start from `rest` + `displacement`, both of the whole mesh; an
-  /// empty displacement is zero. Uploads the vertices that the response moves, and others that are
-  /// not at rest.
+  /// empty displacement is zero. Uploads the starting positions of the vertices that the response
+  /// moves, and returns all others to `rest`.
   void begin(BlendResponse& response, std::span<const Eigen::Vector3d> rest,
              std::span<const Eigen::Vector3d> displacement = {});
   /// Computes one drag frame: the vertices that `response` moves, then the normals of these and

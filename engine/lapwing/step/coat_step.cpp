@@ -4,7 +4,7 @@
 #include "lapwing/coating/prepared_coat.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/key_visitor.h"
-#include "lapwing/step/step_run.h"
+#include "lapwing/step/step_context.h"
 
 namespace lapwing {
 namespace {
@@ -203,7 +203,8 @@ void describe(MixStep& step, KeyVisitor& visitor) {
                   .help = "what is mixed: the detail smaller than each detail size, added to the "
                           "target; or the whole shape of both surfaces, which replaces the target "
                           "inside its fixed boundary"},
-                 step.taken, {{Taken::coating, "coating"}, {Taken::shape, "shape"}});
+                 step.transfer,
+                 {{TransferMode::coating, "coating"}, {TransferMode::shape, "shape"}});
   visitor.weight({.name = "weight",
                   .help = "the second source's share: by distance from a region, by the coordinate "
                           "v of the square domain, or painted",

@@ -7,7 +7,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/layered_coat.h"
-#include "lapwing/step/mesh_shelf.h"
+#include "lapwing/step/mesh_cache.h"
 #include "lapwing/step/operation_words.h"
 
 namespace lapwing {

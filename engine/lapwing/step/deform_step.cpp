@@ -9,7 +9,7 @@
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/step/key_visitor.h"
-#include "lapwing/step/step_run.h"
+#include "lapwing/step/step_context.h"
 
 namespace lapwing {
 namespace {

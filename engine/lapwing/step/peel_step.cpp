@@ -5,7 +5,7 @@
 #include "lapwing/base/stage.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/key_visitor.h"
-#include "lapwing/step/step_run.h"
+#include "lapwing/step/step_context.h"
 
 namespace lapwing {
 

@@ -7,7 +7,7 @@
 #include "lapwing/step/coat_step.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/peel_step.h"
-#include "lapwing/step/step_run.h"
+#include "lapwing/step/step_context.h"
 #include "lapwing/step/transplant_step.h"
 
 namespace lapwing {

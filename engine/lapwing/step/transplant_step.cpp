@@ -4,7 +4,7 @@
 #include "lapwing/step/coat_step.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/key_visitor.h"
-#include "lapwing/step/step_run.h"
+#include "lapwing/step/step_context.h"
 #include "lapwing/transplant/transplant.h"
 
 namespace lapwing {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/step/mesh_shelf.h"
+#include "lapwing/step/mesh_cache.h"
 #include "lapwing/step/operation_words.h"
 #include "lapwing/transplant/transplant_request.h"
 

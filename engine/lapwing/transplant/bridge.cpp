@@ -6,18 +6,18 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/transplant/gaps.h"
+#include "lapwing/transplant/bridge_gaps.h"
 #include "lapwing/transplant/weld_loops.h"
 
 namespace lapwing {
 namespace {
 
+using bridging::Gaps;
+using bridging::Node;
+using bridging::Pair;
+using bridging::RimLoop;
+using bridging::Step;
 using Eigen::Vector3d;
-using zipping::Gaps;
-using zipping::Node;
-using zipping::Pair;
-using zipping::RimLoop;
-using zipping::Step;
 
 // The areas and costs of larger loops overflow.
 constexpr double kLargest = 1e50;
@@ -108,23 +108,23 @@ constexpr double kGain = 1e-9;
 // Returns a strip without welds. The first search passes the two closest vertices, which a Delaunay
 // triangulation would join. The second passes the rung opposite, in case it is not best to join
 // them. The cheaper strip wins.
-zipping::Strip zip_apart(const Gaps& gaps) {
+bridging::Strip zip_apart(const Gaps& gaps) {
   const auto& host = gaps.host();
   const auto& part = gaps.part();
-  const Pair closest = zipping::closest_pair(host.points(), part.points());
-  zipping::Strip strip = gaps.solve({{closest[0], closest[1], false}});
+  const Pair closest = bridging::closest_pair(host.points(), part.points());
+  bridging::Strip strip = gaps.solve({{closest[0], closest[1], false}});
   const Node opposite = half_way(strip.nodes[0], strip.steps, host.size(), part.size());
-  zipping::Strip again = gaps.solve({opposite});
+  bridging::Strip again = gaps.solve({opposite});
   return again.cost < (1.0 - kGain) * strip.cost ? again : strip;
 }
 
-zipping::Strip zip_welded(const Gaps& gaps, std::vector<Pair>& welds) {
+bridging::Strip zip_welded(const Gaps& gaps, std::vector<Pair>& welds) {
   while (!welds.empty()) {
     std::vector<Node> nodes;
     for (const Pair& pair : welds) nodes.push_back({pair[0], pair[1], true});
     std::vector<char> blocked = crowded_welds(gaps.host(), gaps.part(), welds);
     if (std::ranges::find(blocked, 1) == blocked.end()) {
-      zipping::Strip strip = gaps.solve(nodes);
+      bridging::Strip strip = gaps.solve(nodes);
       if (strip.blocked.empty()) return strip;
       for (const std::size_t node : strip.blocked) blocked[node] = 1;
     }
@@ -173,8 +173,8 @@ Bridge bridge_loops(const BridgeLoop& host, const BridgeLoop& part, const std::s
   const RimLoop host_rim(host, false);
   const RimLoop part_rim(part, true);
   const Gaps gaps(host_rim, part_rim);
-  std::vector<Pair> welds = zipping::weld_loops(host_rim.points(), part_rim.points(), weld);
-  zipping::Strip strip = zip_welded(gaps, welds);
+  std::vector<Pair> welds = bridging::weld_loops(host_rim.points(), part_rim.points(), weld);
+  bridging::Strip strip = zip_welded(gaps, welds);
   if (is_full_fan(strip.nodes, strip.steps, host_rim.size(), part_rim.size())) {
     strip = gaps.solve_with_second_rung(strip.nodes[0]);
   }

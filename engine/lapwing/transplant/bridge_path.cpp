@@ -12,7 +12,7 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/limits.h"
 
-namespace lapwing::zipping {
+namespace lapwing::bridging {
 namespace {
 
 using Eigen::Vector3d;
@@ -103,7 +103,7 @@ class Search {
         row_above_(b_ + 1) {}
 
   // `first` is the step by which a closed strip arrives at its first rung, and at its last.
-  ZipPath run(std::optional<Step> first) {
+  BridgePath run(std::optional<Step> first) {
     for (std::size_t i = 0; i <= a_; ++i) {
       check_cancelled();
       std::swap(row_, row_above_);
@@ -217,11 +217,11 @@ class Search {
   std::vector<Rung> row_, row_above_;
 };
 
-ZipPath search(const Gap& gap, const Band& band) {
+BridgePath search(const Gap& gap, const Band& band) {
   Search search(gap, band);
   if (!gap.closed) return search.run(std::nullopt);
-  ZipPath by_host = search.run(Step::host);
-  ZipPath by_part = search.run(Step::part);
+  BridgePath by_host = search.run(Step::host);
+  BridgePath by_part = search.run(Step::part);
   return by_part.cost < by_host.cost ? by_part : by_host;
 }
 
@@ -276,7 +276,7 @@ Band band_around(const std::vector<Step>& steps, const std::vector<std::size_t>&
 
 }  // namespace
 
-ZipPath shortest_zip(const Gap& gap) {
+BridgePath shortest_bridge(const Gap& gap) {
   const std::size_t a = gap.host.edge_count();
   const std::size_t b = gap.part.edge_count();
   if ((a + 1) * (b + 1) <= kFullGrid) return search(gap, full_band(a, b));
@@ -288,7 +288,7 @@ ZipPath shortest_zip(const Gap& gap) {
   thin.starts_welded = gap.starts_welded;
   thin.ends_welded = gap.ends_welded;
   thin.closed = gap.closed;
-  ZipPath path = search(gap, band_around(shortest_zip(thin).steps, host_kept, part_kept));
+  BridgePath path = search(gap, band_around(shortest_bridge(thin).steps, host_kept, part_kept));
   if (!path.steps.empty()) return path;
   // Forbidden rungs may block the band.
   require_memory(
@@ -298,4 +298,4 @@ ZipPath shortest_zip(const Gap& gap) {
   return search(gap, full_band(a, b));
 }
 
-}  // namespace lapwing::zipping
+}  // namespace lapwing::bridging

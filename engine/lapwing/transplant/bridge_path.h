@@ -5,7 +5,7 @@
 
 #include "lapwing/mesh/mesh.h"
 
-namespace lapwing::zipping {
+namespace lapwing::bridging {
 
 /// A piece of a boundary loop: its vertices and, per edge, the unit normal of the surface behind
 /// it, zero if unknown.
@@ -15,8 +15,8 @@ struct Chain {
   std::size_t edge_count() const { return normals.size(); }
 };
 
-/// A step along one of the two chains. The step from host vertex i to i + 1 while the part is at j
-/// adds the triangle (i + 1, i, j), a step of the part adds (j, j + 1, i).
+/// A step along one of the two chains. A host step from i to i + 1, with the part at j, adds the
+/// triangle (i + 1, i, j). A part step from j to j + 1, with the host at i, adds (j, j + 1, i).
 enum class Step : unsigned char { host, part };
 
 /// The gap between two chains that run the same way, the host's with its surface on its left, the
@@ -34,7 +34,7 @@ struct Gap {
 };
 
 /// The cheapest way across a gap.
-struct ZipPath {
+struct BridgePath {
   std::vector<Step> steps;  ///< empty if there is no way
   double cost = 0.0;
 };
@@ -44,7 +44,7 @@ struct ZipPath {
 /// its rungs and h its height over e. Upright triangles cost least, and the cost of the whole gap
 /// hardly depends on the vertex counts. Bending at e, and at the rung shared with the triangle
 /// before, adds a share of this. O(n m) for up to about 10^5 rungs. Larger grids take near-linear
-/// time: only rungs near the path between every fourth vertex are searched.
-ZipPath shortest_zip(const Gap& gap);
+/// time: a path through every fourth vertex is found first, and only rungs near it are searched.
+BridgePath shortest_bridge(const Gap& gap);
 
-}  // namespace lapwing::zipping
+}  // namespace lapwing::bridging

@@ -24,7 +24,7 @@
 #include "lapwing/transplant/placed_part.h"
 #include "lapwing/transplant/reconstruct_seam.h"
 #include "lapwing/transplant/seam_collars.h"
-#include "lapwing/transplant/seam_lengths.h"
+#include "lapwing/transplant/seam_sizing_field.h"
 
 namespace lapwing {
 namespace {

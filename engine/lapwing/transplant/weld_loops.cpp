@@ -6,7 +6,7 @@
 
 #include "lapwing/base/cancellation.h"
 
-namespace lapwing::zipping {
+namespace lapwing::bridging {
 namespace {
 
 using Eigen::Vector3d;
@@ -148,4 +148,4 @@ Pair closest_pair(Points host, Points part) {
   return closest;
 }
 
-}  // namespace lapwing::zipping
+}  // namespace lapwing::bridging

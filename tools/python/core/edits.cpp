@@ -15,7 +15,7 @@
 #include "lapwing/recipe/key_reader.h"
 #include "lapwing/recipe/key_table.h"
 #include "lapwing/session/run_recipe.h"
-#include "lapwing/step/mesh_shelf.h"
+#include "lapwing/step/mesh_cache.h"
 #include "lapwing/vulkan/open_device.h"
 #include "result.h"
 

@@ -24,9 +24,10 @@ class LooseParts {
 
   bool empty() const { return parts_.empty(); }
 
-  /// Displaces the parts in `u` with the surface, whose displacements `u` holds over the whole
-  /// mesh. `wanted` prescribes the displacements of their anchors. `scales` are the mean scales of
-  /// the S_i, per vertex of the mesh; empty for 1. Parts that do not move keep their bits.
+  /// `u` has one displacement per vertex of the mesh. Sets those of the loose parts so that the
+  /// parts follow the surface. `wanted` prescribes the displacements of their anchors. `scales` are
+  /// the mean scales of the S_i, per vertex of the mesh; empty for 1. Parts that do not move keep
+  /// their bits.
   void carry(std::span<const Eigen::Vector3d> wanted, std::span<const double> scales,
              std::span<Eigen::Vector3d> u) const;
 

@@ -89,7 +89,7 @@ std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
 }
 
 // Returns the plane that mirrors the p closest to the q. It passes through the mean of all points,
-// and its normal n minimizes sum (n.p) (n.q).
+// and its normal n minimizes sum (n.p) (n.q), with p and q relative to that mean.
 MirrorPlane best_plane(std::span<const Vector3d> p, std::span<const Vector3d> q) {
   const Vector3d center = 0.5 * (mean_of(p) + mean_of(q));
   Matrix3d B = Matrix3d::Zero();

@@ -12,8 +12,9 @@ namespace lapwing {
 /// Returns the move of the mirror image of a handle that moves by `move`.
 Move mirror_image(const Move& move, const MirrorPlane& plane);
 
-/// Returns the symmetric part of `move`, for a handle that lies across the plane: the translation
-/// along the plane and the turn about its normal, or the mean of a matrix and its image.
+/// Returns the symmetric part of `move`, for a handle that lies across the plane. Keeps the
+/// translation along the plane and the turn about its normal. A matrix is replaced by the mean of
+/// itself and its mirror image.
 Move along_mirror(const Move& move, const MirrorPlane& plane);
 
 /// A request without a mirror that is equivalent to one with a mirror.

@@ -6,7 +6,7 @@
 #include "lapwing/transplant/bridge.h"
 #include "lapwing/transplant/bridge_path.h"
 
-namespace lapwing::zipping {
+namespace lapwing::bridging {
 
 /// A loop, taken forwards or backwards, with the normals of the surface behind its edges and all
 /// edges between its vertices. Numbers are places in the direction taken.
@@ -74,4 +74,4 @@ class Gaps {
   const RimLoop& part_;
 };
 
-}  // namespace lapwing::zipping
+}  // namespace lapwing::bridging

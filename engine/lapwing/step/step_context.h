@@ -9,8 +9,8 @@
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
-#include "lapwing/step/carried_file.h"
-#include "lapwing/step/mesh_shelf.h"
+#include "lapwing/step/attachment_file.h"
+#include "lapwing/step/mesh_cache.h"
 #include "lapwing/step/run_report.h"
 
 namespace lapwing {

@@ -1,4 +1,4 @@
-#include "lapwing/transplant/seam_lengths.h"
+#include "lapwing/transplant/seam_sizing_field.h"
 
 #include <algorithm>
 #include <cmath>

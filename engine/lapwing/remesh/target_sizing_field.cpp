@@ -1,4 +1,4 @@
-#include "lapwing/remesh/target_length.h"
+#include "lapwing/remesh/target_sizing_field.h"
 
 #include <cmath>
 #include <sstream>

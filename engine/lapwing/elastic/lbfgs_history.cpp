@@ -1,7 +1,7 @@
 // Based on: Nocedal, "Updating Quasi-Newton Matrices with Limited Storage", 1980; with the first
 // Hessian of Liu, Bouaziz, Kavan, "Quasi-Newton Methods for Real-Time Simulation of Hyperelastic
 // Materials", 2017.
-#include "lapwing/elastic/lbfgs.h"
+#include "lapwing/elastic/lbfgs_history.h"
 
 #include <algorithm>
 #include <cmath>

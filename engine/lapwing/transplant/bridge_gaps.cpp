@@ -1,10 +1,10 @@
-#include "lapwing/transplant/gaps.h"
+#include "lapwing/transplant/bridge_gaps.h"
 
 #include <algorithm>
 
 #include <Eigen/Geometry>
 
-namespace lapwing::zipping {
+namespace lapwing::bridging {
 namespace {
 
 using Eigen::Vector3d;
@@ -132,7 +132,7 @@ Strip Gaps::solve(std::vector<Node> nodes) const {
   Strip strip;
   strip.nodes = std::move(nodes);
   for (std::size_t k = 0; k < strip.nodes.size(); ++k) {
-    const ZipPath path = shortest_zip(gap_after(strip.nodes, k));
+    const BridgePath path = shortest_bridge(gap_after(strip.nodes, k));
     if (path.steps.empty()) strip.blocked.push_back(k);
     strip.steps.insert(strip.steps.end(), path.steps.begin(), path.steps.end());
     strip.cost += path.cost;
@@ -170,4 +170,4 @@ std::vector<Triangle> Gaps::triangles(const Strip& strip) const {
   return triangles;
 }
 
-}  // namespace lapwing::zipping
+}  // namespace lapwing::bridging

@@ -1,4 +1,4 @@
-#include "lapwing/step/carried_file.h"
+#include "lapwing/step/attachment_file.h"
 
 #include <algorithm>
 #include <array>

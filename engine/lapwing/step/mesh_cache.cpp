@@ -1,4 +1,4 @@
-#include "lapwing/step/mesh_shelf.h"
+#include "lapwing/step/mesh_cache.h"
 
 #include <algorithm>
 
