@@ -93,7 +93,7 @@ class BridgePairs : public ::testing::TestWithParam<std::tuple<Scene, Counts>> {
   Scene scene = std::get<0>(GetParam());
   Rim host = scene.make_host(std::get<1>(GetParam())[0], 0.1);
   Rim part = scene.make_part(std::get<1>(GetParam())[1], 0.7);
-  Bridge strip = test::zip(host, part);
+  Bridge strip = test::bridge(host, part);
   Joined joined = test::join(host, part, strip);
 };
 
@@ -139,7 +139,7 @@ TEST_P(ZipCount, CirclesAnEdgeApartGetTrianglesOfGoodShape) {
   for (const double start : {0.0, 0.3, 0.5, 0.9}) {
     const Rim host = hole_in_sheet(GetParam(), circle(1.0));
     const Rim part = upright_part(GetParam(), circle(1.0, 0.87 * edge), start * edge);
-    const Joined joined = test::join(host, part, test::zip(host, part));
+    const Joined joined = test::join(host, part, test::bridge(host, part));
     for (const Index face : joined.strip_faces) {
       ASSERT_GT(test::least_angle(joined.mesh, face), 39.0) << start;
     }
@@ -152,7 +152,7 @@ TEST_P(ZipCount, ALoopPutBackWhereItWasIsWeldedThroughout) {
     Rim part = upright_part(GetParam(), saddle(1.0, 0.3));
     const auto shift = static_cast<std::ptrdiff_t>(turn * GetParam());
     std::rotate(part.loop.begin(), part.loop.begin() + shift, part.loop.end());
-    const Bridge strip = test::zip(host, part);
+    const Bridge strip = test::bridge(host, part);
     EXPECT_THAT(strip.welded, SizeIs(GetParam()));
     EXPECT_THAT(strip.triangles, IsEmpty());
   }
@@ -162,7 +162,7 @@ TEST(Bridge, FansOfAFineLoopAreSpreadEvenlyOverTheCoarseOne) {
   const Rim host = hole_in_sheet(500, circle(1.0));
   const Rim part = flat_part(10, circle(0.7), 0.01);
   std::map<Index, int> fan;
-  for (const Triangle& triangle : test::zip(host, part).triangles) {
+  for (const Triangle& triangle : test::bridge(host, part).triangles) {
     if (triangle[0] < 500) ++fan[triangle[2]];
   }
   EXPECT_THAT(fan, SizeIs(10));
@@ -172,7 +172,7 @@ TEST(Bridge, FansOfAFineLoopAreSpreadEvenlyOverTheCoarseOne) {
 TEST(Bridge, LoopsOnOneCurveAreWeldedWhereTheyShareVertices) {
   const Rim host = hole_in_sheet(64, circle(1.0));
   const Rim part = upright_part(32, circle(1.0));
-  const Bridge strip = test::zip(host, part);
+  const Bridge strip = test::bridge(host, part);
   EXPECT_THAT(strip.welded, SizeIs(32));
   EXPECT_THAT(strip.triangles, SizeIs(32));
   EXPECT_THAT(manifold_faults(test::join(host, part, strip).mesh), IsEmpty());
@@ -182,7 +182,7 @@ TEST(Bridge, LoopsThatTouchInPlacesAreWeldedThere) {
   const Rim host = hole_in_sheet(100, circle(1.0));
   for (const int spikes : {2, 5, 10}) {
     const Rim part = flat_part(50, star(0.6, 1.0, spikes));
-    const Bridge strip = test::zip(host, part);
+    const Bridge strip = test::bridge(host, part);
     EXPECT_THAT(strip.welded, SizeIs(spikes));
     const Joined joined = test::join(host, part, strip);
     EXPECT_THAT(manifold_faults(joined.mesh), IsEmpty());
@@ -195,7 +195,7 @@ TEST(Bridge, LoopsThatTouchInPlacesAreWeldedThere) {
 TEST(Bridge, APartLargerThanItsHoleIsNotJoinedAcrossTheHole) {
   const Rim host = hole_in_sheet(60, circle(1.0));
   const Rim part = upright_part(90, circle(1.6, 0.3), 0.7);
-  const Joined joined = test::join(host, part, test::zip(host, part));
+  const Joined joined = test::join(host, part, test::bridge(host, part));
   for (const Index face : joined.strip_faces) {
     const auto corners = joined.mesh.face(face);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -206,7 +206,7 @@ TEST(Bridge, APartLargerThanItsHoleIsNotJoinedAcrossTheHole) {
 }
 
 TEST(Bridge, NothingIsWeldedWhereNothingIsNear) {
-  EXPECT_THAT(test::zip(hole_in_sheet(64, circle(1.0)), flat_part(64, circle(0.99))).welded,
+  EXPECT_THAT(test::bridge(hole_in_sheet(64, circle(1.0)), flat_part(64, circle(0.99))).welded,
               IsEmpty());
 }
 
@@ -231,9 +231,9 @@ TEST(Bridge, TheStartsOfTheLoopsDoNotMatter) {
     const auto [n, m] = counts;
     const Rim host = hole_in_sheet(n, test::moved(saddle(1.1, 0.2), aside(0.11, 0.07, 0.0)));
     const Rim part = upright_part(m, star(0.6, 0.8, 3, 0.2), 0.123);
-    const auto expected = unturned(test::zip(host, part), n, 0, m, 0);
+    const auto expected = unturned(test::bridge(host, part), n, 0, m, 0);
     for (const Index turn : {1U, 3U, 6U}) {
-      const Bridge strip = test::zip(turned(host, turn), turned(part, 2 * turn));
+      const Bridge strip = test::bridge(turned(host, turn), turned(part, 2 * turn));
       EXPECT_EQ(unturned(strip, n, turn, m, 2 * turn), expected) << n << " " << m << " " << turn;
     }
   }
@@ -242,7 +242,7 @@ TEST(Bridge, TheStartsOfTheLoopsDoNotMatter) {
 TEST(Bridge, MovingAndScalingBothChangesNothing) {
   const Rim host = hole_in_sheet(40, test::moved(saddle(1.1, 0.2), aside(0.11, 0.07, 0.0)));
   const Rim part = upright_part(57, star(0.6, 0.8, 3, 0.2), 0.123);
-  const Bridge expected = test::zip(host, part);
+  const Bridge expected = test::bridge(host, part);
   for (const double scale : {1e-6, 1.0, 1e6}) {
     const Affine3d motion = aside(3.0, -2.0, 5.0) *
                             AngleAxisd(1.1, Vector3d(1, 2, -1).normalized()) *
@@ -251,20 +251,20 @@ TEST(Bridge, MovingAndScalingBothChangesNothing) {
     Rim moved_part = part;
     for (Vector3d& p : moved_host.mesh.positions) p = motion * p;
     for (Vector3d& p : moved_part.mesh.positions) p = motion * p;
-    EXPECT_EQ(test::zip(moved_host, moved_part).triangles, expected.triangles) << scale;
+    EXPECT_EQ(test::bridge(moved_host, moved_part).triangles, expected.triangles) << scale;
   }
 }
 
 TEST(Bridge, HostAndPartCanChangeRoles) {
   const Rim host = hole_in_sheet(40, saddle(1.1, 0.2), 0.3);
   const Rim part = upright_part(57, star(0.6, 0.8, 3, 0.2), 0.123);
-  const Bridge other = test::zip(part, host);
+  const Bridge other = test::bridge(part, host);
   std::set<Triangle> triangles;
   for (Triangle triangle : other.triangles) {
     for (Index& v : triangle) v = v < 57 ? v + 40 : v - 57;
     triangles.insert(triangle);
   }
-  EXPECT_EQ(triangles, unturned(test::zip(host, part), 40, 0, 57, 0));
+  EXPECT_EQ(triangles, unturned(test::bridge(host, part), 40, 0, 57, 0));
 }
 
 TEST(Bridge, AnEdgeInsideTheMeshIsNotRepeatedByAWeldedEdgeOfThePart) {

@@ -51,9 +51,9 @@ void enrich(Mesh& mesh, const std::string& name, float number) {
 struct Pair {
   test::Rim host = test::hole_in_sheet(8, test::circle(1.0));
   test::Rim part = test::flat_part(6, test::circle(0.5));
-  Bridge zip = test::zip(host, part);
+  Bridge bridge = test::bridge(host, part);
   Joined join(const std::string& group = "wing") const {
-    return lapwing::join(host.mesh, host.loop, part.mesh, part.loop, zip, group);
+    return lapwing::join(host.mesh, host.loop, part.mesh, part.loop, bridge, group);
   }
 };
 
@@ -109,7 +109,7 @@ TEST(Join, StripFacesLookLikeTheFacesBehindThem) {
   const MeshAttributes& a = joined.mesh.attributes();
   for (std::size_t k = 0; k < joined.strip_faces.size(); ++k) {
     const Index face = joined.strip_faces[k];
-    const bool on_host = pair.zip.triangles[k][0] < 8;
+    const bool on_host = pair.bridge.triangles[k][0] < 8;
     EXPECT_EQ(a.face_extras.at(0).values[face], on_host ? 1.0 : 2.0);
     EXPECT_EQ(a.face_colors[face].x(), on_host ? 0.2F : 0.4F);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -175,8 +175,8 @@ TEST(Join, WeldedVerticesAreTheHosts) {
       8, [](double angle) { return Eigen::Vector3d(test::circle(1.0, 1e-3)(angle)); });
   enrich(pair.host.mesh, "host", 1.0F);
   enrich(pair.part.mesh, "part", 2.0F);
-  pair.zip = test::zip(pair.host, pair.part);
-  ASSERT_THAT(pair.zip.welded, SizeIs(8));
+  pair.bridge = test::bridge(pair.host, pair.part);
+  ASSERT_THAT(pair.bridge.welded, SizeIs(8));
   const Joined joined = pair.join();
   EXPECT_EQ(joined.mesh.vertex_count(), 16U + 8U);
   EXPECT_THAT(joined.strip_faces, IsEmpty());
@@ -200,7 +200,7 @@ TEST(Join, PolygonsStayPolygons) {
       rim->mesh.add_face(std::array{k, next, count + next, count + k});
     }
   }
-  pair.zip = test::zip(pair.host, pair.part);
+  pair.bridge = test::bridge(pair.host, pair.part);
   const Joined joined = pair.join();
   ASSERT_EQ(joined.mesh.face_count(), 8U + 6U + 14U);
   for (Index f = 0; f < 14; ++f) EXPECT_EQ(joined.mesh.face(f).size(), 4U);

@@ -92,11 +92,11 @@ inline Rim upright_part(Index count, const Curve& edge, double start = 0.0) {
       false, start);
 }
 
-inline Bridge zip(const Rim& host, const Rim& part) {
+inline Bridge bridge(const Rim& host, const Rim& part) {
   return bridge_loops(host.bridge_loop(), part.bridge_loop(), "zip");
 }
-inline Joined join(const Rim& host, const Rim& part, const Bridge& zip) {
-  return lapwing::join(host.mesh, host.loop, part.mesh, part.loop, zip, "");
+inline Joined join(const Rim& host, const Rim& part, const Bridge& bridge) {
+  return lapwing::join(host.mesh, host.loop, part.mesh, part.loop, bridge, "");
 }
 
 /// What keeps a mesh from being an oriented manifold; empty if nothing does.

@@ -50,13 +50,13 @@ void expect_exact_return(const Mesh& mesh, const VertexSet& region) {
   const auto host_loops = piece_loops(host.mesh);
   ASSERT_THAT(part_loops, SizeIs(1));
   ASSERT_THAT(host_loops, SizeIs(1));
-  const Bridge zip =
+  const Bridge bridge =
       bridge_loops(bridge_loop(host_topology.triangles, host.mesh.positions, host_loops[0]),
                    bridge_loop(part_topology.triangles, part.mesh.positions, part_loops[0]), "zip");
-  EXPECT_THAT(zip.welded, SizeIs(host_loops[0].size()));
-  EXPECT_THAT(zip.triangles, IsEmpty());
+  EXPECT_THAT(bridge.welded, SizeIs(host_loops[0].size()));
+  EXPECT_THAT(bridge.triangles, IsEmpty());
 
-  const Joined joined = join(host.mesh, host_loops[0], part.mesh, part_loops[0], zip, "");
+  const Joined joined = join(host.mesh, host_loops[0], part.mesh, part_loops[0], bridge, "");
   std::vector<Index> numbers(joined.mesh.vertex_count());
   std::ranges::copy(host.vertices, numbers.begin());
   for (std::size_t v = 0; v < part.vertices.size(); ++v) {
@@ -112,10 +112,10 @@ TEST(PutBack, APartThatFitsInPlacesStillGivesAManifold) {
       moved.positions[loop[random() % loop.size()]] *= 1.0 + 0.05 * static_cast<double>(k);
     }
     const BoundaryLoop hole = piece_loops(host).at(0);
-    const Bridge zip =
+    const Bridge bridge =
         bridge_loops(bridge_loop(host.topology().triangles, host.positions, hole),
                      bridge_loop(moved.topology().triangles, moved.positions, loop), "zip");
-    const Joined joined = join(host, hole, moved, loop, zip, "");
+    const Joined joined = join(host, hole, moved, loop, bridge, "");
     ASSERT_EQ(test::manifold_faults(joined.mesh), "") << seed;
     const CheckReport report = check(joined.mesh);
     ASSERT_EQ(report.statistics.boundary_edges, 0U) << seed;

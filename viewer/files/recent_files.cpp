@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The list takes a few kilobytes. A larger file is something else.
+// The list takes a few kilobytes. A larger file is not such a list.
 constexpr std::size_t kMostBytes = 1U << 20U;
 
 // Reads the paths in `list` and skips lines that are not absolute paths.

@@ -70,7 +70,7 @@ struct EditSelection {
 };
 
 /// Fits a belt that is given by its width to the ROI and the handles. A belt chosen by hand stays.
-/// Linear in the ROI, except for the geodesic distances.
+/// The cost is linear in the ROI, besides that of the geodesic distances.
 void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
 BeltSpec belt_spec(const EditSelection& selection);

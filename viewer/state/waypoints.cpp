@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/deform/modifiers/substeps.h"
+#include "lapwing/deform/turn_tracker.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -17,8 +18,8 @@ namespace {
 constexpr double kFarTurn = 30.0 * std::numbers::pi / 180.0;
 constexpr double kFarWay = 0.1;
 constexpr double kFarStretch = 0.25;
-// DeformSolver starts from rest again beyond the same angle.
-constexpr double kJump = 90.0 * std::numbers::pi / 180.0;
+// DeformSolver starts from rest again beyond this angle.
+constexpr double kJump = kFarTurnDegrees * std::numbers::pi / 180.0;
 
 Eigen::Vector3d turn_vector(const Move& move) {
   const AxisRotation turn = turn_of(move);

@@ -179,10 +179,10 @@ Bridge bridge_loops(const BridgeLoop& host, const BridgeLoop& part, const std::s
     strip = gaps.solve_with_second_rung(strip.nodes[0]);
   }
 
-  Bridge zip;
-  for (const Pair& pair : welds) zip.welded.push_back({pair[0], part_rim.original(pair[1])});
-  zip.triangles = gaps.triangles(strip);
-  return zip;
+  Bridge bridge;
+  for (const Pair& pair : welds) bridge.welded.push_back({pair[0], part_rim.original(pair[1])});
+  bridge.triangles = gaps.triangles(strip);
+  return bridge;
 }
 
 }  // namespace lapwing

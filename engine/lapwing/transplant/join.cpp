@@ -47,10 +47,10 @@ Rim find_rim(const Mesh& mesh, const BoundaryLoop& loop, const std::string& whos
 
 class Joiner {
  public:
-  Joiner(const Rim& host, const Rim& part, const Bridge& zip)
+  Joiner(const Rim& host, const Rim& part, const Bridge& bridge)
       : host_(host),
         part_(part),
-        zip_(zip),
+        zip_(bridge),
         part_of_host_(host.loop.size(), kNoIndex),
         plan_{host.mesh, part.mesh, {}, {}} {}
 
@@ -136,12 +136,12 @@ class Joiner {
 }  // namespace
 
 Joined join(const Mesh& host, const BoundaryLoop& host_loop, const Mesh& part,
-            const BoundaryLoop& part_loop, const Bridge& zip, const std::string& group) {
+            const BoundaryLoop& part_loop, const Bridge& bridge, const std::string& group) {
   validate_attributes(host);
   validate_attributes(part);
   const Rim host_rim = find_rim(host, host_loop, "host");
   const Rim part_rim = find_rim(part, part_loop, "part");
-  return Joiner(host_rim, part_rim, zip).run(group);
+  return Joiner(host_rim, part_rim, bridge).run(group);
 }
 
 }  // namespace lapwing

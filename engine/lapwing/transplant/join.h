@@ -13,7 +13,7 @@ namespace lapwing {
 struct Joined {
   Mesh mesh;  ///< the host's vertices first, then those of the part that were not welded
   std::vector<Index> part_vertices;  ///< number in the part -> number in `mesh`
-  std::vector<Index> strip_faces;    ///< the zip's triangles
+  std::vector<Index> strip_faces;    ///< the bridge's triangles
   std::vector<std::string> notes;    ///< messages about attributes that were dropped or filled in
 };
 
@@ -31,9 +31,9 @@ struct Joined {
 /// sides. Welded vertices keep the host's position and vertex attributes. The comments of both are
 /// kept; `uneditable` is dropped with a note.
 ///
-/// `zip` must be that of the two loops. Throws InputError if no face of its mesh has a loop edge as
-/// a side, and what `validate_attributes` throws.
+/// `bridge` must be that of the two loops. Throws InputError if no face of its mesh has a loop edge
+/// as a side, and what `validate_attributes` throws.
 Joined join(const Mesh& host, const BoundaryLoop& host_loop, const Mesh& part,
-            const BoundaryLoop& part_loop, const Bridge& zip, const std::string& group);
+            const BoundaryLoop& part_loop, const Bridge& bridge, const std::string& group);
 
 }  // namespace lapwing

@@ -58,12 +58,12 @@ double mean(std::span<const double> values) {
 
 }  // namespace
 
-double strip_width(const Bridge& zip, std::span<const Vector3d> host,
+double strip_width(const Bridge& bridge, std::span<const Vector3d> host,
                    std::span<const Vector3d> part) {
   const std::vector<Vector3d> corners = corners_of(host, part);
   double sum = 0.0;
-  std::size_t count = zip.welded.size();
-  for (const Triangle& t : zip.triangles) {
+  std::size_t count = bridge.welded.size();
+  for (const Triangle& t : bridge.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = t[k];
       const Index b = t[(k + 1) % 3];
@@ -75,17 +75,18 @@ double strip_width(const Bridge& zip, std::span<const Vector3d> host,
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-bool is_even(const Bridge& zip, std::span<const Vector3d> host, std::span<const Vector3d> part) {
+bool is_even(const Bridge& bridge, std::span<const Vector3d> host, std::span<const Vector3d> part) {
   constexpr double kSliver = 15.0 * std::numbers::pi / 180.0;
   constexpr double kMostSlivers = 0.1;
   constexpr double kWidest = 2.0;
   const std::vector<Vector3d> corners = corners_of(host, part);
   const auto slivers =
-      std::count_if(zip.triangles.begin(), zip.triangles.end(), [&](const auto& t) {
+      std::count_if(bridge.triangles.begin(), bridge.triangles.end(), [&](const auto& t) {
         return smallest_angle(corners[t[0]], corners[t[1]], corners[t[2]]) < kSliver;
       });
-  return static_cast<double>(slivers) <= kMostSlivers * static_cast<double>(zip.triangles.size()) &&
-         strip_width(zip, host, part) <= kWidest * std::max(mean_side(host), mean_side(part));
+  return static_cast<double>(slivers) <=
+             kMostSlivers * static_cast<double>(bridge.triangles.size()) &&
+         strip_width(bridge, host, part) <= kWidest * std::max(mean_side(host), mean_side(part));
 }
 
 SeamSizingField::SeamSizingField(std::span<const Vector3d> positions, const Topology& topology,

@@ -11,13 +11,14 @@
 
 namespace lapwing {
 
-/// Returns the mean distance between two loops along the edges of `zip`; welded pairs count as 0.
-double strip_width(const Bridge& zip, std::span<const Eigen::Vector3d> host,
+/// Returns the mean distance between two loops along the edges of `bridge`; welded pairs count as
+/// 0.
+double strip_width(const Bridge& bridge, std::span<const Eigen::Vector3d> host,
                    std::span<const Eigen::Vector3d> part);
 
 /// Returns whether the strip's triangles may stay: few are slivers, and the strip is not much wider
 /// than the loops' edges are long.
-bool is_even(const Bridge& zip, std::span<const Eigen::Vector3d> host,
+bool is_even(const Bridge& bridge, std::span<const Eigen::Vector3d> host,
              std::span<const Eigen::Vector3d> part);
 
 /// The sizing field around a seam between two meshes of different scales (paper section 6). It goes

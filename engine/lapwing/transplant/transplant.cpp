@@ -101,8 +101,9 @@ void TransplantRun::assemble() {
   timed("zip", [&] {
     const BridgeLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
     const BridgeLoop part_loop = zip_loop_of(part.mesh, part.loop);
-    const Bridge zip = bridge_loops(host_loop, part_loop, request_.where);
-    Joined joined = join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, zip, part_name_);
+    const Bridge bridge = bridge_loops(host_loop, part_loop, request_.where);
+    Joined joined =
+        join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, bridge, part_name_);
     for (const std::string& note : joined.notes) {
       result_.warnings.push_back(request_.where + ": " + note);
     }
@@ -112,10 +113,10 @@ void TransplantRun::assemble() {
       joined_.host_vertices[v] = hole_.rest.vertices[v];
     }
     hole_radius_ = LoopCurve(host_loop.points, request_.where).length() / (2.0 * std::numbers::pi);
-    joined_.gap = strip_width(zip, host_loop.points, part_loop.points);
-    even_strip_ = is_even(zip, host_loop.points, part_loop.points);
-    report.strip_triangles = zip.triangles.size();
-    report.welded = zip.welded.size();
+    joined_.gap = strip_width(bridge, host_loop.points, part_loop.points);
+    even_strip_ = is_even(bridge, host_loop.points, part_loop.points);
+    report.strip_triangles = bridge.triangles.size();
+    report.welded = bridge.welded.size();
     measure_depths(joined.part_vertices, part);
   });
   report.part_vertices = part.mesh.vertex_count();
