@@ -8,9 +8,7 @@
 
 #include "invocation.glsl"
 #include "ring.glsl"
-
-// Blocks of 9 numbers, column after column; row r begins at block starts[r] + r.
-layout(std430, binding = 5) writeonly buffer Blocks { real blocks[]; };
+#include "blocks.glsl"
 
 // Returns the inverse of J = S I - C (the local J is J / S). For a ring on a line, J is singular,
 // with the eigenvalue 0 along the line and S across it, and this returns the pseudo-inverse.
@@ -31,16 +29,8 @@ void write_block(uint block, real3 scaled_delta, real3x3 rotation, real3 x, real
   const real3 a = scaled_delta * x.x - (rotation[1] * x.z - rotation[2] * x.y);
   const real3 b = scaled_delta * x.y - (rotation[2] * x.x - rotation[0] * x.z);
   const real3 c = scaled_delta * x.z - (rotation[0] * x.y - rotation[1] * x.x);
-  const uint at = 9 * block;
-  blocks[at] = a.x - laplacian_entry;
-  blocks[at + 1] = a.y;
-  blocks[at + 2] = a.z;
-  blocks[at + 3] = b.x;
-  blocks[at + 4] = b.y - laplacian_entry;
-  blocks[at + 5] = b.z;
-  blocks[at + 6] = c.x;
-  blocks[at + 7] = c.y;
-  blocks[at + 8] = c.z - laplacian_entry;
+  write_block(block, real3(a.x - laplacian_entry, a.yz),
+              real3(b.x, b.y - laplacian_entry, b.z), real3(c.xy, c.z - laplacian_entry));
 }
 
 // Precise, because a compiler (NVIDIA's) may otherwise add `center` and `here` first. Far from the

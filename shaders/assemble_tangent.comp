@@ -8,9 +8,8 @@
 
 #include "invocation.glsl"
 #include "ring.glsl"
+#include "blocks.glsl"
 
-// Blocks of 9 numbers, column after column; row r begins at block starts[r] + r.
-layout(std430, binding = 5) writeonly buffer Blocks { real blocks[]; };
 layout(std430, binding = 6) readonly buffer RowWeights { real row_weights[]; };
 layout(std430, binding = 7) readonly buffer Stiffness { real stiffness[]; };
 
@@ -43,19 +42,7 @@ real3x3 inverse_cholesky_factor(real3x3 K) {
 
 // Writes M [v]x.
 void write_block(uint block, real3x3 M, real3 v) {
-  const real3 a = M[1] * v.z - M[2] * v.y;
-  const real3 b = M[2] * v.x - M[0] * v.z;
-  const real3 c = M[0] * v.y - M[1] * v.x;
-  const uint at = 9 * block;
-  blocks[at] = a.x;
-  blocks[at + 1] = a.y;
-  blocks[at + 2] = a.z;
-  blocks[at + 3] = b.x;
-  blocks[at + 4] = b.y;
-  blocks[at + 5] = b.z;
-  blocks[at + 6] = c.x;
-  blocks[at + 7] = c.y;
-  blocks[at + 8] = c.z;
+  write_block(block, M[1] * v.z - M[2] * v.y, M[2] * v.x - M[0] * v.z, M[0] * v.y - M[1] * v.x);
 }
 
 void main() {

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Half of the energy's gradient by each unknown, a gather over its ring (twin:
-// kernels/energy_gradient.cpp). One invocation per row of a range.
+// kernels/ring_loops.inl). Each invocation computes one row of a range.
 
 #include "invocation.glsl"
 #include "place.glsl"

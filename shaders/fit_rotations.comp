@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Fits T_i of each row from rest to rest + displacement, and computes the energy that remains
-// (twin: kernels/fit_rotations.cpp). One invocation per row of a range.
+// (twin: kernels/ring_loops.inl). Each invocation computes one row of a range.
 
 #include "invocation.glsl"
 #include "place.glsl"

@@ -1,7 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-#include "carried.glsl"
 #include "target.glsl"
 
 layout(location = 0) in vec2 from_middle;

@@ -8,7 +8,7 @@
 #define real4x4 dmat4
 // As kCollinearShare of laplacian/ring_fit.h.
 const real kCollinearShare = 1e-12LF;
-// As in laplacian/rotation.cpp and kernels/fit_batch.inl.
+// The next three are as in laplacian/rotation.cpp and kernels/ring_loops.inl.
 const real kRankOneShare = 1e-12LF;
 const real kSmallestGap = 1e-6LF;
 const real kConverged = 1e-14LF;

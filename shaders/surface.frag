@@ -3,7 +3,6 @@
 
 // Matte clay under a key, a fill and a rim light that move with the camera.
 
-#include "carried.glsl"
 #include "file_color.glsl"
 #include "surface.glsl"
 #include "target.glsl"

@@ -15,6 +15,7 @@ layout(std430, binding = 5) readonly buffer Edges { uint edges[]; };
 // Per corner; binding 6 is the fragment shader's.
 layout(std430, binding = 7) readonly buffer CornerSources { uint corner_sources[]; };
 layout(std430, binding = 8) readonly buffer CornerPlaces { vec2 corner_places[]; };
+layout(std430, binding = 10) readonly buffer CornerNormals { uint corner_normals[]; };
 
 // A software device writes and reads whole locations, so these are few and full.
 layout(location = 0) out vec3 view_position;
@@ -34,20 +35,16 @@ vec3 rotate_to_view(vec3 v) {
               dot(view_from_surface[2].xyz, v));
 }
 
-// Returns the vertex normal. If it differs much from the triangle's normal, as at the edges of a
-// machined part, or if there is none, returns the triangle's normal.
-vec3 corner_normal(vec3 vertex_normal, uint first) {
+// Returns the normal of corner gl_VertexIndex: that of its triangle, whose first corner is `first`,
+// if the style is flat or the corner has none.
+vec3 corner_normal(uint first) {
+  const vec3 normal = normals[corner_normals[gl_VertexIndex]].xyz;
+  if (!has(kFlat) && normal != vec3(0)) return normal;
   const vec3 a = positions[corners[first]].xyz;
   const vec3 across = cross(positions[corners[first + 1]].xyz - a,
                             positions[corners[first + 2]].xyz - a);
   const float size = length(across);
-  if (size == 0) return vertex_normal;
-  const vec3 face_normal = across / size;
-  if (has(kFlat)) return face_normal;
-  const float cos_smooth = 0.87;  // 30 degrees and less
-  const float cos_sharp = 0.76;   // 40 degrees and more
-  return mix(face_normal, vertex_normal,
-             smoothstep(cos_sharp, cos_smooth, dot(vertex_normal, face_normal)));
+  return size > 0 ? across / size : normal;
 }
 
 void main() {
@@ -57,8 +54,12 @@ void main() {
   const vec3 position = positions[vertex].xyz;
   view_position = rotate_to_view(position) +
                   vec3(view_from_surface[0].w, view_from_surface[1].w, view_from_surface[2].w);
-  vec3 normal = normals[vertex].xyz;
-  if (!by_vertex) normal = corner_normal(normal, gl_VertexIndex - corner);
+  vec3 normal;
+  if (by_vertex) {
+    normal = normals[vertex].xyz;
+  } else {
+    normal = corner_normal(gl_VertexIndex - corner);
+  }
   view_normal = rotate_to_view(normal);
   barycentric = vec3(corner == 0, corner == 1, corner == 2);
   const uint class_word = has(kRegions) ? classes[vertex] : 0;

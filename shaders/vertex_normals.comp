@@ -1,8 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Unit area-weighted normals (twin: kernels/vertex_normals.cpp) of the vertices `which`; zero if no
-// triangle around the vertex has area. One invocation per vertex.
+// Computes unit area-weighted normals of the vertices `which` (twin: kernels/vertex_normals.cpp). A
+// normal is zero if no triangle around the vertex has area. Each invocation computes all normals of
+// one vertex (mesh/split_normals.h).
 
 #include "invocation.glsl"
 
@@ -12,12 +13,21 @@ layout(std430, binding = 0) readonly buffer Which { uint which[]; };
 layout(std430, binding = 1) readonly buffer FanStarts { uint fan_starts[]; };
 layout(std430, binding = 2) readonly buffer FanCorners { uint fan_corners[]; };
 layout(std430, binding = 3) readonly buffer Positions { vec4 positions[]; };
-// A vec4 per vertex, whose w stays unchanged.
+// Each normal is a vec4 whose w stays unchanged.
 layout(std430, binding = 4) writeonly buffer Normals { float normals[]; };
 
 layout(push_constant) uniform Push { uint vertex_count; };
 
 const uint kFanBegins = 0x80000000u;
+const uint kNormalBegins = 0x40000000u;
+
+void write(uint number, vec3 sum) {
+  const float size = length(sum);
+  const vec3 normal = size > 0 ? sum / size : vec3(0);
+  normals[4 * number] = normal.x;
+  normals[4 * number + 1] = normal.y;
+  normals[4 * number + 2] = normal.z;
+}
 
 void main() {
   const uint m = invocation();
@@ -25,17 +35,20 @@ void main() {
   const uint i = which[m];
   const vec3 here = positions[i].xyz;
   const uint end = fan_starts[i + 1];
+  uint number = i;
   vec3 sum = vec3(0);
   vec3 previous = vec3(0);
   for (uint e = fan_starts[i]; e < end; ++e) {
     const uint corner = fan_corners[e];
+    if ((corner & kNormalBegins) != 0) {
+      write(number, sum);
+      number = corner & ~kNormalBegins;
+      sum = vec3(0);
+      continue;
+    }
     const vec3 next = positions[corner & ~kFanBegins].xyz - here;
     if ((corner & kFanBegins) == 0) sum += cross(previous, next);
     previous = next;
   }
-  const float size = length(sum);
-  const vec3 normal = size > 0 ? sum / size : vec3(0);
-  normals[4 * i] = normal.x;
-  normals[4 * i + 1] = normal.y;
-  normals[4 * i + 2] = normal.z;
+  write(number, sum);
 }

@@ -15,7 +15,6 @@
 #include "ui/viewer_app.h"
 #include "window/main_loop.h"
 #include "window/window.h"
-#include "window/window_error.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -115,7 +114,8 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver, 5 display or device, 6 file.");
   Arguments arguments;
   bool list_controls = false;
-  auto* file = parser.add_option("FILE", arguments.file, "OBJ, OFF, PLY, STL, glTF or a recipe (.json)");
+  auto* file =
+      parser.add_option("FILE", arguments.file, "OBJ, OFF, PLY, STL, glTF or a recipe (.json)");
   parser
       .add_option("--carry", arguments.carry,
                   "FILE, again for each: another file that follows the surface, a mesh, a point "

@@ -25,14 +25,14 @@ TEST(Limits, WhatIsBeyondIsRefusedWithBothNumbersAndTheWayOut) {
 
 TEST(Limits, AVariableOfTheEnvironmentRaisesOne) {
   const Environment raised("LAPWING_MOST_TESTS", "2e6");
-  EXPECT_EQ(most_of(kFew), 2e6);
+  EXPECT_EQ(limit_value(kFew), 2e6);
   EXPECT_NO_THROW(require_at_most(kFew, 1'234'567, "this makes", "make fewer"));
 }
 
 TEST(Limits, AVariableThatIsNoNumberIsNamed) {
   for (const char* text : {"many", "-1", "0", "10x", "nan"}) {
     const Environment set("LAPWING_MOST_TESTS", text);
-    EXPECT_THAT(error_message<InputError>([] { most_of(kFew); }),
+    EXPECT_THAT(error_message<InputError>([] { limit_value(kFew); }),
                 HasSubstr("LAPWING_MOST_TESTS is set to \"" + std::string(text) + "\""));
   }
 }

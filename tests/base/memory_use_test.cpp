@@ -4,8 +4,12 @@
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
 
 namespace lapwing {
 namespace {
@@ -14,84 +18,76 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMiB = 1024 * 1024;
 
-// A root folder with the files that a Linux system shows of its memory.
-class AvailableMemory : public ::testing::Test {
- protected:
-  AvailableMemory()
-      : root_(fs::path(testing::TempDir()) /
-              ("lapwing-memory-" +
-               std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    fs::remove_all(root_);
-    write("proc/meminfo", "MemTotal:  8388608 kB\nMemAvailable:   4194304 kB\n");
-  }
-  ~AvailableMemory() override { fs::remove_all(root_); }
+struct System {
+  std::string name;
+  std::vector<std::pair<fs::path, std::string>> files;  ///< beside /proc/meminfo
+  std::size_t available;                                ///< expected bytes
 
-  void write(const fs::path& name, const std::string& text) const {
-    fs::create_directories((root_ / name).parent_path());
-    std::ofstream(root_ / name) << text;
-  }
-  void limit_version_2(const fs::path& group, std::size_t most, std::size_t used) const {
-    write("sys/fs/cgroup" / group / "memory.max", std::to_string(most));
-    write("sys/fs/cgroup" / group / "memory.current", std::to_string(used));
-  }
-  void limit_version_1(const fs::path& group, std::size_t most, std::size_t used) const {
-    write("sys/fs/cgroup/memory" / group / "memory.limit_in_bytes", std::to_string(most));
-    write("sys/fs/cgroup/memory" / group / "memory.usage_in_bytes", std::to_string(used));
-  }
-  std::size_t mib() const { return available_memory_bytes(root_) / kMiB; }
-
-  const fs::path root_;
+  friend void PrintTo(const System& system, std::ostream* out) { *out << system.name; }
 };
 
-TEST_F(AvailableMemory, WithoutGroupsIsTheMachines) {
-  EXPECT_EQ(mib(), 4096U);
+std::string mib(std::size_t count) {
+  return std::to_string(count * kMiB) + "\n";
 }
 
-TEST_F(AvailableMemory, IsNotKnownWhereNothingSays) {
-  fs::remove_all(root_ / "proc");
-  EXPECT_EQ(available_memory_bytes(root_), 0U);
+// The files that Linux shows of a machine with 4 GiB available. The last system is in a container,
+// which mounts its own group but sees the path that the group has outside.
+const std::vector<System> kSystems{
+    {"NoGroups", {}, 4096 * kMiB},
+    {"GroupOfAContainer",
+     {{"proc/self/cgroup", "0::/\n"},
+      {"sys/fs/cgroup/memory.max", mib(1000)},
+      {"sys/fs/cgroup/memory.current", mib(300)}},
+     700 * kMiB},
+    {"NestedGroups",
+     {{"proc/self/cgroup", "0::/user.slice/session/editor\n"},
+      {"sys/fs/cgroup/user.slice/session/editor/memory.max", mib(2000)},
+      {"sys/fs/cgroup/user.slice/session/editor/memory.current", mib(100)},
+      {"sys/fs/cgroup/user.slice/memory.max", mib(1500)},
+      {"sys/fs/cgroup/user.slice/memory.current", mib(1000)},
+      {"sys/fs/cgroup/user.slice/session/memory.max", "max\n"}},
+     500 * kMiB},
+    {"FileCacheIsFree",
+     {{"proc/self/cgroup", "0::/\n"},
+      {"sys/fs/cgroup/memory.max", mib(1000)},
+      {"sys/fs/cgroup/memory.current", mib(900)},
+      {"sys/fs/cgroup/memory.stat", "anon 1\ninactive_file " + mib(400)}},
+     500 * kMiB},
+    {"FullGroupIsNotUnknown",
+     {{"proc/self/cgroup", "0::/\n"},
+      {"sys/fs/cgroup/memory.max", mib(100)},
+      {"sys/fs/cgroup/memory.current", mib(200)}},
+     1},
+    {"Version1",
+     {{"proc/self/cgroup", "12:cpu,cpuacct:/jobs/7\n4:memory:/jobs/7\n1:name=systemd:/x\n"},
+      {"sys/fs/cgroup/memory/jobs/7/memory.limit_in_bytes", mib(900)},
+      {"sys/fs/cgroup/memory/jobs/7/memory.usage_in_bytes", mib(250)},
+      {"sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n"},
+      {"sys/fs/cgroup/memory/memory.usage_in_bytes", mib(3000)}},
+     650 * kMiB},
+    {"Version1InAContainer",
+     {{"proc/self/cgroup", "4:memory:/docker/0123abcd\n0::/docker/0123abcd\n"},
+      {"sys/fs/cgroup/memory/memory.limit_in_bytes", mib(600)},
+      {"sys/fs/cgroup/memory/memory.usage_in_bytes", mib(100)}},
+     500 * kMiB},
+};
+
+class AvailableMemory : public ::testing::TestWithParam<System> {};
+
+TEST_P(AvailableMemory, IsTheLeastThatMachineAndGroupsLeave) {
+  const TemporaryFolder root;
+  EXPECT_EQ(available_memory_bytes(root.path()), 0U) << "unknown";
+  auto files = GetParam().files;
+  files.emplace_back("proc/meminfo", "MemTotal:  8388608 kB\nMemAvailable:   4194304 kB\n");
+  for (const auto& [name, text] : files) {
+    fs::create_directories((root.path() / name).parent_path());
+    root.file(name.string(), text);
+  }
+  EXPECT_EQ(available_memory_bytes(root.path()), GetParam().available);
 }
 
-TEST_F(AvailableMemory, OfAContainerIsWhatItsGroupLeaves) {
-  write("proc/self/cgroup", "0::/\n");
-  limit_version_2("", 1000 * kMiB, 300 * kMiB);
-  EXPECT_EQ(mib(), 700U);
-}
-
-TEST_F(AvailableMemory, OfNestedGroupsIsTheLeastThatAnyLeaves) {
-  write("proc/self/cgroup", "0::/user.slice/session/editor\n");
-  limit_version_2("user.slice/session/editor", 2000 * kMiB, 100 * kMiB);
-  limit_version_2("user.slice", 1500 * kMiB, 1000 * kMiB);
-  write("sys/fs/cgroup/user.slice/session/memory.max", "max\n");
-  EXPECT_EQ(mib(), 500U);
-}
-
-TEST_F(AvailableMemory, CountsVersion1) {
-  write("proc/self/cgroup", "12:cpu,cpuacct:/jobs/7\n4:memory:/jobs/7\n1:name=systemd:/x\n");
-  limit_version_1("jobs/7", 900 * kMiB, 250 * kMiB);
-  limit_version_1("", 9223372036854771712U, 3000 * kMiB);
-  EXPECT_EQ(mib(), 650U);
-}
-
-TEST_F(AvailableMemory, OfVersion1InAContainerIsThatOfTheMountedFolder) {
-  // The container's own folder is mounted, and the path that it has outside is not there.
-  write("proc/self/cgroup", "4:memory:/docker/0123abcd\n0::/docker/0123abcd\n");
-  limit_version_1("", 600 * kMiB, 100 * kMiB);
-  EXPECT_EQ(mib(), 500U);
-}
-
-TEST_F(AvailableMemory, TakesTheCacheOfFilesForFree) {
-  write("proc/self/cgroup", "0::/\n");
-  limit_version_2("", 1000 * kMiB, 900 * kMiB);
-  write("sys/fs/cgroup/memory.stat", "anon 1\ninactive_file " + std::to_string(400 * kMiB) + "\n");
-  EXPECT_EQ(mib(), 500U);
-}
-
-TEST_F(AvailableMemory, OfAGroupThatIsFullIsNextToNothing) {
-  write("proc/self/cgroup", "0::/\n");
-  limit_version_2("", 100 * kMiB, 200 * kMiB);
-  EXPECT_EQ(available_memory_bytes(root_), 1U) << "0 would mean that it is not known";
-}
+INSTANTIATE_TEST_SUITE_P(All, AvailableMemory, ::testing::ValuesIn(kSystems),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(AvailableMemoryOfThisProcess, IsNoMoreThanItsOwnLimitLeaves) {
   std::ifstream statm("/proc/self/statm");

@@ -2,8 +2,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <sched.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +35,7 @@ TEST(WorkerPool, HelpersTakePart) {
   EXPECT_TRUE(helped);
 }
 
-// They look around for a tenth of a millisecond before they sleep.
+// Helpers spin for a tenth of a millisecond before they sleep.
 TEST(WorkerPool, HelpersThatSleepAreWoken) {
   WorkerPool pool(3);
   for (int round = 0; round < 5; ++round) {
@@ -46,8 +49,8 @@ TEST(WorkerPool, HelpersThatSleepAreWoken) {
   }
 }
 
-// Where the system would put them there, which it does in some virtual machines, they would wait
-// for the caller to end.
+// Some virtual machines would wake helpers on the processor of the caller, where they would wait
+// until it has finished.
 TEST(WorkerPool, HelpersThatSleepAreWokenOnOtherProcessorsThanTheCallers) {
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
@@ -115,6 +118,37 @@ TEST(WorkerPool, OfOneThreadIsTheCaller) {
   int calls = 0;
   pool.run([&](int thread) { calls += 1 + thread; });
   EXPECT_EQ(calls, 1);
+}
+
+// Python's multiprocessing and os.fork() end children while the pools of their parents exist.
+TEST(WorkerPool, ChildOfAForkWorksAloneAndEnds) {
+  auto pool = std::make_unique<WorkerPool>(3);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));  // until the helpers sleep
+  const pid_t child = fork();
+  ASSERT_NE(child, -1);
+  if (child == 0) {
+    alarm(30);  // kills a child that hangs
+    int calls = 0;
+    for (int round = 0; round < 3; ++round) pool->run([&](int thread) { calls += 1 + thread; });
+    pool.reset();
+    WorkerPool own(2);
+    std::atomic<bool> helped{false};
+    own.run([&](int thread) {
+      if (thread != 0) helped = true;
+      while (!helped) std::this_thread::yield();
+    });
+    _exit(calls == 3 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  // The parent's helpers are still there.
+  std::atomic<bool> helped{false};
+  pool->run([&](int thread) {
+    if (thread != 0) helped = true;
+    while (!helped) std::this_thread::yield();
+  });
 }
 
 }  // namespace

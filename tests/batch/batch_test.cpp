@@ -12,7 +12,7 @@
 #include "lapwing/io/number_table.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "support/error_message.h"
 
 namespace lapwing {

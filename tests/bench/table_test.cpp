@@ -6,13 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "bench/made_up_report.h"
-#include "report/number_text.h"
 
 namespace lapwing::bench {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 TEST(Table, OfASmallReport) {
   EXPECT_EQ(table_of(small_report()),
@@ -28,13 +26,27 @@ armadillo, 26,002 vertices, on Some GPU
   ms                              median  spread     cpu  device peak MB limit  ratio
   assemble                          4.10  +-1.2%   0.600    1.25       -   15%
 
+median, spread: wall time of a run, and half the distance between its quartiles
+cpu, device: processor time of all threads, and time by the clock of the device
+peak MB: memory while it runs; limit: share of the peak rates of the device
+ratio: time of Lapwing over that of the peer
+
 Targets
-  armadillo, CPU
-    met      factor / CHOLMOD                                            0.252, at most 0.500
-  armadillo, Some GPU
-    NOT met  frames a second                                              31.0, at least 60.0
+  met      0.252, at most 0.500    factor / CHOLMOD, armadillo, CPU
+  NOT met  31.0, at least 60.0     frames a second, armadillo, Some GPU
 
 )");
+}
+
+TEST(Table, RatesThatWereNotMeasuredAreNotShownAsZero) {
+  Report report = small_report();
+  report.limits[0].matmul_gflops_float32 = 0.0;
+  report.limits[0].matmul_gflops_float64 = 0.0;
+  report.limits[1].matmul_gflops_float64 = 0.0;
+  EXPECT_THAT(table_of(report),
+              ::testing::StartsWith("CPU (cpu): copies 10.0 GB/s; products of matrices are not "
+                                    "measured without a BLAS\nSome GPU (discrete GPU): copies 400 "
+                                    "GB/s, multiplies matrices at 20,000 GFLOP/s in float32\n"));
 }
 
 TEST(Table, IsAtMost100ColumnsWideWhateverTheNames) {
@@ -54,32 +66,44 @@ TEST(Table, IsAtMost100ColumnsWideWhateverTheNames) {
     target.on += word;
   }
   std::istringstream lines(table_of(report));
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(character_count(line), 100u) << line;
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
-TEST(Table, NamesEveryPeerBesideTheStage) {
+TEST(Screen, OfASmallReport) {
   Report report = small_report();
-  report.measurements.push_back(row_by("Eigen", "factor", {1020.0}));
-  const std::string table = table_of(report);
-  EXPECT_THAT(table, HasSubstr("0.252 of CHOLMOD\n"));
-  EXPECT_THAT(table, HasSubstr("0.100 of Eigen\n"));
+  report.measurements.push_back(row("first drag", {25.0}));
+  report.measurements.push_back(row("first drag", {50.0}));
+  report.measurements.back().device = "Some GPU";
+  report.targets = {{"first drag / CGAL ARAP preparation", "armadillo, CPU", 0.3, false, 0.25},
+                    {"first drag / CGAL ARAP preparation", "armadillo, Some GPU", 0.3, false, 0.5}};
+  EXPECT_EQ(screen_of(report),
+            R"(Medians in ms on armadillo, 26,002 vertices
+CPU: Some Processor 3 GHz, 2 threads; device: Some GPU
+
+stage                               CPU  ratio device  ratio  peer                           ms  met
+factor                              102  0.252                CHOLMOD                       404
+assemble                                         4.10
+first drag                         25.0  0.250   50.0  0.500  CGAL ARAP preparation         100  NO
+
+CPU, device: ms of Lapwing, median of the runs; ratio: that over the time of the peer
+peer, ms: what the stage is compared with, and its time; met: whether the target of the ratio is met
+
+1 of 2 targets are met; --all-columns lists them and all numbers.
+)");
 }
 
-TEST(Table, PutsTargetsOnOneThingTogether) {
+TEST(Screen, ShowsStagesOfOtherMeshesAtTheirLargestSize) {
   Report report = small_report();
-  report.targets.push_back({"another", "armadillo, CPU", 1.0, false, 0.5});
-  const std::string table = table_of(report);
-  EXPECT_LT(table.find("another"), table.find("frames a second"));
-}
-
-TEST(Table, TellsGrowthWhereThereAreSizesEnough) {
-  Report report = small_report();
-  EXPECT_THAT(table_of(report), Not(HasSubstr("Growth")));
-  for (const std::size_t n : {10'000, 20'000, 40'000}) {
-    report.measurements.push_back(row("order", {1e-3 * static_cast<double>(n)}));
+  for (const std::size_t n : {40'000u, 10'000u}) {
+    report.measurements.push_back(row("coat", {1e-3 * static_cast<double>(n)}));
+    report.measurements.back().mesh = "hills";
     report.measurements.back().vertices = n;
   }
-  EXPECT_THAT(table_of(report), HasSubstr("n^1.00 +-0.00"));
+  EXPECT_THAT(screen_of(report), HasSubstr("coat, hills 40,000                 40.0\n"));
+}
+
+TEST(Screen, OfCountsSaysThatThereAreNoTimes) {
+  EXPECT_EQ(screen_of(report_of({row("factor", {})})), "The report has no times.\n");
 }
 
 }  // namespace

@@ -1,10 +1,6 @@
 """Keyframed Empties, baked over a range of frames."""
 
-import os
 import struct
-import sys
-
-sys.path.insert(0, os.path.dirname(__file__))
 
 import bpy
 import numpy as np

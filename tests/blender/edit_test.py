@@ -1,19 +1,16 @@
-"""A live edit, from its region to where its result goes."""
+"""A live edit, from its region to its result."""
 
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(__file__))
+import json
 
 import bpy
 import numpy as np
 from mathutils import Matrix
 import scene
-from scene import SceneTest, coordinates, diagonal, in_world, lift, move, run_recipe, wavy
+from scene import SceneTest, coordinates, deform, diagonal, drag, export, in_world, lift, move, run_recipe, wavy
 
 TOLERANCE = 1e-6
 
-#: Where objects stand: by themselves, turned and far, scaled unevenly, mirrored.
+#: World matrices of objects.
 PLACES = {
     "at the origin": Matrix.Identity(4),
     "turned and moved": Matrix.Translation((3, -2, 5)) @ Matrix.Rotation(1.0, 4, (1, 2, 3)),
@@ -22,34 +19,24 @@ PLACES = {
 }
 
 
-def export(obj, **properties):
-    path = scene.WORK / "recipe.json"
-    bpy.ops.lapwing.export_recipe(filepath=str(path), **properties)
-    return path
-
-
 class LiveEdit(SceneTest):
     def test_the_settled_surface_is_that_of_the_command_line(self):
         for place, matrix in PLACES.items():
             with self.subTest(place):
                 bpy.ops.wm.read_homefile(use_empty=True)
                 obj = wavy(matrix)
-                bpy.ops.lapwing.start()
-                move(obj, lift())
-                bpy.ops.lapwing.apply(as_key=True)
+                deform(obj, as_key=True)
                 made = in_world(obj, coordinates(obj.data.shape_keys.key_blocks["Lapwing"].data))
-                expected = run_recipe(export(obj))
+                expected = run_recipe(export())
                 self.assertGreater(np.abs(expected - in_world(obj, coordinates(obj.data.vertices))).max(), 0.1)
                 self.assertLess(np.abs(made - expected).max(), TOLERANCE * diagonal(expected))
 
     def test_the_live_response_is_the_engine_s_linear_one(self):
         obj = wavy(PLACES["of uneven scale"])
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.respond()
+        drag(obj)
         shown = in_world(obj, coordinates(obj.data.vertices))
         bpy.ops.lapwing.apply(as_key=True)
-        path = export(obj)
+        path = export()
         recipe = path.read_text().replace('"op": "deform"', '"op": "deform", "settle": false')
         self.assertIn('"settle": false', recipe)
         path.write_text(recipe)
@@ -80,9 +67,7 @@ class LiveEdit(SceneTest):
     def test_nothing_moves_outside_the_region(self):
         obj = wavy(PLACES["of negative scale"])
         rest = coordinates(obj.data.vertices)
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.apply()
+        deform(obj)
         made = coordinates(obj.data.vertices)
         outside = np.hypot(rest[:, 0], rest[:, 1]) >= 0.8
         np.testing.assert_array_equal(made[outside], rest[outside])
@@ -91,9 +76,7 @@ class LiveEdit(SceneTest):
     def test_a_shape_key_leaves_the_mesh_and_returns_the_handle(self):
         obj = wavy()
         rest, place = coordinates(obj.data.vertices), scene.empty_of(obj).matrix_world.copy()
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.apply(as_key=True, key_name="Lifted")
+        deform(obj, as_key=True, key_name="Lifted")
         keys = obj.data.shape_keys.key_blocks
         self.assertEqual([key.name for key in keys], ["Basis", "Lifted"])
         np.testing.assert_array_equal(coordinates(keys["Basis"].data), rest)
@@ -105,9 +88,7 @@ class LiveEdit(SceneTest):
         obj.shape_key_add(name="Basis")
         smile = obj.shape_key_add(name="Smile")
         smile.data[0].co.z += 0.25
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.apply()
+        deform(obj)
         keys = obj.data.shape_keys.key_blocks
         self.assertEqual([key.name for key in keys], ["Basis", "Smile"])
         change = coordinates(keys["Smile"].data) - coordinates(keys["Basis"].data)
@@ -142,9 +123,7 @@ class LiveEdit(SceneTest):
         obj = wavy()
         rest = coordinates(obj.data.vertices)
         bpy.ops.ed.undo_push(message="before")
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.apply()
+        deform(obj)
         bpy.ops.ed.undo_push(message="applied")
         bpy.ops.ed.undo()
         obj = bpy.data.objects["Wavy"]
@@ -169,9 +148,7 @@ class LiveEdit(SceneTest):
 
     def test_an_object_that_moves_takes_its_edit_along(self):
         obj = wavy()
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.respond()
+        drag(obj)
         before = coordinates(obj.data.vertices)
         by = Matrix.Translation((4, 0, 0)) @ Matrix.Rotation(0.5, 4, "Z")
         obj.matrix_world = by @ obj.matrix_world
@@ -187,13 +164,10 @@ class LiveEdit(SceneTest):
         bpy.ops.lapwing.apply()
         self.assertGreater(coordinates(obj.data.vertices)[:, 2].max(), 0.3)
 
-
     def test_a_mesh_that_gets_shape_keys_meanwhile_ends_the_edit(self):
         from lapwing_blender import session
         obj = wavy()
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.respond()
+        drag(obj)
         obj.shape_key_add(name="Basis")
         shown = coordinates(obj.data.shape_keys.key_blocks["Basis"].data)
         session.advance(obj, session.session_of(obj))
@@ -207,7 +181,6 @@ class Settings(SceneTest):
         move(obj, lift())
         bpy.ops.lapwing.start()
         bpy.ops.lapwing.apply(as_key=True)
-        import json
         return json.loads(obj["lapwing_edits"])[-1]["steps"][0]
 
     def test_x_symmetry_mirrors_the_edit(self):
@@ -267,9 +240,7 @@ class Settings(SceneTest):
         scene.select(obj, pinned)
         bpy.ops.lapwing.set_region(role="pins")
         obj.lapwing.hard = True
-        bpy.ops.lapwing.start()
-        move(obj, lift())
-        bpy.ops.lapwing.apply()
+        deform(obj)
         moved = np.linalg.norm(coordinates(obj.data.vertices) - rest, axis=1)
         self.assertLess(moved[pinned].max(), 1e-6)
         self.assertGreater(moved.max(), 0.3)
@@ -305,9 +276,7 @@ class AwkwardMeshes(SceneTest):
         bpy.ops.lapwing.set_region()
         scene.select(obj, np.arange(len(vertices)) == fin)
         bpy.ops.lapwing.add_handle()
-        bpy.ops.lapwing.start()
-        move(obj, Matrix.Translation((0, 0, 0.2)))
-        bpy.ops.lapwing.apply()
+        deform(obj, Matrix.Translation((0, 0, 0.2)))
         self.assertGreater(coordinates(obj.data.vertices)[fin, 2], 0.4)
 
     def test_modifiers_go_on_working_on_what_is_edited(self):

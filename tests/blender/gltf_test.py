@@ -4,8 +4,7 @@ import os
 import sys
 from pathlib import Path
 
-sys.path[:0] = [os.path.dirname(__file__), str(Path(__file__).parents[1] / "gltf"),
-                os.environ["LAPWING_MODULE"]]
+sys.path[:0] = [str(Path(__file__).parents[1] / "gltf"), os.environ["LAPWING_MODULE"]]
 
 import bpy
 import numpy as np
@@ -16,11 +15,11 @@ import samples
 import scene
 from scene import WORK, SceneTest, coordinates, in_world
 
-# The importer of Blender 3.4 uses a name that numpy has given up since.
+# The importer of Blender 3.4 uses a name that numpy has removed.
 np.bool = bool
 
-#: What nobody reads, has no triangles or no numbers; what Blender's importer does not take, unedited,
-#: either; and a mesh that Blender shifts by the matrices it is bound with.
+#: Files that nobody reads, that have no triangles or numbers, or that Blender does not import even
+#: unedited; and a mesh that Blender shifts by its bind matrices.
 NOT_SHOWN = {
     *debian.REFUSED, *debian.EMPTY, *debian.NOT_FINITE, *debian.SHORT,
     "BoxTextured-glTF-techniqueWebGL/BoxTextured.gltf", "simple_skin/simple_skin.gltf",
@@ -34,7 +33,7 @@ def moved(points):
 
 class EditedFiles(SceneTest):
     def expect_moved(self, path):
-        """Edits the file, and compares what Blender shows with what the engine has."""
+        """Edits the file, and compares the mesh in Blender with that of the engine."""
         mesh = lapwing.read(path)
         target = WORK / ("edited" + path.suffix)
         lapwing.write(target, mesh.with_vertices(moved(mesh.vertices)))

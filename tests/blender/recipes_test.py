@@ -1,33 +1,16 @@
 """Recipes kept on objects: replayed, saved, exported."""
 
 import json
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(__file__))
 
 import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 import scene
-from scene import SceneTest, coordinates, diagonal, in_world, lift, make_active, move, run_recipe, wavy
+from scene import SceneTest, coordinates, deform, diagonal, export, in_world, make_active, run_recipe, wavy
 
 
 #: Somewhere else, of another size.
 PLACE = Matrix.Translation((5, 1, 0)) @ Matrix.Rotation(1.0, 4, "Y") @ Matrix.Scale(3.0, 4)
-
-
-def deform(obj, matrix=None, **properties):
-    make_active(obj)
-    bpy.ops.lapwing.start()
-    move(obj, matrix or lift())
-    bpy.ops.lapwing.apply(**properties)
-
-
-def export(name="recipe.json", **properties):
-    path = scene.WORK / name
-    bpy.ops.lapwing.export_recipe(filepath=str(path), **properties)
-    return path
 
 
 def copy_of(obj, original, matrix):

@@ -1,11 +1,11 @@
-"""What cannot be done is refused in one sentence, in Blender's own report."""
+"""Impossible edits are refused in one sentence, in Blender's own report."""
 
 import os
 import sys
+import types
 from unittest import mock
 
-sys.path.insert(0, os.path.dirname(__file__))
-
+import blf
 import bpy
 import numpy as np
 from mathutils import Matrix
@@ -13,74 +13,77 @@ import scene
 from scene import SceneTest, wavy
 
 
+def start_is_refused(words):
+    """Returns a decorator that makes a test of a function that spoils an edit."""
+    def decorate(spoil):
+        def test(self):
+            obj = wavy()
+            spoil(self, obj)
+            bpy.context.view_layer.update()
+            self.assert_refused(words, bpy.ops.lapwing.start)
+            self.assertFalse(obj.lapwing.is_live)
+
+        return test
+
+    return decorate
+
+
 class Edits(SceneTest):
-    def test_without_a_region(self):
-        obj = wavy()
+    @start_is_refused("The region is not set")
+    def test_without_a_region(self, obj):
         obj.lapwing.roi = ""
-        self.assert_refused("The region is not set", bpy.ops.lapwing.start)
 
-    def test_without_a_handle(self):
-        obj = wavy()
+    @start_is_refused("There is no handle")
+    def test_without_a_handle(self, obj):
         obj.lapwing.handles.clear()
-        self.assert_refused("There is no handle", bpy.ops.lapwing.start)
 
-    def test_a_handle_outside_the_region(self):
-        obj = wavy()
+    @start_is_refused("leaves the region at vertex 0")
+    def test_a_handle_outside_the_region(self, obj):
         obj.vertex_groups[obj.lapwing.handles[0].group].add([0], 1.0, "REPLACE")
-        self.assert_refused("leaves the region at vertex 0", bpy.ops.lapwing.start)
 
-    def test_a_belt_that_is_missing(self):
-        obj = wavy()
+    @start_is_refused("'Nowhere', which 'Wavy' does not have")
+    def test_a_belt_that_is_missing(self, obj):
         obj.lapwing.belt = "Nowhere"
-        self.assert_refused("'Nowhere', which 'Wavy' does not have", bpy.ops.lapwing.start)
 
-    def test_a_belt_outside_the_region(self):
-        obj = wavy()
+    @start_is_refused("none of whose vertices is in the region")
+    def test_a_belt_outside_the_region(self, obj):
         obj.vertex_groups.new(name="Away").add([0], 1.0, "REPLACE")
         obj.lapwing.belt = "Away"
-        self.assert_refused("none of whose vertices is in the region", bpy.ops.lapwing.start)
 
-    def test_an_empty_region(self):
-        obj = wavy()
+    @start_is_refused("which is empty")
+    def test_an_empty_region(self, obj):
         obj.vertex_groups.new(name="Nothing")
         obj.lapwing.roi = "Nothing"
-        self.assert_refused("which is empty", bpy.ops.lapwing.start)
 
-    def test_an_empty_selection(self):
-        obj = wavy()
-        scene.select(obj, np.zeros(len(obj.data.vertices)))
-        self.assert_refused("Nothing is selected", bpy.ops.lapwing.set_region)
-        self.assert_refused("Nothing is selected", bpy.ops.lapwing.add_handle)
-
-    def test_an_empty_that_is_gone(self):
-        obj = wavy()
+    @start_is_refused("is gone")
+    def test_an_empty_that_is_gone(self, obj):
         bpy.data.objects.remove(scene.empty_of(obj))
-        self.assert_refused("is gone", bpy.ops.lapwing.start)
-        self.assertFalse(obj.lapwing.is_live)
 
-    def test_an_object_scaled_to_nothing(self):
-        wavy().matrix_world = Matrix.Diagonal((1, 1, 0, 1))
-        bpy.context.view_layer.update()
-        self.assert_refused("scaled to nothing", bpy.ops.lapwing.start)
+    @start_is_refused("scaled to nothing")
+    def test_an_object_scaled_to_nothing(self, obj):
+        obj.matrix_world = Matrix.Diagonal((1, 1, 0, 1))
 
-    def test_symmetry_of_a_sheared_object(self):
-        obj = wavy()
+    @start_is_refused("is sheared")
+    def test_symmetry_of_a_sheared_object(self, obj):
         parent = bpy.data.objects.new("Parent", None)
         bpy.context.scene.collection.objects.link(parent)
         parent.matrix_world = Matrix.Diagonal((3, 1, 1, 1))
         obj.parent = parent
         obj.rotation_euler = (0, 0, 0.7)
         obj.data.use_mirror_x = True
-        bpy.context.view_layer.update()
-        self.assert_refused("is sheared", bpy.ops.lapwing.start)
 
-    def test_a_mesh_without_faces(self):
-        obj = wavy()
+    @start_is_refused("has no faces")
+    def test_a_mesh_without_faces(self, obj):
         obj.data.clear_geometry()
         obj.data.vertices.add(3)
         for name in (obj.lapwing.roi, obj.lapwing.handles[0].group):  # they went with the geometry
             obj.vertex_groups.new(name=name).add([0], 1.0, "REPLACE")
-        self.assert_refused("has no faces", bpy.ops.lapwing.start)
+
+    def test_an_empty_selection(self):
+        obj = wavy()
+        scene.select(obj, np.zeros(len(obj.data.vertices)))
+        self.assert_refused("Nothing is selected", bpy.ops.lapwing.set_region)
+        self.assert_refused("Nothing is selected", bpy.ops.lapwing.add_handle)
 
     def test_linked_data(self):
         wavy()
@@ -114,9 +117,8 @@ class Surfaces(SceneTest):
     def test_without_a_source(self):
         target, _ = self.pair()
         scene.make_active(target)
-        self.assert_refused("select one other mesh object", bpy.ops.lapwing.coat, region="CURSOR")
-        self.assert_refused("select one other mesh object", bpy.ops.lapwing.transplant, region="CURSOR")
-        self.assert_refused("select one other mesh object", bpy.ops.lapwing.replay)
+        for operator in (bpy.ops.lapwing.coat, bpy.ops.lapwing.transplant, bpy.ops.lapwing.replay):
+            self.assert_refused("select one other mesh object", operator)
 
     def test_without_a_selection(self):
         target, _ = self.pair()
@@ -195,7 +197,7 @@ class Surfaces(SceneTest):
 class Engines(SceneTest):
     def setUp(self):
         super().setUp()
-        # As in a Blender that has not loaded the engine yet, and finds none by itself.
+        # Blender has not loaded an engine yet and finds none by itself.
         modules = mock.patch.dict(sys.modules)
         modules.start()
         self.addCleanup(modules.stop)
@@ -205,64 +207,92 @@ class Engines(SceneTest):
         path.start()
         self.addCleanup(path.stop)
 
-    def folder(self, name):
+    def use_program(self, name, text):
         folder = scene.WORK / name
-        folder.mkdir(exist_ok=True)
-        return folder
+        folder.mkdir()
+        (folder / "lapwing").write_text(text)
+        if text.startswith("#!"):
+            (folder / "lapwing").chmod(0o755)
+        scene.use_engine(folder / "lapwing")
 
-    def program(self, name, script):
-        program = self.folder(name) / "lapwing"
-        program.write_text("#!/bin/sh\n" + script)
-        program.chmod(0o755)
-        return program
+    def use_module(self, name, text):
+        package = scene.WORK / name / "lapwing"
+        package.mkdir(parents=True)
+        (package / "__init__.py").write_text(text)
+        scene.use_engine(package.parent)
 
-    def test_a_path_that_is_not_there(self):
-        wavy()
+    @start_is_refused("There is no engine at")
+    def test_a_path_that_is_not_there(self, _obj):
         scene.use_engine(scene.WORK / "nowhere")
-        self.assert_refused("There is no engine at", bpy.ops.lapwing.start)
 
-    def test_a_folder_without_an_engine(self):
-        wavy()
-        scene.use_engine(self.folder("empty"))
-        self.assert_refused("holds no folder 'lapwing'", bpy.ops.lapwing.start)
+    @start_is_refused("holds no folder 'lapwing'")
+    def test_a_folder_without_an_engine(self, _obj):
+        (scene.WORK / "empty").mkdir()
+        scene.use_engine(scene.WORK / "empty")
 
-    def test_a_program_of_another_version(self):
-        wavy()
-        scene.use_engine(self.program("other", "echo 9.3.1\n"))
-        self.assert_refused("is of version 9.3.1, and this add-on needs 0.1", bpy.ops.lapwing.start)
+    @start_is_refused("is of version 9.3.1, and this add-on needs 0.1")
+    def test_a_program_of_another_version(self, _obj):
+        self.use_program("other", "#!/bin/sh\necho 9.3.1\n")
 
-    def test_a_module_of_another_version(self):
-        package = self.folder("old") / "lapwing"
-        package.mkdir()
-        (package / "__init__.py").write_text("__version__ = '0.2.0'\nclass Deformer: pass\n")
-        wavy()
-        scene.use_engine(package.parent)
-        self.assert_refused("is of version 0.2.0, and this add-on needs 0.1", bpy.ops.lapwing.start)
+    @start_is_refused("is of version 0.2.0, and this add-on needs 0.1")
+    def test_a_module_of_another_version(self, _obj):
+        self.use_module("old", "__version__ = '0.2.0'\nclass Deformer: pass\n")
 
-    def test_a_program_that_is_no_lapwing(self):
-        wavy()
-        scene.use_engine(self.program("wrong", "exit 1\n"))
-        self.assert_refused("is of version unknown", bpy.ops.lapwing.start)
+    @start_is_refused("is of version unknown")
+    def test_a_program_that_is_no_lapwing(self, _obj):
+        self.use_program("wrong", "#!/bin/sh\nexit 1\n")
 
-    def test_a_file_that_is_no_program(self):
-        wavy()
-        file = self.folder("text") / "lapwing"
-        file.write_text("no program")
-        scene.use_engine(file)
-        self.assert_refused("cannot be started", bpy.ops.lapwing.start)
+    @start_is_refused("cannot be started")
+    def test_a_file_that_is_no_program(self, _obj):
+        self.use_program("text", "no program")
 
-    def test_a_module_that_cannot_be_imported(self):
-        package = self.folder("broken") / "lapwing"
-        package.mkdir()
-        (package / "__init__.py").write_text("raise ImportError('built for Python 3.9')\n")
-        wavy()
-        scene.use_engine(package.parent)
-        self.assert_refused("built for Python 3.9", bpy.ops.lapwing.start)
+    @start_is_refused("built for Python 3.9")
+    def test_a_module_that_cannot_be_imported(self, _obj):
+        self.use_module("broken", "raise ImportError('built for Python 3.9')\n")
 
-    def test_no_engine_at_all(self):
-        wavy()
+    @start_is_refused("engine was not found")
+    def test_no_engine_at_all(self, _obj):
         scene.use_engine("")
-        self.assert_refused("engine was not found", bpy.ops.lapwing.start)
+
+
+class PanelText(SceneTest):
+    """Text in the panels has as many lines as its width needs."""
+
+    WARNING = ("14 triangles are flipped, the first 1093. Move the handle less, rotate it with its motion, "
+               "or use several steps, or enlarge the region.")
+
+    def lines(self, text, width):
+        """Returns the labels that a region of `width` pixels gets."""
+        from lapwing_blender.wrapped_text import draw_text
+
+        column = mock.Mock()
+        layout = mock.Mock()
+        layout.column.return_value = column
+        preferences = types.SimpleNamespace(  # without a window, Blender's scale is 0
+            system=types.SimpleNamespace(ui_scale=1.0), ui_styles=bpy.context.preferences.ui_styles)
+        context = types.SimpleNamespace(
+            region=types.SimpleNamespace(width=width), preferences=preferences)
+        draw_text(layout, context, text, icon="ERROR")
+        return [call.kwargs["text"] for call in column.label.call_args_list]
+
+    def test_no_line_is_wider_than_the_region_and_no_word_is_lost(self):
+        for width in (180, 300, 900):
+            with self.subTest(width):
+                lines = self.lines(self.WARNING, width)
+                self.assertEqual(" ".join(lines), self.WARNING)
+                self.assertLess(max(blf.dimensions(0, line)[0] for line in lines), width)
+        self.assertGreater(len(self.lines(self.WARNING, 180)), len(self.lines(self.WARNING, 300)))
+        self.assertEqual(self.lines(self.WARNING, 5000), [self.WARNING])
+
+    def test_a_path_continues_on_the_next_line(self):
+        path = "/home/someone/projects/a-very-long-name-of-a-folder/and-another-one/mesh.ply"
+        lines = self.lines(path, 200)
+        self.assertGreater(len(lines), 1)
+        self.assertEqual("".join(lines), path)
+
+    def test_a_region_without_width_still_shows_every_letter(self):
+        self.assertEqual("".join(self.lines("no room", 0)), "noroom")
+        self.assertEqual(self.lines("", 300), [])
 
 
 scene.main()

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs a file of tests in Blender with settings of its own: without a window, but window_test.py
-on a display of its own, drawn by the processor.
+"""Runs a file of tests in Blender with separate settings: without a window, except window_test.py,
+which gets a virtual display drawn by the CPU.
 
     run_in_blender.py edit_test.py [TEST...]
 """
@@ -38,8 +38,9 @@ def main() -> int:
         }
         environment.pop("PYTHONPATH", None)
         os.mkdir(os.path.join(folder, "work"))
-        command = [blender, "--factory-startup", "-noaudio", "--python-exit-code", "1", "--python",
-                   sys.argv[1], "--", *sys.argv[2:]]
+        command = [blender, "--factory-startup", "-noaudio", "--python-exit-code", "1",
+                   "--python-expr", f"import sys; sys.path.insert(0, {str(HERE)!r})",
+                   "--python", sys.argv[1], "--", *sys.argv[2:]]
         if Path(sys.argv[1]).name == "window_test.py":
             environment["LIBGL_ALWAYS_SOFTWARE"] = "1"
             command[1:1] = ["--enable-event-simulate", "--window-geometry", "0", "0", "1280", "800"]

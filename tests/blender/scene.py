@@ -1,4 +1,4 @@
-"""What the tests of the add-on share: the add-on installed, shapes, and the command line."""
+"""Helpers of the add-on's tests: they install the add-on, make shapes and run the command line."""
 
 import json
 import os
@@ -28,7 +28,7 @@ def use_engine(path):
 
 
 def main():
-    """Runs the tests of the file that calls it, as Blender's process."""
+    """Runs the tests of the calling file in Blender's process."""
     install()
     names = sys.argv[sys.argv.index("--") + 1:]
     program = unittest.main(module="__main__", argv=["tests", "-v", *names], exit=False)
@@ -42,7 +42,7 @@ class SceneTest(unittest.TestCase):
         use_engine(MODULE)
 
     def assert_refused(self, words, operator, **properties):
-        """The operator reports one sentence that has these words, and no traceback."""
+        """Expects that the operator reports one sentence with these words, and no traceback."""
         with self.assertRaises(RuntimeError) as caught:
             operator(**properties)
         said = str(caught.exception).strip()
@@ -72,8 +72,8 @@ def make_active(obj, *others):
 
 
 def grid(n, height, mixed=False):
-    """A square of side 2 in n x n cells, `height` a function of x and y; of quads, and with `mixed`
-    of triangles and a hexagon as well."""
+    """Returns a square of side 2 with n x n quads, lifted by `height`, a function of x and y. With
+    `mixed` it also has triangles and a hexagon."""
     x, y = (a.ravel() for a in np.meshgrid(*2 * [np.linspace(-1.0, 1.0, n + 1)], indexing="ij"))
     faces = []
     for i in range(n):
@@ -92,7 +92,7 @@ def grid(n, height, mixed=False):
 
 
 def wavy(matrix=None, n=24, mixed=True):
-    """An object with bumps, a region in its middle and one handle in the middle of that."""
+    """Adds an object with bumps, a region in its middle and one handle in the middle of the region."""
     vertices, faces = grid(n, lambda x, y: 0.05 * np.sin(9 * x) * np.cos(7 * y), mixed)
     obj = add_mesh("Wavy", vertices, faces, matrix)
     away = np.hypot(vertices[:, 0], vertices[:, 1])
@@ -104,7 +104,7 @@ def wavy(matrix=None, n=24, mixed=True):
 
 
 def select(obj, mask):
-    """In object mode, vertices alone, as edit mode leaves them."""
+    """Selects vertices in object mode."""
     obj.data.vertices.foreach_set("select", np.asarray(mask, bool))
 
 
@@ -113,7 +113,7 @@ def empty_of(obj, handle=0):
 
 
 def move(obj, matrix, handle=0):
-    """The Empty, by a matrix in the world."""
+    """Moves the Empty of a handle by a matrix in the world."""
     empty = empty_of(obj, handle)
     empty.matrix_world = matrix @ empty.matrix_world
     bpy.context.view_layer.update()
@@ -121,6 +121,27 @@ def move(obj, matrix, handle=0):
 
 def lift():
     return Matrix.Translation((0.1, -0.05, 0.4)) @ Matrix.Rotation(0.6, 4, "X")
+
+
+def drag(obj, matrix=None):
+    """Starts an edit, moves its handle and shows the linear response."""
+    bpy.ops.lapwing.start()
+    move(obj, matrix or lift())
+    bpy.ops.lapwing.respond()
+
+
+def deform(obj, matrix=None, **properties):
+    """Makes an edit from its start to its result."""
+    make_active(obj)
+    bpy.ops.lapwing.start()
+    move(obj, matrix or lift())
+    bpy.ops.lapwing.apply(**properties)
+
+
+def export(name="recipe.json", **properties):
+    path = WORK / name
+    bpy.ops.lapwing.export_recipe(filepath=str(path), **properties)
+    return path
 
 
 def coordinates(points):
@@ -139,27 +160,10 @@ def diagonal(points):
 
 
 def run_recipe(path):
-    """What `lapwing run` makes of an exported recipe: its vertices."""
+    """Runs an exported recipe with `lapwing run`. Returns the vertices of the result."""
     done = subprocess.run([CLI, "run", str(path), "--device", "cpu", "--quiet"],
                           capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+    from lapwing_blender.ply import read_ply
     recipe = json.loads(Path(path).read_text())
-    return ply_vertices(Path(path).parent / recipe["save"])
-
-
-def ply_vertices(path):
-    """Of a PLY file whose first three properties are x, y, z, in double precision or single."""
-    data = Path(path).read_bytes()
-    header, _, body = data.partition(b"end_header\n")
-    lines = header.decode().splitlines()
-    count = int(next(line for line in lines if line.startswith("element vertex")).split()[2])
-    types = {"double": "<f8", "float": "<f4", "uint": "<u4", "int": "<i4"}
-    start = next(k for k, line in enumerate(lines) if line.startswith("element vertex")) + 1
-    fields = []
-    for line in lines[start:]:
-        if not line.startswith("property "):
-            break
-        _, kind, name = line.split()
-        fields.append((name, types[kind]))
-    rows = np.frombuffer(body, np.dtype(fields), count)
-    return np.stack([rows[axis].astype(float) for axis in "xyz"], axis=1)
+    return read_ply(Path(path).parent / recipe["save"], vertices_only=True).vertices

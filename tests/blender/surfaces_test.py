@@ -1,10 +1,5 @@
 """Coat, mix, transplant and peel."""
 
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(__file__))
-
 import bpy
 import numpy as np
 from mathutils import Matrix
@@ -28,7 +23,7 @@ def plain(matrix=None, n=40, mixed=False):
 
 
 def tube(matrix, around=24, along=16, radius=0.25, length=1.0):
-    """A tube along z, wider at its lower end, of quads that look outward."""
+    """Adds a tube along z, wider at its lower end, of quads that face outward."""
     angle = 2 * np.pi * np.arange(around) / around
     vertices = [
         (*((1 - 0.3 * k / along) * radius * np.array([np.cos(a), np.sin(a)])), length * k / along)
@@ -42,7 +37,7 @@ def tube(matrix, around=24, along=16, radius=0.25, length=1.0):
 
 
 def roughness(obj, inside):
-    """How far the vertices inside stand from a plane."""
+    """Returns the standard deviation of the heights of the vertices inside."""
     return float(np.std(in_world(obj, coordinates(obj.data.vertices))[inside, 2]))
 
 
@@ -89,7 +84,7 @@ class Coat(SceneTest):
                 bpy.ops.wm.read_homefile(use_empty=True)
                 scene.add_mesh("Bumps", *scene.grid(40, lambda x, y: np.maximum(bumpy(x, y), 0.0)),
                                Matrix.Translation((8, 0, 0)))
-                # Blender shows its front on top all the same.
+                # Blender shows the front of both on top.
                 target = plain(Matrix.Diagonal((scale, 1, 1, 1)))
                 bpy.ops.lapwing.coat(**self.where)
                 z = in_world(target, coordinates(target.data.vertices))[inner(target), 2]
@@ -186,7 +181,7 @@ class Transplant(SceneTest):
             for key in (target.data.loops[i].edge_index for i in polygon.loop_indices):
                 uses[key] += 1
         self.assertEqual(uses.max(), 2)
-        # Of a sheet with one tube that is open at its end: the sheet's border and the tube's.
+        # The borders are that of the sheet and that of the tube's open end.
         self.assertEqual((uses == 1).sum(), 4 * 40 + 24)
 
 

@@ -1,4 +1,4 @@
-"""In a window, by mouse and keys: the surface follows a drag, settles, is undone; Esc cancels."""
+"""Edits in a window by mouse and keys: the surface follows a drag, settles and is undone; Esc cancels."""
 
 import os
 import sys
@@ -6,14 +6,12 @@ import threading
 import time
 import traceback
 
-sys.path.insert(0, os.path.dirname(__file__))
-
 import bpy
 import numpy as np
 import scene
 from scene import coordinates
 
-#: For what a loaded machine does within seconds.
+#: A loaded machine may need this long for work of a few seconds.
 PATIENCE_SECONDS = 60
 COAT = dict(region="CURSOR", radius=0.9, detail_size=0.3)
 
@@ -42,10 +40,10 @@ class Window:
 
 
 def until(what, condition):
-    """A step of a story: waits, while Blender works, until `condition` holds."""
+    """Yields while Blender works, until `condition` holds."""
     end = time.monotonic() + PATIENCE_SECONDS
     while not condition():
-        assert time.monotonic() < end, f"it never came about that {what}"
+        assert time.monotonic() < end, f"this did not happen: {what}"
         yield
 
 
@@ -90,7 +88,7 @@ def story():
     yield from until("there is a shape key", lambda: bpy.data.objects[name].data.shape_keys)
     assert not bpy.data.objects[name].lapwing.is_live
 
-    # What takes a while is cancelled, and leaves the mesh.
+    # Esc cancels a long operation and leaves the mesh.
     with window.context():
         source = scene.add_mesh("Source", *scene.grid(150, lambda x, y: 0.02 * np.sin(40 * x)))
         target = scene.add_mesh("Target", *scene.grid(150, lambda x, y: 0.1 * y * y))
@@ -106,14 +104,14 @@ def story():
     assert "lapwing_edits" not in target
     np.testing.assert_array_equal(coordinates(target.data.vertices), before)
 
-    # Without Esc it ends by itself.
+    # Without Esc the operation finishes.
     with window.context():
         bpy.ops.lapwing.coat("INVOKE_DEFAULT", **COAT)
     yield from until("the coat is there", lambda: "lapwing_edits" in bpy.data.objects["Target"])
 
 
 def tell(steps):
-    """Goes on with the story each time that Blender has nothing else to do."""
+    """Continues the story whenever Blender is idle."""
     def step():
         try:
             next(steps)

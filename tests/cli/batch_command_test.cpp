@@ -4,9 +4,6 @@
 #include <thread>
 #include <unistd.h>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "batch/bent_tubes.h"
 #include "command_line.h"
 
@@ -16,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class BatchCommandLine : public CommandLine {
  protected:
@@ -35,7 +33,7 @@ class BatchCommandLine : public CommandLine {
 
   test::Files files_of(const std::string& folder) const { return test::files_in(file(folder)); }
 
-  // Runs a batch and kills it after that long; false where it came to its end before.
+  // Runs a batch and kills it after that time. Returns false if the batch ended before.
   bool kill_after(std::chrono::microseconds time) const {
     const pid_t child = fork();
     if (child == 0) {
@@ -51,12 +49,12 @@ class BatchCommandLine : public CommandLine {
     return WIFSIGNALED(status);
   }
 
-  static constexpr const char* kBatch = "batch jobs.jsonl --recipe bend.json --threads 2 -o ";
+  static inline const std::string kBatch = "batch jobs.jsonl --recipe bend.json --threads 2 -o ";
 };
 
 TEST_F(BatchCommandLine, KilledAgainAndAgainItComesToTheBytesOfAnUndisturbedRun) {
   const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(lapwing(kBatch + std::string("whole")).exit_code, 0);
+  succeed(kBatch + "whole");
   const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now() - begin);
   std::mt19937 random(22);  // NOLINT(cert-msc51-cpp): the same every time
@@ -72,22 +70,22 @@ TEST_F(BatchCommandLine, KilledAgainAndAgainItComesToTheBytesOfAnUndisturbedRun)
     }
   }
   EXPECT_EQ(kills, kKills);
-  EXPECT_EQ(lapwing(kBatch + std::string("out --resume")).exit_code, 0);
+  succeed(kBatch + "out --resume");
   EXPECT_EQ(files_of("out"), files_of("whole"));
 }
 
 TEST_F(BatchCommandLine, ATermSignalKeepsWhatIsDone) {
-  const Outcome stopped = lapwing(kBatch + std::string("out & sleep 0.3; kill -TERM $!; wait $!"));
+  const Outcome stopped = lapwing(kBatch + "out & sleep 0.3; kill -TERM $!; wait $!");
   EXPECT_THAT(stopped.exit_code, ::testing::AnyOf(143, 0)) << stopped.output;
-  EXPECT_EQ(lapwing(kBatch + std::string("out --resume")).exit_code, 0);
-  ASSERT_EQ(lapwing(kBatch + std::string("whole")).exit_code, 0);
+  succeed(kBatch + "out --resume");
+  succeed(kBatch + "whole");
   EXPECT_EQ(files_of("out"), files_of("whole"));
 }
 
-// A file that may not grow beyond some blocks is what a full disk is: writes end short. First no
-// mesh fits, then the lines of results do not.
+// A limit on the size of files acts like a full disk: writes end short. First no mesh fits, then
+// the lines of results do not.
 TEST_F(BatchCommandLine, WithoutRoomItSaysSoAndGoesOnLater) {
-  ASSERT_EQ(lapwing(kBatch + std::string("whole")).exit_code, 0);
+  succeed(kBatch + "whole");
   const std::string quoted = "'" + std::string(LAPWING_CLI) + "' ";
   for (const char* const blocks : {"1", "20"}) {
     const Outcome full = lapwing("--version >/dev/null; ulimit -f " + std::string(blocks) + "; " +
@@ -95,34 +93,74 @@ TEST_F(BatchCommandLine, WithoutRoomItSaysSoAndGoesOnLater) {
     EXPECT_EQ(full.exit_code, 6) << full.output;
     EXPECT_THAT(full.output, AllOf(HasSubstr("of 60 jobs are done"), HasSubstr("--resume")));
   }
-  EXPECT_EQ(lapwing(kBatch + std::string("out --resume")).exit_code, 0);
+  succeed(kBatch + "out --resume");
   EXPECT_EQ(files_of("out"), files_of("whole"));
-}
-
-TEST_F(BatchCommandLine, AFolderThatMayNotBeWrittenIsAnError) {
-  write("out", "a file, where the folder should be");
-  EXPECT_EQ(lapwing(kBatch + std::string("out")).exit_code, 6);
 }
 
 TEST_F(BatchCommandLine, TellsFailedLinesByItsExitCode) {
   write("jobs.jsonl", "{\"id\": \"a\"}\n{\"id\": \"b\", \"set\": {\"/steps/7\": 1}}\n");
-  const Outcome outcome = lapwing(kBatch + std::string("out"));
+  const Outcome outcome = lapwing(kBatch + "out");
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("1 of 2 done, 1 failed"), HasSubstr("failed")));
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("1 of 2 done, 1 failed"),
+                                    HasSubstr("\nlapwing: 1 job failed; see out/failed.jsonl\n")));
   EXPECT_THAT(read("out/failed.jsonl"), HasSubstr("/steps is a list of 1"));
   EXPECT_TRUE(fs::exists(file("out/a.ply")));
 }
 
+TEST_F(BatchCommandLine, ShardThatFailsNamesItsOwnFileEvenWhenQuiet) {
+  write("jobs.jsonl", R"({"id": "a", "set": {"/steps/7": 1}}
+{"id": "b", "set": {"/steps/7": 1}}
+)");
+  EXPECT_EQ(lapwing(kBatch + "out --shard 2/2 --quiet").output,
+            "lapwing: 1 job failed; see out/failed-2-of-2.jsonl\n");
+  EXPECT_TRUE(fs::exists(file("out/failed-2-of-2.jsonl")));
+  EXPECT_EQ(lapwing(kBatch + "out --resume --quiet").output,
+            "lapwing: 2 jobs failed; see out/failed.jsonl\n");
+}
+
+// Stands in for sbatch and scancel: sbatch accepts the first ACCEPTED jobs.
+TEST_F(BatchCommandLine, SlurmShardsFailsIfSbatchDoesAndLeavesNoJobBehind) {
+  fs::create_directory(file("bin"));
+  write("bin/sbatch",
+        "#!/bin/sh\n"
+        "echo \"$*\" >> submitted\n"
+        "if [ \"$(wc -l < submitted)\" -gt \"$ACCEPTED\" ]; then\n"
+        "  echo 'sbatch: error: denied' >&2\n"
+        "  exit 1\n"
+        "fi\n"
+        "echo 41\n");
+  write("bin/scancel", "#!/bin/sh\necho \"$*\" > cancelled\n");
+  for (const char* name : {"bin/sbatch", "bin/scancel"}) {
+    fs::permissions(file(name), fs::perms::owner_all);
+  }
+  const auto submit = [&](int accepted) {
+    fs::remove(file("submitted"));
+    return lapwing("--version >/dev/null; PATH=\"$PWD/bin:$PATH\" LAPWING='" LAPWING_CLI
+                   "' ACCEPTED=" +
+                   std::to_string(accepted) +
+                   " '" LAPWING_TOOLS "/batch/slurm-shards' 2 -- jobs.jsonl -o out");
+  };
+  const Outcome none = submit(0);
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.output, AllOf(HasSubstr("sbatch: error: denied"),
+                                 HasSubstr("nothing was submitted"), Not(HasSubstr("Job "))));
+  EXPECT_FALSE(fs::exists(file("cancelled")));
+  const Outcome one = submit(1);
+  EXPECT_EQ(one.exit_code, 1);
+  EXPECT_THAT(one.output, AllOf(HasSubstr("job 41, is cancelled"), Not(HasSubstr("Job "))));
+  EXPECT_EQ(read("cancelled"), "41\n");
+  EXPECT_THAT(submit(2).output, HasSubstr("Job 41: 2 shards."));
+}
+
 TEST_F(BatchCommandLine, RefusesWhatItCannotBeginBeforeItBegins) {
-  EXPECT_EQ(lapwing(kBatch + std::string("out --shard 0/4")).exit_code, 2);
-  EXPECT_EQ(lapwing(kBatch + std::string("out --shard 5/4")).exit_code, 2);
-  EXPECT_EQ(lapwing(kBatch + std::string("out --format fbx")).exit_code, 2);
-  EXPECT_EQ(lapwing("batch none.jsonl -o out").exit_code, 6);
+  for (const char* flags : {"--shard 0/4", "--shard 5/4", "--format fbx"}) {
+    expect_refused(kBatch + "out " + flags, 2);
+  }
+  expect_refused("batch none.jsonl -o out", 6);
+  write("other", "a file in the place of the folder");
+  expect_refused(kBatch + "other", 6);
   write("jobs.jsonl", "{\"id\": \"a\"}\n{\"id\": \"a\"}\n");
-  const Outcome twice = lapwing(kBatch + std::string("out"));
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.output, HasSubstr("the id \"a\" is already used in line 1"));
-  EXPECT_FALSE(fs::exists(file("out")));
+  expect_refused(kBatch + "out", 2, {"the id \"a\" is already used in line 1"});
 }
 
 }  // namespace

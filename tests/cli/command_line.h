@@ -7,9 +7,12 @@
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "batch/bent_tubes.h"
 #include "io/temporary_folder.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
@@ -18,13 +21,12 @@ namespace lapwing {
 
 struct Outcome {
   int exit_code = -1;
-  std::string output;  ///< of both streams
+  std::string output;  ///< both streams
 };
 
-/// The program in a temporary folder with a tube in it.
+/// Runs the program in a temporary folder that contains a tube.
 class CommandLine : public ::testing::Test {
  protected:
-  /// Lifts the tube's head.
   static inline const std::string kLiftFlags =
       "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.8,1,1,4 "
       "--translate 0,0,0.5 ";
@@ -46,6 +48,32 @@ class CommandLine : public ::testing::Test {
     const int status = pclose(pipe);
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
     return outcome;
+  }
+
+  /// Runs a command that must succeed. Returns its output.
+  std::string succeed(const std::string& arguments, const std::string& environment = "") const {
+    const Outcome outcome = lapwing(arguments, environment);
+    EXPECT_EQ(outcome.exit_code, 0) << environment << " " << arguments << "\n" << outcome.output;
+    return outcome.output;
+  }
+
+  /// Runs a command that must end with `exit_code`, print all `words` and change no file.
+  void expect_refused(const std::string& arguments, int exit_code,
+                      const std::vector<std::string>& words = {}) const {
+    const test::Files before = test::files_in(folder_.path());
+    const Outcome outcome = lapwing(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.output;
+    for (const std::string& word : words) {
+      EXPECT_THAT(outcome.output, ::testing::HasSubstr(word)) << arguments;
+    }
+    EXPECT_TRUE(test::files_in(folder_.path()) == before) << arguments << " changed files";
+  }
+
+  /// Expects that `recipe`, written together with the result `mesh`, gives the same bytes.
+  void expect_recipe_repeats(const std::string& recipe, const std::string& mesh) const {
+    const std::string again = "again" + std::filesystem::path(mesh).extension().string();
+    EXPECT_EQ(succeed("run " + recipe + " --device cpu --quiet --save " + again), "");
+    EXPECT_TRUE(read(again) == read(mesh)) << recipe;
   }
 
   void write(const std::string& name, const std::string& text) const {

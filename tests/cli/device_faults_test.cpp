@@ -1,5 +1,4 @@
-// Devices that fail while the program works: what is done all the same, and what is said.
-#include <gmock/gmock.h>
+// Devices that fail during the work: which results are still written, and which messages appear.
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
@@ -15,7 +14,7 @@ using ::testing::Not;
 
 class DeviceFaultCommands : public CommandLine {
  protected:
-  // Not static, since a static could be made before the flags are.
+  // Not static, because a static could be initialized before kLiftFlags.
   const std::string lift_ = kLiftFlags + "--frames device --save a.obj ";
 
   void SetUp() override {
@@ -70,7 +69,6 @@ TEST_F(DeviceFaultCommands, APictureThatNoDeviceDrawsIsNotThere) {
   EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }
 
-// Nothing was begun, and nothing is written.
 TEST_F(DeviceFaultCommands, ADeviceThatDoesNotOpenIsRefusedBeforeTheWork) {
   const Outcome outcome = with_fault(lift_, "memory 0 ever after");
   EXPECT_EQ(outcome.exit_code, 5);

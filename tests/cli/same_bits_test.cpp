@@ -1,4 +1,4 @@
-// One edit on processors with more and with fewer vector instructions and threads.
+// One edit with several instruction sets and numbers of threads.
 #include <cmath>
 
 #include "cli/command_line.h"
@@ -7,8 +7,8 @@
 namespace lapwing {
 namespace {
 
-// AVX2 and AVX-512 round otherwise, and so do sines of a C library that may fuse; settling ends
-// where no vertex would move by a ten-thousandth of an edge: of the diagonal.
+// Tolerance, in diagonals. AVX2, AVX-512 and fused operations in the C library round differently,
+// and settling ends when no vertex would move by a ten-thousandth of an edge.
 constexpr double kSettled = 1e-5;
 
 class SameBits : public CommandLine {
@@ -21,11 +21,9 @@ class SameBits : public CommandLine {
     write("all.json", recipe(std::string(kBend) + "," + kCoat + "," + kTransplant));
   }
 
-  // What a recipe makes in that environment.
+  // Returns the result of a recipe in an environment.
   Mesh made(const std::string& name, const std::string& environment) const {
-    const Outcome run =
-        lapwing("run " + name + " --device cpu --quiet --save out.ply", environment);
-    EXPECT_EQ(run.exit_code, 0) << environment << ": " << run.output;
+    succeed("run " + name + " --device cpu --quiet --save out.ply", environment);
     return read_mesh(file("out.ply"));
   }
   void expect_same(const std::string& environment, const std::string& other) const {
@@ -57,7 +55,7 @@ TEST_F(SameBits, WithAnyNumberOfThreads) {
   }
 }
 
-// The choices of remeshing and of bridging do not hang on the last bits.
+// Remeshing and bridging do not depend on the last bits.
 TEST_F(SameBits, WithOtherInstructionsTheSameTriangles) {
   const Mesh baseline = made("all.json", "LAPWING_INSTRUCTION_SET=baseline");
   for (const char* environment : {"", "LAPWING_INSTRUCTION_SET=avx2"}) {

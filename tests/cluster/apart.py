@@ -1,6 +1,6 @@
-"""Runs the tests of a file in namespaces of their own: processes, mounts, network, host name. So
-they may start services, on the ports that these have by themselves, and nothing of it is left
-behind or seen outside, however the tests end: with the first process the system ends all others."""
+"""Runs the tests of a file in separate namespaces for processes, mounts, network and host name. The
+tests can start services on their usual ports, and nothing is visible outside or left behind: when
+the first process ends, the system ends all others."""
 
 import fcntl
 import os
@@ -21,15 +21,14 @@ LOG_LINES = 60
 
 
 def folder():
-    """Of the tests' files, removed after them; what is named *.log is shown when a test fails. Its
-    path is short enough for sockets."""
+    """Returns the folder of the tests' files, which is removed after them. Files *.log are shown when
+    a test fails. The path is short enough for sockets."""
     return pathlib.Path(os.environ[FOLDER])
 
 
 def main(packages):
-    """Runs the tests of the calling file. `packages`: by name of a program that they need, the
-    package of Debian that has it. Where they cannot run they are skipped, but in CI a missing
-    package is an error: it can be installed there."""
+    """Runs the tests of the calling file. `packages` maps each program that they need to its Debian
+    package. Tests that cannot run are skipped, but in CI a missing package is an error."""
     if FOLDER in os.environ:
         enter()
         unittest.main()
@@ -54,7 +53,7 @@ def what_is_not_allowed():
     return f"no namespaces here: {trial.stderr.strip()}" if trial.returncode else ""
 
 
-# Whatever ends this process, SIGKILL too, ends unshare, and with it the namespace's first process.
+# When this process ends, even by SIGKILL, unshare ends, and so does the namespace's first process.
 NAMESPACES = ["setpriv", "--pdeathsig", "KILL", "unshare", "--pid", "--fork", "--kill-child"]
 NAMESPACES += ["--mount", "--mount-proc", "--net", "--uts"]
 
@@ -67,11 +66,11 @@ def run_apart():
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
     made = tempfile.mkdtemp(prefix="lapwing-cluster-")
     try:
-        os.chmod(made, 0o755)  # munged wants everyone to reach its socket
+        os.chmod(made, 0o755)  # munged requires that everyone can reach its socket
         os.mkdir(os.path.join(made, "home"), 0o700)
         kept = {k: v for k, v in os.environ.items() if not re.match("SLURM_|SBATCH_|PARALLEL", k)}
         environment = kept | {FOLDER: made, "PATH": path(), "HOME": os.path.join(made, "home")}
-        # The first process is a shell, which takes leave of the services' orphans.
+        # The first process is a shell, which reaps the orphans of the services.
         command = ["sh", "-c", '"$@"; exit $?', "sh", sys.executable, *sys.argv]
         result = subprocess.run([*NAMESPACES, *command], env=environment).returncode
         if result != 0:
@@ -89,8 +88,8 @@ def show_logs(made):
 
 
 def enter():
-    """A new network has but a loopback device, which is down; and while 127.0.0.1 is the only
-    address, the C library takes it that there is no network and finds no name for Slurm."""
+    """Sets up the host name and the network. A new network has only a loopback device, which is down.
+    With 127.0.0.1 as the only address, the C library would resolve no names for Slurm."""
     socket.sethostname("lapwing-test")
     set_address, set_flags, up = 0x8916, 0x8914, 1
     second_address = (socket.AF_INET, socket.inet_aton("127.0.0.2"))

@@ -1,4 +1,4 @@
-"""A file of edits, what one process makes of it, and the processes that do its shards."""
+"""A file of edits, its results by one process, and the processes of its shards."""
 
 import json
 import os
@@ -22,8 +22,8 @@ WHOLE = "whole"
 
 
 def make(*options):
-    """In the folder of the test: a tube, the recipe that bends it, 64 ways to bend it, of which one
-    fails, and in WHOLE what one process makes of them with these options of lapwing batch."""
+    """Writes a tube, the recipe that bends it, and 64 ways to bend it, of which one fails, into the
+    folder of the tests. WHOLE gets the results of one process with these options of lapwing batch."""
     os.chdir(apart.folder())
     subprocess.run([LAPWING, "shape", "tube", "-o", "tube.obj"], check=True)
     recipe = json.loads((TOOLS / "recipes/bend-tube.json").read_text())
@@ -41,7 +41,7 @@ def line(k):
 
 
 def differences(folder):
-    """Between what is in `folder` and in WHOLE, by file."""
+    """Returns the names of the files that differ between `folder` and WHOLE."""
     folder, whole = pathlib.Path(folder), pathlib.Path(WHOLE)
     names = {file.name for place in (folder, whole) for file in place.iterdir()}
     return [name for name in sorted(names) if content(folder / name) != content(whole / name)]
@@ -52,13 +52,13 @@ def content(file):
 
 
 def results_of_shard(folder, shard):
-    """How many lines its results have."""
+    """Returns the number of lines in the shard's results."""
     results = content(pathlib.Path(folder) / f"results-{shard}-of-{SHARDS}.jsonl")
     return results.count(b"\n") if results else 0
 
 
 def written(folder, shard=None):
-    """The files that have results, of a shard or of the whole, and when each was written."""
+    """Returns the files in the results of a shard, or of the whole, each with its time of writing."""
     ending = f"-{shard}-of-{SHARDS}" if shard else ""
     lines = (pathlib.Path(folder) / f"results{ending}.jsonl").read_text().splitlines()
     files = [json.loads(line)["file"] for line in lines]
@@ -66,7 +66,7 @@ def written(folder, shard=None):
 
 
 def process_of_shard(folder, shard):
-    """That does it, or None."""
+    """Returns the process that runs the shard, or None."""
     wanted = rf"{re.escape(LAPWING)} batch .*-o {folder}\b.* --shard[ =]{shard}/{SHARDS}\b"
     for place in pathlib.Path("/proc").glob("[0-9]*"):
         try:
@@ -84,8 +84,8 @@ def parent_of(process):
 
 
 def freeze(folder, shards):
-    """Stops the processes that do these shards once each has some results, but not all; returns
-    their numbers, by shard."""
+    """Stops the processes of these shards as soon as each has some results, but not all. Returns the
+    processes by shard."""
     frozen = {}
 
     def try_to_freeze():

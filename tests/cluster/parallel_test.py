@@ -1,18 +1,26 @@
 #!/usr/bin/python3
-"""Shards of a file of edits by GNU parallel, on this machine and by ssh."""
+"""Runs shards of a file of edits with GNU parallel, on this machine and by ssh."""
 
 import os
+import pathlib
 import signal
 import subprocess
 import unittest
 
 import apart
 import edits
-import ssh_server
 
+PACKAGES = {
+    "parallel": "parallel",
+    "ssh": "openssh-client",
+    "dropbear": "dropbear-bin",
+    "dropbearkey": "dropbear-bin",
+}
 OUTPUT = ["--displacements", "float32"]
 MACHINES = ["127.0.0.2", "127.0.0.3"]
 DEAD_MACHINE = "127.0.0.4"
+
+services = []
 
 
 def setUpModule():
@@ -26,25 +34,63 @@ def start(folder, *options):
         return subprocess.Popen(command, stdout=log, stderr=log, start_new_session=True)
 
 
+def start_ssh_server(addresses):
+    """Starts dropbear, a small ssh server, on loopback addresses of this machine. It takes keys only
+    from the home folder in the user database, so this namespace gets its own database."""
+    home = apart.folder() / "home"
+    users = pathlib.Path("/etc/passwd").read_text().splitlines()
+    users = [with_home(user, home) if user.startswith("root:") else user for user in users]
+    (apart.folder() / "passwd").write_text("\n".join(users) + "\n")
+    subprocess.run(["mount", "--bind", apart.folder() / "passwd", "/etc/passwd"], check=True)
+
+    keys = home / ".ssh"
+    keys.mkdir(mode=0o700)
+    subprocess.run(
+        ["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", keys / "id_ed25519"], check=True
+    )
+    (keys / "authorized_keys").write_text((keys / "id_ed25519.pub").read_text())
+    (keys / "config").write_text("StrictHostKeyChecking no\nLogLevel ERROR\n")
+
+    host_key = apart.folder() / "host-key"
+    subprocess.run(
+        ["dropbearkey", "-t", "ed25519", "-f", host_key], check=True, capture_output=True
+    )
+    places = [word for address in addresses for word in ("-p", f"{address}:22")]
+    command = ["dropbear", "-F", "-E", "-s", "-r", host_key, *places]
+    with open(apart.folder() / "dropbear.log", "wb") as log:
+        services.append(subprocess.Popen(command, stderr=log))
+    edits.wait_for(lambda: all(answers(address) for address in addresses), "dropbear")
+
+
+def with_home(user, home):
+    words = user.split(":")
+    words[5] = str(home)
+    return ":".join(words)
+
+
+def answers(address):
+    return subprocess.run(["ssh", address, "true"], stderr=subprocess.DEVNULL).returncode == 0
+
+
 class ParallelShards(unittest.TestCase):
-    def test_one_that_is_killed_goes_on_and_the_result_is_one_process_s(self):
+    def test_a_killed_shard_continues_and_the_result_is_that_of_one_process(self):
         shards = start("killed")
         os.kill(edits.freeze("killed", [3])[3], signal.SIGKILL)
         self.assertEqual(shards.wait(), edits.SOME_FAILED)
         self.assertEqual(edits.differences("killed"), [])
 
-    def test_when_all_is_killed_the_same_command_goes_on(self):
+    def test_the_same_command_continues_after_all_were_killed(self):
         shards = start("all-killed")
         frozen = edits.freeze("all-killed", [1, 2])
         os.killpg(shards.pid, signal.SIGKILL)
-        for process in frozen.values():  # parallel gives each a group of its own
+        for process in frozen.values():  # parallel puts each in its own process group
             os.kill(process, signal.SIGKILL)
         shards.wait()
 
         self.assertEqual(start("all-killed").wait(), edits.SOME_FAILED)
         self.assertEqual(edits.differences("all-killed"), [])
 
-    def test_a_shard_that_fails_each_time_stops_them_and_nothing_is_merged(self):
+    def test_a_shard_that_always_fails_stops_the_others_and_nothing_is_merged(self):
         os.mkdir("no-room")
         os.mkdir(f"no-room/results-1-of-{edits.SHARDS}.jsonl")
         self.assertEqual(start("no-room").wait(), 1)
@@ -54,12 +100,12 @@ class ParallelShards(unittest.TestCase):
         self.assertEqual(start("no-room").wait(), edits.SOME_FAILED)
         self.assertEqual(edits.differences("no-room"), [])
 
-    def test_by_ssh_what_a_dead_machine_was_given_is_done_by_the_others(self):
-        ssh_server.start(MACHINES)
+    def test_the_other_machines_do_the_shards_of_a_dead_one(self):
+        start_ssh_server(MACHINES)
         machines = ",".join([*MACHINES, DEAD_MACHINE])
         self.assertEqual(start("by-ssh", "--sshlogin", machines).wait(), edits.SOME_FAILED)
         self.assertEqual(edits.differences("by-ssh"), [])
 
 
 if __name__ == "__main__":
-    apart.main({"parallel": "parallel"} | ssh_server.PACKAGES)
+    apart.main(PACKAGES)

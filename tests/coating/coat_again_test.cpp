@@ -1,9 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "coating/coating_scenes.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/coating/coater.h"
 #include "lapwing/coating/fairing.h"
-#include "lapwing/coating/patch_fades.h"
 #include "support/bent_tube.h"
 #include "support/error_message.h"
 
@@ -243,6 +244,23 @@ TEST(Coat, NeedsInnerVertices) {
                        scene.kernels);
               }),
               testing::HasSubstr("no inner vertices"));
+}
+
+TEST(PatchFades, WithoutAWidthAreAllThereEverywhere) {
+  const PatchedMesh square(grid(6, 6));
+  const auto shares = fades({}, square.patch, square.topology, square.mesh.positions);
+  EXPECT_EQ(shares, std::vector<double>(49, 1.0));
+}
+
+TEST(PatchFades, AreMeasuredFromThePatchsBorder) {
+  const PatchedMesh square(grid(20, 20));
+  const Transition transition{0.25, Transition::Profile::linear};
+  const auto shares = fades(transition, square.patch, square.topology, square.mesh.positions);
+  for (std::size_t own = 0; own < shares.size(); ++own) {
+    const Eigen::Vector3d& p = square.mesh.positions[square.patch.vertices[own]];
+    const double depth = std::min({p.x(), 1.0 - p.x(), p.y(), 1.0 - p.y()});
+    EXPECT_NEAR(shares[own], std::min(1.0, depth / 0.25), 0.03);
+  }
 }
 
 }  // namespace

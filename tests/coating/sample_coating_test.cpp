@@ -1,10 +1,9 @@
-#include "lapwing/coating/sample_coating.h"
-
 #include <gtest/gtest.h>
 
 #include "coating/coating_scenes.h"
+#include "lapwing/coating/coating.h"
 #include "lapwing/coating/fairing.h"
-#include "lapwing/coating/ring_areas.h"
+#include "lapwing/coating/ring_operators.h"
 #include "lapwing/mesh/subdivide.h"
 #include "support/bent_tube.h"
 

@@ -1,8 +1,10 @@
-// Every operation on generated meshes, with no file opened.
+// Runs every operation on generated meshes, without files.
 #include <cmath>
 #include <cstdio>
 #include <lapwing/lapwing.h>
 #include <lapwing/mesh/shapes.h>
+#include <lapwing/render/render_image.h>
+#include <lapwing/vulkan/vulkan_kernels.h>
 
 using namespace lapwing;
 
@@ -27,11 +29,10 @@ double highest(const Mesh& mesh) {
   return z;
 }
 
+// Requests are written with designated initializers, as users write them. All other fields have
+// defaults, so the compiler does not warn.
 CoatSource all_of_it() {
-  CoatSource source;
-  source.patch = {AllVertices{}};
-  source.detail_size = 0.5;
-  return source;
+  return {.patch = {AllVertices{}}, .detail_size = 0.5};
 }
 
 }  // namespace
@@ -51,9 +52,7 @@ int main() {
   expect(vertex_matrix(deform(V, F, lift).mesh) == vertex_matrix(lifted.mesh),
          "and so it is as two matrices");
 
-  CoatRequest bumps;
-  bumps.source = all_of_it();
-  bumps.target_patch = {AllVertices{}};
+  const CoatRequest bumps{.source = all_of_it(), .target_patch = {AllVertices{}}};
   const Coated coated = coat(sheet, bumpy_sheet(0.01), bumps);
   expect(highest(coated.mesh) > 0.003, "a sheet has the bumps of another");
 
@@ -65,29 +64,25 @@ int main() {
   expect(highest(mixed.mesh) < 0.001, "bumps and dents make half of nothing");
 
   const Mesh ball = icosphere(4);
-  TransplantRequest horn;
-  horn.part_region = {Box{{-2.0, -2.0, 0.5}, {2.0, 2.0, 2.0}}};
-  horn.target_region = {Box{{0.8, -2.0, -2.0}, {2.0, 2.0, 2.0}}};
+  const TransplantRequest horn{.part_region = {{Box{{-2.0, -2.0, 0.5}, {2.0, 2.0, 2.0}}}},
+                               .target_region = {Box{{0.8, -2.0, -2.0}, {2.0, 2.0, 2.0}}}};
   const Transplanted joined = transplant(ball, ball, horn);
   expect(joined.report.part_vertices > 0 && joined.mesh.face_count() > 0,
          "the cap of a ball is on its side");
 
   const Mesh bumpy = bumpy_sheet(0.01);
-  PeelRequest flatten;
-  flatten.detail_size = 0.5;
+  const PeelRequest flatten{.detail_size = 0.5};
   const Peeled peeled = peel(bumpy, flatten);
   expect(highest(peeled.mesh) < 0.002, "a sheet loses its bumps");
   const Mesh carrying = with_coating(bumpy, flatten, peeled, CarriedCoating::height);
   expect(carrying.attributes().vertex_extras.size() == 1, "and keeps them as numbers");
 
-  ParameterizeRequest lay;
-  lay.domain = Domain::square;
+  const ParameterizeRequest lay{.domain = Domain::square};
   const Parameterized laid = parameterize(bumpy, lay);
   expect(laid.flipped.empty() && laid.mesh.attributes().uvs.size() == bumpy.vertex_count(),
          "a sheet is laid into the square");
 
-  RemeshRequest finer;
-  finer.scale = 0.5;
+  const RemeshRequest finer{.scale = 0.5};
   const Remeshed fine = remesh(sheet, finer);
   expect(fine.mesh.vertex_count() > 2 * sheet.vertex_count() &&
              fine.after.mean_edge < 0.7 * fine.before.mean_edge,

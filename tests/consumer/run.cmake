@@ -1,5 +1,6 @@
 # Installs the build in BUILD_DIR under WORK_DIR, builds the consumer in SOURCE_DIR and the C++
-# program of README against that copy, and runs them; README's on SCAN, where that was fetched.
+# program of README against that copy, and runs them; README's on SCAN, where that was fetched. The
+# program is also built with the options of pkg-config, if that is installed.
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT result EQUAL 0)
@@ -24,4 +25,16 @@ step(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 step(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${WORK_DIR}/build/consumer)
 if(EXISTS ${SCAN})
   step(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${WORK_DIR}/build/readme_program ${SCAN})
+endif()
+
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG AND NOT CXX_FLAGS MATCHES "sanitize")
+  file(GLOB_RECURSE package ${WORK_DIR}/installed/lapwing.pc)
+  cmake_path(GET package PARENT_PATH folder)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}
+    ${PKG_CONFIG} --cflags --libs lapwing OUTPUT_VARIABLE options COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(options UNIX_COMMAND "${options}")
+  # Without -march=native, since Eigen, here no system header, would warn of its own AVX code.
+  step(c++ -std=c++20 -Wall -Wextra -Werror -o ${WORK_DIR}/by_pkg_config
+       ${WORK_DIR}/readme_program.cpp ${options})
 endif()

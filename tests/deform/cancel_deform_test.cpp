@@ -43,7 +43,7 @@ TEST_F(CancelDeform, AtEveryPointLeavesTheMeshAsItWas) {
   EXPECT_EQ(done, whole);
 }
 
-// What a cancelled edit has prepared serves the next one, or is made anew.
+// The next edit reuses or repeats what a cancelled edit has prepared.
 TEST_F(CancelDeform, AtEveryPointLeavesAWorkspaceThatGoesOnRight) {
   const Positions whole = deform(mesh_, request_).mesh.positions;
   DeformWorkspace workspace;

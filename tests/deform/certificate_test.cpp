@@ -1,5 +1,3 @@
-#include "lapwing/deform/certificate.h"
-
 #include <array>
 #include <limits>
 #include <numbers>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/certificate_warnings.h"
 #include "lapwing/mesh/shapes.h"
 
 namespace lapwing {
@@ -40,6 +39,16 @@ TEST(Certificate, OfASimilarityHoldsItsScaleAndAngle) {
   EXPECT_NEAR(c.largest_scale, 2.0, 1e-12);
   EXPECT_EQ(c.flipped_triangles, 0U);
   EXPECT_TRUE(c.all_finite);
+}
+
+TEST(Certificate, DiagonalLeavesOutIsolatedVertices) {
+  Sphere sphere;
+  const double diagonal = sphere.measure(sphere.mesh.positions).rest_diagonal;
+  sphere.mesh.positions.emplace_back(1000, 0, 0);
+  sphere.mesh.edit_faces();
+  sphere.topology = sphere.mesh.topology();
+  EXPECT_EQ(sphere.measure(sphere.mesh.positions).rest_diagonal, diagonal);
+  EXPECT_NEAR(diagonal, 2.0 * std::sqrt(3.0), 0.2);
 }
 
 TEST(Certificate, NamesTheTrianglesThatFaceTheOtherWay) {

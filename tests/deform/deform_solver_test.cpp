@@ -1,7 +1,7 @@
 #include "lapwing/deform/deform_solver.h"
 
 #include <algorithm>
-#include <cstring>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"
 #include "support/dragged.h"
+#include "support/error_message.h"
 #include "support/linear_options.h"
 
 namespace lapwing {
@@ -26,52 +27,69 @@ using test::dragged;
 using test::foot_and_head;
 using test::largest_distance;
 
-Positions deformed(const Mesh& mesh, const Affine3d& motion,
-                   const DeformOptions& options = test::linear_options()) {
-  CpuKernels kernels;
-  const Topology& topology = mesh.topology();
-  const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
-  return deformer.solve(std::array{motion}).positions;
+class DeformSolverTest : public ::testing::Test {
+ protected:
+  DeformSolver solver(const DeformOptions& options = {}, const Progress& progress = {}) {
+    return {mesh_.positions, mesh_.topology(), region_, options, kernels_, progress};
+  }
+  DeformResult solved(const DeformOptions& options, const Affine3d& motion = bend()) {
+    return solver(options).solve(std::vector(region_.handles.size(), motion));
+  }
+  // All that is held, on two handles and no belt.
+  void make_belt_a_handle() {
+    region_.handles.push_back(std::move(region_.belt));
+    region_.belt.clear();
+  }
+
+  Mesh mesh_ = bumpy_tube();
+  EditRegion region_ = foot_and_head(mesh_);
+  CpuKernels kernels_;
+};
+
+DeformOptions tightly_settled() {
+  DeformOptions options;
+  options.settle.emplace().tolerance = 1e-8;
+  options.settle->max_iterations = 1000;
+  return options;
 }
 
-class DeformerOptions : public ::testing::TestWithParam<DeformOptions> {};
+DeformOptions hard_settled() {
+  DeformOptions options = tightly_settled();
+  options.hard = true;
+  return options;
+}
+
+class DeformerOptions : public DeformSolverTest,
+                        public ::testing::WithParamInterface<DeformOptions> {};
 
 TEST_P(DeformerOptions, StillHandleGivesTheInputBackBitForBit) {
-  Mesh mesh = bumpy_tube();
-  mesh.positions[5].x() = -0.0;
-  const Positions result = deformed(mesh, Affine3d::Identity(), GetParam());
-  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()), 0);
+  mesh_.positions[5].x() = -0.0;
+  EXPECT_TRUE(same_bits(solved(GetParam(), Affine3d::Identity()).positions, mesh_.positions));
 }
 
 TEST_P(DeformerOptions, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  EditRegion region = foot_and_head(mesh);
-  region.handles.push_back(std::move(region.belt));
-  region.belt.clear();
-  CpuKernels kernels;
-  const DeformSolver deformer(mesh.positions, topology, region, GetParam(), kernels);
+  make_belt_a_handle();
   const Affine3d shift(Eigen::Translation3d(1, -2, 3));
-  const auto result = deformer.solve(std::array{shift, shift});
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    EXPECT_LT((result.positions[i] - shift * mesh.positions[i]).norm(), 1e-9);
+  const DeformResult result = solved(GetParam(), shift);
+  for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) {
+    EXPECT_LT((result.positions[i] - shift * mesh_.positions[i]).norm(), 1e-9);
   }
   EXPECT_LT(result.certificate.handle_error, 1e-9);
   EXPECT_NEAR(result.certificate.smallest_scale, 1.0, 1e-9);
 }
 
 TEST_P(DeformerOptions, ResultDoesNotDependOnPlaceUnitOrOrientation) {
-  const Mesh mesh = bumpy_tube();
+  const Mesh mesh = mesh_;
   const double diagonal = bounds_of(mesh.positions).diagonal();
-  const Positions expected = deformed(mesh, bend(), GetParam());
+  const Positions expected = solved(GetParam()).positions;
   for (const double scale : {1e-3, 1.0, 1e3}) {
     for (const double offset : {0.0, 1e4}) {
       const Affine3d frame = Eigen::Translation3d(scale * Vector3d(offset, -offset, offset)) *
                              Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()) *
                              Eigen::Scaling(scale);
-      Mesh moved = mesh;
-      for (Vector3d& p : moved.positions) p = frame * p;
-      Positions result = deformed(moved, frame * bend() * frame.inverse(), GetParam());
+      mesh_ = mesh;
+      for (Vector3d& p : mesh_.positions) p = frame * p;
+      Positions result = solved(GetParam(), frame * bend() * frame.inverse()).positions;
       for (Vector3d& p : result) p = frame.inverse() * p;
       EXPECT_LT(largest_distance(result, expected), 1e-6 * diagonal)
           << "scale " << scale << ", offset " << offset;
@@ -79,30 +97,26 @@ TEST_P(DeformerOptions, ResultDoesNotDependOnPlaceUnitOrOrientation) {
   }
 }
 
-TEST_P(DeformerOptions, DragFollowsTheSolution) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
-  const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
-  const std::array motions{bend()};
-  EXPECT_LT(
-      largest_distance(dragged(deformer.response(), motions), deformer.solve(motions).positions),
-      1e-9);
+TEST_P(DeformerOptions, HardHandlesReachTheirPlaces) {
+  const Certificate certificate = solved(GetParam()).certificate;
+  if (GetParam().hard) {
+    EXPECT_LT(certificate.handle_error, 1e-14);
+  } else {
+    EXPECT_GT(certificate.handle_error, 0.0);
+  }
 }
 
-TEST_P(DeformerOptions, SolvesTheNormalEquations) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
-  const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
-  const auto result = deformer.solve(std::array{bend()});
+TEST_P(DeformerOptions, LinearSolutionIsThatOfTheNormalEquationsAndOfADrag) {
+  if (GetParam().settle) return;
+  const DeformSolver deformer = solver(GetParam());
+  const std::array motions{bend()};
+  const DeformResult result = deformer.solve(motions);
   EXPECT_LT(result.certificate.relative_residual, 1e-9);
-  EXPECT_TRUE(result.certificate.all_finite);
-  if (GetParam().hard) {
-    EXPECT_LT(result.certificate.handle_error, 1e-14);
-  } else {
-    EXPECT_GT(result.certificate.handle_error, 0.0);
-  }
+  EXPECT_LT(largest_distance(dragged(deformer.response(), motions), result.positions), 1e-9);
+}
+
+TEST_P(DeformerOptions, RunsGiveTheSameBits) {
+  EXPECT_TRUE(same_bits(solved(GetParam()).positions, solved(GetParam()).positions));
 }
 
 DeformOptions with(LaplacianWeights weights, bool hard,
@@ -120,26 +134,22 @@ INSTANTIATE_TEST_SUITE_P(
                       with(LaplacianWeights::cotangent, false),
                       with(LaplacianWeights::cotangent, true),
                       with(LaplacianWeights::cotangent, false, LinearResponse::tangent),
-                      with(LaplacianWeights::uniform, true, LinearResponse::tangent)),
+                      with(LaplacianWeights::uniform, true, LinearResponse::tangent),
+                      tightly_settled(), hard_settled()),
     [](const auto& test) {
       const DeformOptions& o = test.param;
-      return std::string(o.response == LinearResponse::rsi ? "Rsi" : "Tangent") +
+      return std::string(o.settle                            ? "Settled"
+                         : o.response == LinearResponse::rsi ? "Rsi"
+                                                             : "Tangent") +
              std::string(o.weights == LaplacianWeights::uniform ? "Uniform" : "Cotangent") +
              (o.hard ? "Hard" : "Soft");
     });
 
-TEST(DeformSolver, SettlingKeepsDetailThroughALargeTurn) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  const std::array turn{Affine3d(Eigen::AngleAxisd(2.0, Vector3d::UnitZ()))};
-  CpuKernels kernels;
-  const auto certificate_of = [&](const DeformOptions& options) {
-    const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
-    return deformer.solve(turn).certificate;
-  };
-  const Certificate linear = certificate_of(test::linear_options());
+TEST_F(DeformSolverTest, SettlingKeepsDetailThroughALargeTurn) {
+  const Affine3d turn(Eigen::AngleAxisd(2.0, Vector3d::UnitZ()));
+  const Certificate linear = solved(test::linear_options(), turn).certificate;
   const DeformOptions options;
-  const Certificate settled = certificate_of(options);
+  const Certificate settled = solved(options, turn).certificate;
   EXPECT_LT(2.0 * settled.detail_error, linear.detail_error);
   EXPECT_LT(settled.edge_stretch, linear.edge_stretch);
   EXPECT_TRUE(settled.settled);
@@ -148,27 +158,16 @@ TEST(DeformSolver, SettlingKeepsDetailThroughALargeTurn) {
   EXPECT_EQ(linear.settle_iterations, 0);
 }
 
-TEST(DeformSolver, SettlingThatRunsOutOfIterationsSaysSo) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
+TEST_F(DeformSolverTest, SettlingThatRunsOutOfIterationsSaysSo) {
   DeformOptions options;
   options.settle.emplace().max_iterations = 2;
-  const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
-  const Certificate certificate = deformer.solve(std::array{bend()}).certificate;
+  const Certificate certificate = solved(options).certificate;
   EXPECT_FALSE(certificate.settled);
   EXPECT_EQ(certificate.settle_iterations, 2);
   EXPECT_GT(certificate.settle_last_step, options.settle->tolerance);
 }
 
-TEST(DeformSolver, StillHandleIsNotSettled) {
-  const Mesh mesh = bumpy_tube();
-  DeformOptions options;
-  const Positions result = deformed(mesh, Affine3d::Identity(), options);
-  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()), 0);
-}
-
-TEST(DeformSolver, VerticesOutsideTheRegionKeepTheirBits) {
+TEST_F(DeformSolverTest, VerticesOutsideTheRegionKeepTheirBits) {
   const Mesh mesh = icosphere(3);
   const Topology& topology = mesh.topology();
   EditRegion region;
@@ -190,65 +189,47 @@ TEST(DeformSolver, VerticesOutsideTheRegionKeepTheirBits) {
   EXPECT_GT(result.positions[region.handles[0][0]].z(), mesh.positions[region.handles[0][0]].z());
 }
 
-TEST(DeformSolver, LooseVertexStaysUnlessAHandleTakesIt) {
-  Mesh mesh = bumpy_tube();
-  const auto loose = static_cast<Index>(mesh.vertex_count());
-  EditRegion region = foot_and_head(mesh);
-  mesh.positions.emplace_back(7, 7, 7);
-  mesh.positions.emplace_back(8, 8, 8);
-  region.roi.push_back(loose);
-  region.roi.push_back(loose + 1);
-  region.handles[0].push_back(loose + 1);
-  CpuKernels kernels;
-  const Topology& topology = mesh.topology();
+TEST_F(DeformSolverTest, LooseVertexStaysUnlessAHandleTakesIt) {
+  const auto loose = static_cast<Index>(mesh_.vertex_count());
+  mesh_.positions.emplace_back(7, 7, 7);
+  mesh_.positions.emplace_back(8, 8, 8);
+  region_.roi.insert(region_.roi.end(), {loose, loose + 1});
+  region_.handles[0].push_back(loose + 1);
   const Affine3d shift(Eigen::Translation3d(0, 0, 1));
   for (const bool hard : {false, true}) {
-    const DeformSolver deformer(mesh.positions, topology, region,
-                                with(LaplacianWeights::uniform, hard), kernels);
-    const auto result = deformer.solve(std::array{shift});
-    EXPECT_EQ(result.positions[loose], mesh.positions[loose]);
+    const DeformResult result = solved(with(LaplacianWeights::uniform, hard), shift);
+    EXPECT_EQ(result.positions[loose], mesh_.positions[loose]);
     EXPECT_LT((result.positions[loose + 1] - Vector3d(8, 8, 9)).norm(), 1e-12);
   }
 }
 
-TEST(DeformSolver, StrongerConstraintsHoldTheHandleBetter) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
+TEST_F(DeformSolverTest, StrongerConstraintsHoldTheHandleBetter) {
   double previous = std::numeric_limits<double>::infinity();
   for (const double weight : {0.3, 1.0, 10.0}) {
     DeformOptions options;
     options.constraint_weight = weight;
-    const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
-    const double error = deformer.solve(std::array{bend()}).certificate.handle_error;
+    const double error = solved(options).certificate.handle_error;
     EXPECT_LT(error, previous);
     previous = error;
   }
 }
 
-TEST(DeformSolver, WithoutMemoryForTheExactSystemItsDragsAreThePreviewsAndItSettlesAllTheSame) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  const EditRegion region = foot_and_head(mesh);
-  CpuKernels kernels;
-  DeformOptions options;
-  options.settle.emplace().tolerance = 1e-8;
-  options.settle->max_iterations = 1000;
-  const DeformSolver exact(mesh.positions, topology, region, options, kernels);
+TEST_F(DeformSolverTest, WithoutMemoryForTheExactSystemItDragsLikeThePreviewAndStillSettles) {
+  DeformOptions options = tightly_settled();
+  const DeformSolver exact = solver(options);
   EXPECT_EQ(exact.response()->why_not_exact(), "");
   options.memory_limit_bytes = 1000;
-  const DeformSolver deformer(mesh.positions, topology, region, options, kernels);
+  const DeformSolver deformer = solver(options);
   EXPECT_THAT(deformer.response()->why_not_exact(),
               ::testing::AllOf(::testing::HasSubstr("240 vertices needs"),
                                ::testing::EndsWith("limit of 1 MB")));
 
   const std::array motions{bend()};
-  const DragPreview preview(mesh.positions, topology, region, options);
+  const DragPreview preview(mesh_.positions, mesh_.topology(), region_, options);
   EXPECT_LT(
       largest_distance(dragged(deformer.response(), motions), dragged(preview.response(), motions)),
       1e-12);
 
-  // Settling needs no 3n x 3n response.
   for (const Affine3d& motion : {bend(), Affine3d(Eigen::Translation3d(0.6, 0.0, 0.0))}) {
     const DeformResult result = deformer.solve(std::array{motion});
     EXPECT_TRUE(result.certificate.settled);
@@ -257,28 +238,16 @@ TEST(DeformSolver, WithoutMemoryForTheExactSystemItsDragsAreThePreviewsAndItSett
     EXPECT_FALSE(expected.certificate.lacks_hessian);
     EXPECT_LT(largest_distance(result.positions, expected.positions), 1e-6);
   }
-  const DeformResult still = deformer.solve(std::array{Affine3d::Identity()});
-  EXPECT_EQ(still.positions, mesh.positions);
 }
 
-TEST(DeformSolver, WithoutMemoryAndSettlingItSaysWhatItNeeds) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
+TEST_F(DeformSolverTest, WithoutMemoryAndSettlingItSaysHowMuchItNeeds) {
   DeformOptions options = test::linear_options();
   options.memory_limit_bytes = 1000;
-  try {
-    const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
-    FAIL() << "took more than it may";
-  } catch (const SolverError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("limit of 1 MB; choose a smaller region"));
-  }
+  EXPECT_THAT(error_message<SolverError>([&] { solver(options); }),
+              ::testing::HasSubstr("limit of 1 MB; choose a smaller region"));
 }
 
-TEST(DeformSolver, ProgressCanCancelAtEveryStage) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
+TEST_F(DeformSolverTest, ProgressCanCancelAtEveryStage) {
   std::vector<std::string> stages;
   const auto record = [&](std::string_view stage, double) {
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
@@ -290,58 +259,39 @@ TEST(DeformSolver, ProgressCanCancelAtEveryStage) {
           << stop;
     }
   };
-  const auto prepare = [&](const DeformOptions& options, const Progress& progress) {
-    return DeformSolver(mesh.positions, topology, foot_and_head(mesh), options, kernels, progress);
-  };
-  prepare(test::linear_options(), record);
+  solver(test::linear_options(), record);
   EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "laplacian", "assemble", "analyze",
                                              "normal_matrix", "factor", "shares"));
-  cancelled_at([&](const Progress& stop) { prepare(test::linear_options(), stop); });
-  const DeformSolver deformer = prepare({}, record);
+  cancelled_at([&](const Progress& stop) { solver(test::linear_options(), stop); });
+  solver({}, record);
   EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "laplacian", "shares"));
-  cancelled_at([&](const Progress& stop) { prepare({}, stop); });
-  prepare({}, {}).response(record);
+  cancelled_at([&](const Progress& stop) { solver({}, stop); });
+  solver().response(record);
   EXPECT_THAT(stages,
               ::testing::ElementsAre("assemble", "analyze", "normal_matrix", "factor", "response"));
-  cancelled_at([&](const Progress& stop) { prepare({}, {}).response(stop); });
+  cancelled_at([&](const Progress& stop) { solver().response(stop); });
 }
 
-TEST(DeformSolver, ALinearOneHasTheRestStretchOfOneThatSettles) {
-  const Mesh mesh = bumpy_tube();
-  CpuKernels kernels;
-  const DeformSolver settles(mesh.positions, mesh.topology(), foot_and_head(mesh), {}, kernels);
-  const DeformSolver linear(mesh.positions, mesh.topology(), foot_and_head(mesh),
-                            test::linear_options(), kernels);
-  const Eigen::Affine3d moved(Eigen::Translation3d(0.5, 0.2, -0.3));
-  const std::array scaled{Eigen::Affine3d(moved * Eigen::Scaling(1.25))};
+TEST_F(DeformSolverTest, ALinearOneHasTheRestStretchOfOneThatSettles) {
+  const DeformSolver settles = solver();
+  const DeformSolver linear = solver(test::linear_options());
+  const Affine3d moved(Eigen::Translation3d(0.5, 0.2, -0.3));
+  const std::array scaled{Affine3d(moved * Eigen::Scaling(1.25))};
   EXPECT_THAT(linear.rest_stretch(std::array{moved}), ::testing::IsEmpty());
   EXPECT_THAT(linear.solve(std::array{moved}).rest_stretch, ::testing::IsEmpty());
   EXPECT_EQ(linear.rest_stretch(scaled), settles.rest_stretch(scaled));
   EXPECT_EQ(linear.solve(scaled).rest_stretch, settles.rest_stretch(scaled));
 }
 
-TEST(DeformSolver, RunsGiveTheSameBits) {
-  const Mesh mesh = bumpy_tube();
-  const Positions first = deformed(mesh, bend());
-  const Positions second = deformed(mesh, bend());
-  EXPECT_EQ(std::memcmp(first.data(), second.data(), sizeof(Vector3d) * first.size()), 0);
-}
-
-TEST(DeformSolver, WrongNumberOfMotionsAndWeightsAreRefused) {
-  const Mesh mesh = bumpy_tube();
-  const Topology& topology = mesh.topology();
-  CpuKernels kernels;
-  const DeformSolver deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels);
-  EXPECT_THROW(deformer.solve(HandleMotions()), InputError);
+TEST_F(DeformSolverTest, WrongNumberOfMotionsAndWeightsAreRefused) {
+  EXPECT_THROW(solver().solve(HandleMotions()), InputError);
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     DeformOptions options;
     options.constraint_weight = bad;
-    EXPECT_THROW(DeformSolver(mesh.positions, topology, foot_and_head(mesh), options, kernels),
-                 InputError);
+    EXPECT_THROW(solver(options), InputError);
     options = {};
     options.detail_length = bad;
-    EXPECT_THROW(DeformSolver(mesh.positions, topology, foot_and_head(mesh), options, kernels),
-                 InputError);
+    EXPECT_THROW(solver(options), InputError);
   }
 }
 

@@ -1,4 +1,4 @@
-// Handles that hold by less than their full weight around themselves.
+// Handles whose weight decreases around them.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -11,7 +11,7 @@
 #include "lapwing/deform/deform.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/constraints.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"
@@ -100,7 +100,7 @@ TEST_F(AHandleWithFalloff, PaintedWithOnesIsTheRegionOfThose) {
   }
 }
 
-// The wider the falloff, the more goes along, and the less the surface bends at the handle's rim.
+// The wider the falloff, the more of the surface follows, and the less it bends at the rim.
 TEST_F(AHandleWithFalloff, GoesOverIntoTheSurfaceTheMoreGentlyTheWiderItFalls) {
   const auto height_at = [&](const Positions& positions, double distance) {
     const auto column = static_cast<Index>(std::lround((0.5 + distance) * (kColumns - 1)));
@@ -149,7 +149,7 @@ TEST_F(AHandleWithFalloff, HoldsTheMoreTheMoreItWeighs) {
 TEST_F(AHandleWithFalloff, MovesWithTheSpaceItIsIn) {
   falloff() = {2.0, Transition{0.2}};
   request_.handles[0].move = SimilarityMove{{0.05, 0.02, 0.15}, {{1, 0, 0}, 30.0}};
-  // A sheet of squares has many ways of the same length, between which rounding would choose.
+  // On a regular sheet many paths are equally short, and rounding would choose between them.
   for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
     const auto number = static_cast<double>(v);
     mesh_.positions[v] += 0.003 * Vector3d(std::sin(3.0 * number), std::cos(5.0 * number), 0.0);
@@ -169,11 +169,9 @@ TEST_F(AHandleWithFalloff, MovesWithTheSpaceItIsIn) {
       SimilarityMove{kScale * turn * Vector3d(0.05, 0.02, 0.15), {turn * Vector3d(1, 0, 0), 30.0}};
   request.handles[0].falloff.transition->width *= kScale;
   const Deformed deformed = deform(there, request);
-  double largest = 0.0;
-  for (std::size_t v = 0; v < here.size(); ++v) {
-    largest = std::max(largest, (deformed.mesh.positions[v] - map(here[v])).norm());
-  }
-  EXPECT_LT(largest, 1e-8 * kScale);
+  Positions expected;
+  for (const Vector3d& p : here) expected.push_back(map(p));
+  EXPECT_LT(test::largest_distance(deformed.mesh.positions, expected), 1e-8 * kScale);
 }
 
 // The least squares of equation 5 with rows w_h w_v^2 (v'_v - u_v), dense. Where it is hard, belt
@@ -210,8 +208,8 @@ Positions dense_solution(const Mesh& mesh, const EditRegion& region, const Eigen
     A.block<3, 3>(at, at).setIdentity();
     b.segment<3>(at) = u;
   };
-  const double weight = request.parameters.constraint_weight;
-  const double full = weight * request.handles[0].falloff.weight;
+  const double weight = *request.parameters.constraint_weight;
+  const double full = weight * *request.handles[0].falloff.weight;
   for (const FalloffVertex& g : region.graded)
     hold(g.vertex, full * g.weight * g.weight, moved(g.vertex));
   for (const Index v : region.belt) give(v, weight, Vector3d::Zero());
@@ -246,7 +244,7 @@ TEST_F(AHandleWithFalloff, SolvesTheLinearSystemAsADenseSolutionDoes) {
   }
 }
 
-// What an edit of the same region leaves for the next is not its weights.
+// Edits of one region share everything but the weights.
 TEST_F(AHandleWithFalloff, IsTheSameAfterAnotherOnTheSameRegion) {
   CpuKernels kernels;
   DeformWorkspace workspace;

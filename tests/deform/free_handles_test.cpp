@@ -1,6 +1,5 @@
 // Handles whose orientation is free.
 #include <cmath>
-#include <cstring>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,8 +56,7 @@ TEST_P(AFreeHandle, TurnsToWhereAKeptOneIsAtRest) {
   EXPECT_GT(turned, 0.3) << "a tube that is bent sideways turns its end along";
   const DeformResult kept = solver_->solve(free.motions.maps);
   EXPECT_LT(largest_distance(free.positions, kept.positions), 1e-3);
-  // Where it is at rest the gradient by its rotation vanishes, so that twice as far from there the
-  // surface is twice as far off.
+  // The surface is stretched more if the handle is kept upright.
   const DeformResult upright = solver_->solve(std::array{shift(3.0, 0.0, -1.0)});
   EXPECT_GT(upright.certificate.edge_stretch, free.certificate.edge_stretch);
   EXPECT_GT(upright.certificate.detail_error, free.certificate.detail_error);
@@ -96,13 +94,6 @@ TEST_P(AFreeHandle, DraggedFrameByFrameEndsWhereTheSolutionIs) {
   ASSERT_TRUE(pose.last_result.settled);
   const Positions solved = solver_->solve(freely(shift(2.0, 0.0, 0.0))).positions;
   EXPECT_LT(largest_distance(moved(pose), solved), 2e-3);
-}
-
-TEST_P(AFreeHandle, GivesTheSameBitsAgain) {
-  const HandleMotions motions = freely(shift(1.0, 0.5, 0.0));
-  const Positions first = solver_->solve(motions).positions;
-  const Positions second = solver_->solve(motions).positions;
-  EXPECT_EQ(std::memcmp(first.data(), second.data(), sizeof(Vector3d) * first.size()), 0);
 }
 
 TEST_P(AFreeHandle, ScalesAsItIsAsked) {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/certificate.h"
+#include "lapwing/deform/certificate_warnings.h"
 #include "lapwing/mesh/shapes.h"
 
 namespace lapwing {

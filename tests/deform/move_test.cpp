@@ -50,11 +50,6 @@ TEST(Move, IsPivotPlusScaledTurnPlusTranslation) {
   EXPECT_LT((map.matrix() - expected.matrix()).norm(), 1e-14);
 }
 
-TEST(Move, TurnsRightHanded) {
-  const SimilarityMove quarter{.rotate = {Vector3d(0, 0, 7), 90.0}, .pivot = Vector3d::Zero()};
-  EXPECT_LT((to_affine(quarter, kCentroid) * Vector3d::UnitX() - Vector3d::UnitY()).norm(), 1e-15);
-}
-
 TEST(Move, MatrixIsTakenAsItIs) {
   MatrixMove move;
   move.matrix << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12;

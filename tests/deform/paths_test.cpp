@@ -1,4 +1,4 @@
-// What a surface comes to depends on where it comes from.
+// The minimum that a surface reaches depends on its path.
 #include <algorithm>
 #include <vector>
 
@@ -32,7 +32,7 @@ Mesh thin_tube(int around) {
   return mesh;
 }
 
-// A thin tube along z that is pushed together, and so gives way to one side or the other.
+// A thin tube along z that is compressed and buckles to one side.
 class APushedTube : public ::testing::TestWithParam<int> {
  protected:
   static constexpr double kPushed = -1.5;
@@ -81,7 +81,7 @@ TEST_P(APushedTube, ThatWasDraggedEndsWhereTheDragWas) {
     }
     const DeformResult kept = solver_->solve_from(drag.state(), end);
     const DeformResult replayed = solver_->solve_along(path, end);
-    // On the other side it would be 0.4 away.
+    // The minimum on the other side is 0.4 away.
     EXPECT_LT(largest_distance(kept.positions, replayed.positions), 5e-2) << side;
   }
 }
@@ -108,22 +108,13 @@ INSTANTIATE_TEST_SUITE_P(Sizes, APushedTube, ::testing::Values(30, 60));
 TEST(Paths, OfARequestLeadToWhatTheDeformerMakesOfThem) {
   const Mesh mesh = test::bumpy_tube();
   const EditRegion region = test::foot_and_head(mesh);
-  DeformRequest request;
-  request.roi = {ListedVertices{region.roi}};
-  request.belt = RegionSpec{ListedVertices{region.belt}};
   const auto move = [](double x) { return Move(SimilarityMove{.translate = {x, 0.0, 0.0}}); };
-  request.handles = {{{ListedVertices{region.handles[0]}},
-                      move(0.6),
-                      {},
-                      HandleOrientation::kept,
-                      {move(0.2), move(0.4)}}};
+  DeformRequest request = test::moved_head(region, move(0.6));
+  request.handles[0].path = {move(0.2), move(0.4)};
   CpuKernels kernels;
   const DeformSolver deformer(mesh.positions, mesh.topology(), region, {}, kernels);
-  const auto shifted_by = [](double x) {
-    return handle_motions(std::array{Affine3d(Eigen::Translation3d(x, 0.0, 0.0))});
-  };
   const Positions expected =
-      deformer.solve_along(std::vector{shifted_by(0.2), shifted_by(0.4)}, shifted_by(0.6))
+      deformer.solve_along(std::vector{shifted(0.2, 0.0), shifted(0.4, 0.0)}, shifted(0.6, 0.0))
           .positions;
   EXPECT_LT(largest_distance(deform(mesh, request).mesh.positions, expected), 1e-12);
 }

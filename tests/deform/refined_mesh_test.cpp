@@ -61,8 +61,8 @@ Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
   return finer;
 }
 
-// A finer mesh of the same surface is bent alike, and so is one that is finer on one half.
-// Where the coarse mesh shows what the energy is made of: the detail length spans an edge.
+// A finer mesh of the same surface bends alike, and so does one that is finer on one half. The
+// detail length spans an edge of the coarse mesh.
 TEST(RefinedMesh, IsBentAsTheCoarseOne) {
   const auto result_at = [](const Mesh& mesh, std::size_t count) {
     const EditRegion region = test::ends_of_cylinder(mesh, 0.31, 2.69);

@@ -1,4 +1,4 @@
-// Meshes whose polygons do not share vertices along seams are edited as the surfaces that they are.
+// Meshes whose polygons do not share vertices along seams deform like closed surfaces.
 #include <array>
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Of an edit whose vertices come in other numbers, and that settles: in floats, too.
+// Tolerance for a settled edit of vertices in another order.
 constexpr double kRounding = 1e-8;
 
 // The first vertex that is a copy of `source`, or the last.

@@ -9,11 +9,13 @@
 
 #include "lapwing/deform/deform.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/largest_distance.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
+using test::largest_distance;
 
 constexpr Index kCells = 12;
 constexpr std::array<Index, 2> kEdge{6 * (kCells + 1) + 6, 6 * (kCells + 1) + 7};
@@ -70,24 +72,6 @@ DeformRequest pinned() {
 
 const Vector3d kPull(0.05, -0.02, 0.2);
 
-double largest_move(const Mesh& mesh, const Positions& positions) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const double move = (positions[v] - mesh.positions[v]).norm();
-    if (!(move <= largest)) largest = move;  // also where it is not a number
-  }
-  return largest;
-}
-
-// How far the vertices of the sheet are from where they come to without the sliver.
-double off(const Positions& whole, const Positions& positions) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < whole.size(); ++v) {
-    largest = std::max(largest, (positions[v] - whole[v]).norm());
-  }
-  return largest;
-}
-
 struct Sliver {
   double height;
   const char* name;
@@ -105,8 +89,8 @@ TEST_P(ALandmark, AtACornerOfASliverMovesTheSurfaceAsWithoutIt) {
       request.targets.rows = {{kEdge[0], mesh.positions[kEdge[0]] + kPull}};
       const Positions whole = deform(sheet(), request).mesh.positions;
       const Deformed deformed = deform(mesh, request);
-      EXPECT_LT(off(whole, deformed.mesh.positions), 0.15 * kPull.norm());
-      EXPECT_LT(largest_move(mesh, deformed.mesh.positions), 1.1 * kPull.norm());
+      EXPECT_LT(largest_distance(whole, deformed.mesh.positions), 0.15 * kPull.norm());
+      EXPECT_LT(largest_distance(mesh.positions, deformed.mesh.positions), 1.1 * kPull.norm());
       EXPECT_TRUE(deformed.certificate.settled);
     }
   }
@@ -121,7 +105,7 @@ TEST_P(ALandmark, AtTheTipOfASliverIsReached) {
     request.targets = {.rows = {{tip, mesh.positions[tip] + kPull}}, .hard = true};
     const Deformed deformed = deform(mesh, request);
     EXPECT_EQ(deformed.mesh.positions[tip], mesh.positions[tip] + kPull);
-    EXPECT_LT(largest_move(mesh, deformed.mesh.positions), 1.1 * kPull.norm());
+    EXPECT_LT(largest_distance(mesh.positions, deformed.mesh.positions), 1.1 * kPull.norm());
     // The corners of the sliver come along.
     for (const Index v : kEdge) {
       EXPECT_LT((deformed.mesh.positions[v] - mesh.positions[v] - kPull).norm(),
@@ -139,7 +123,7 @@ TEST_P(ALandmark, WithinASliverIsReached) {
     request.targets = {.rows = {{place, place + kPull, 100.0}}, .hard = hard};
     const Deformed deformed = deform(mesh, request);
     EXPECT_LT(deformed.certificate.target_error, 0.01 * kPull.norm());
-    EXPECT_LT(largest_move(mesh, deformed.mesh.positions), 1.5 * kPull.norm());
+    EXPECT_LT(largest_distance(mesh.positions, deformed.mesh.positions), 1.5 * kPull.norm());
     EXPECT_TRUE(deformed.certificate.settled);
   }
 }
@@ -156,7 +140,7 @@ TEST_P(ALandmark, OnASliverLeavesTheLinearSystemRegular) {
                             {kEdge[0], mesh.positions[kEdge[0]] + kPull}};
     const Deformed deformed = deform(mesh, request);
     EXPECT_LT(deformed.certificate.relative_residual, 1e-9);
-    EXPECT_LT(largest_move(mesh, deformed.mesh.positions), 2.0 * kPull.norm());
+    EXPECT_LT(largest_distance(mesh.positions, deformed.mesh.positions), 2.0 * kPull.norm());
   }
 }
 

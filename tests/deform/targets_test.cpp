@@ -69,7 +69,7 @@ TEST_F(ATarget, IsAHandleOfOneVertex) {
   DeformRequest by_handle = request_;
   SimilarityMove move;
   move.translate = side() - mesh_.positions[kVertex];
-  by_handle.handles = {{{ListedVertices{{kVertex}}}, move}};
+  by_handle.handles = {{{ListedVertices{{kVertex}}}, move, Falloff{.weight = 1.0}}};
   for (const bool hard : {false, true}) {
     by_handle.parameters.hard = request_.parameters.hard = hard;
     request_.targets = {.rows = {{kVertex, side()}}, .hard = hard};
@@ -127,8 +127,7 @@ TEST_F(ATarget, MovesThePaperSystemAndTheLinearTangentToo) {
 }
 
 TEST_F(ATarget, TakesItsVertexFromABeltByFraction) {
-  request_.belt = BoundaryAnchors{0.5, "belt"};
-  Mesh sheet = grid(10, 10);
+  const Mesh sheet = grid(10, 10);
   DeformRequest lift;
   lift.roi = {AllVertices{}, "roi"};
   lift.belt = BoundaryAnchors{0.5, "belt"};

@@ -11,13 +11,14 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/transform.h"
 
 namespace lapwing {
 namespace {
 
 constexpr unsigned kSeeds = 300;
 
-// Breaks meshes at random places, in every way that the doctor knows.
+// Adds defects of every fixable kind at random places.
 class Vandal {
  public:
   explicit Vandal(unsigned seed) : random_(seed) {}
@@ -48,7 +49,7 @@ class Vandal {
   }
 
   void damage(Mesh& mesh) {
-    switch (below(9)) {
+    switch (below(10)) {
       case 0:
         return unweld(mesh);
       case 1:
@@ -67,13 +68,15 @@ class Vandal {
       case 7:
         mesh.positions.emplace_back(9, 9, below(2));
         return;
+      case 8:
+        return turn_inside_out(mesh);
       default:
         mesh.positions[vertex(mesh)] = mesh.positions[vertex(mesh)];
         return;
     }
   }
 
-  // Gives some of the corners of a part of the mesh vertices of their own.
+  // Gives random corners a copy of their vertex.
   void unweld(Mesh& mesh) {
     for (Index times = below(20); times > 0; --times) {
       const Index c = corner(mesh);
@@ -111,7 +114,7 @@ class Vandal {
     mesh.edit_faces().vertices[corner(mesh)] = mesh.face_vertices()[corner(mesh)];
   }
 
-  // Attributes that tell which vertex, corner and face they began at.
+  // Adds attributes that store the original vertex, corner and face.
   void tag(Mesh& mesh) {
     MeshAttributes& a = mesh.edit_attributes();
     a.uvs.assign(mesh.face_vertices().size(), Eigen::Vector2d::Zero());

@@ -47,7 +47,7 @@ TEST(Format, FixReportCountsEachRepair) {
   Mesh mesh = bow_tie();
   mesh.positions.emplace_back(9, 9, 9);
   EXPECT_EQ(format(fix(mesh)),
-            "1 loose vertices removed\n1 bow-tie vertices split into one vertex per surface\n");
+            "1 loose vertex removed\n1 bow-tie vertex split into one vertex per surface\n");
   EXPECT_EQ(format(fix(mesh)), "nothing to repair\n");
 }
 

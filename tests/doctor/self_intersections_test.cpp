@@ -28,7 +28,7 @@ std::vector<Pair> pairs_of(const Mesh& mesh) {
   return self_intersections(mesh.topology().triangles, mesh.positions);
 }
 
-// Two triangles by their corners; the second may share corners of the first.
+// Tests two triangles; the second may share corners with the first.
 std::vector<Pair> pairs_of(const std::vector<Vector3d>& points, const Triangle& second) {
   const std::vector<Triangle> triangles{{0, 1, 2}, second};
   return self_intersections(triangles, points);
@@ -97,7 +97,7 @@ TEST(SelfIntersections, ASpherePushedThroughItselfIsFoundAnywhere) {
 }
 
 TEST(SelfIntersections, MatchComparingEveryPair) {
-  // Triangles strewn at random: the tree leaves none out.
+  // Random triangles: the tree must find every pair.
   std::srand(1);
   std::vector<Vector3d> points;
   std::vector<Triangle> triangles;
@@ -123,7 +123,7 @@ TEST(SelfIntersections, TrianglesWithoutAreaAreLeftOut) {
   EXPECT_THAT(pairs_of(points, {3, 4, 5}), IsEmpty());
 }
 
-// All triangles of a fan have its apex, and boxes that overlap those of a quarter of it.
+// All triangles of a fan share its apex. The box of each overlaps those of a quarter of the fan.
 Mesh fan(Index count) {
   Mesh mesh;
   mesh.positions.emplace_back(0, 0, 0);

@@ -21,7 +21,7 @@ MeshStatistics statistics_of(const Mesh& mesh) {
   return check(mesh).statistics;
 }
 
-// `other` as a second piece beside `mesh`.
+// Adds `other` as a second component.
 Mesh beside(const Mesh& mesh, Mesh other) {
   for (Eigen::Vector3d& p : other.positions) p.x() += 100.0;
   return test::joined(mesh, other);

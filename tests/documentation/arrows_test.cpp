@@ -1,4 +1,4 @@
-// Which folder includes which: the arrows that the READMEs draw go one way.
+// The dependencies between folders, which the READMEs show as arrows.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -17,10 +17,10 @@ using ::testing::SizeIs;
 
 const fs::path kSources(LAPWING_SOURCE_FOLDER);
 
-// Folder -> the folders that its sources include, each with an example.
+// Maps a folder to the folders that its sources include, each with an example.
 using Arrows = std::map<fs::path, std::map<fs::path, std::string>>;
 
-// The header that a source of ours means by `name`; empty for one of others.
+// Returns the header of this project that `name` includes, or an empty path for other headers.
 fs::path header_named(const std::string& name) {
   for (const char* folder : {"engine", "viewer", "tools/bench", "tools/lapwing"}) {
     if (fs::exists(kSources / folder / name)) return fs::path(folder) / name;
@@ -28,7 +28,7 @@ fs::path header_named(const std::string& name) {
   return {};
 }
 
-// The folder of a source. The modifiers of an operation are a part of it.
+// Returns the folder of a source. The modifiers of an operation belong to the operation.
 fs::path folder_of(const fs::path& source) {
   const fs::path folder = source.parent_path();
   return folder.filename() == "modifiers" ? folder.parent_path() : folder;
@@ -55,13 +55,13 @@ Arrows all_arrows() {
       if (extension == ".h" || extension == ".cpp") add_arrows(file.path(), arrows);
     }
   }
-  // lapwing.h is over all of the engine.
+  // lapwing.h includes the whole engine.
   arrows.erase("engine/lapwing");
   return arrows;
 }
 
-// Takes off whatever includes nothing that is left, again and again: what stays is in circles, or
-// over them.
+// Repeatedly removes folders that include no remaining folder. Those that stay are in a cycle, or
+// include one.
 Arrows without_ends(Arrows arrows) {
   for (bool found = true; found;) {
     found = false;

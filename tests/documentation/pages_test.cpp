@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/recipe/key_table.h"
+#include "lapwing/recipe/step.h"
 
 namespace lapwing {
 namespace {
@@ -29,8 +29,8 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
-// What the links and pictures of a page point to, relative to its folder. Those inside code are not
-// links, those to other machines are not looked at.
+// Returns the targets of a page's links and pictures, relative to its folder. Ignores code and
+// links to other machines.
 std::vector<std::string> links_of(const fs::path& page) {
   std::vector<std::string> links;
   bool in_code = false;

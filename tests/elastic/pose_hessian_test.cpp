@@ -17,6 +17,26 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+struct PreparedEdit {
+  PreparedEdit(const Mesh& mesh, EditRegion edit_region, double weight = 1.0)
+      : prepared(mesh.topology()),
+        edit(prepared, mesh.positions, std::move(edit_region), with_weight(weight), Progress{}) {}
+  static DeformOptions with_weight(double weight) {
+    DeformOptions options;
+    options.constraint_weight = weight;
+    return options;
+  }
+  PoseHessian hessian() {
+    return {edit.topology, edit.region.roi, edit.factors->pattern(),
+            system,        edit.options,    [this] { return edit.tangent_rows(kernels); }};
+  }
+
+  CpuKernels kernels;
+  PreparedRegion prepared;
+  const EditSystem edit;
+  const LaplacianSystem& system = *edit.laplacian;
+};
+
 TEST(PoseHessian, SolvesToTheSameBitsWhenItIsPrepared) {
   const Mesh sheet = grid(40, 40);
   EditRegion region;
@@ -26,12 +46,8 @@ TEST(PoseHessian, SolvesToTheSameBitsWhenItIsPrepared) {
     if (v % 41 < 3) region.belt.push_back(v);
     if (v % 41 > 37) region.handles[0].push_back(v);
   }
-  CpuKernels kernels;
-  PreparedRegion prepared(sheet.topology());
-  DeformOptions options;
-  options.settle = SettleOptions();
-  const EditSystem edit(prepared, sheet.positions, region, options, Progress{});
-  const LaplacianSystem& system = *edit.laplacian;
+  PreparedEdit edit(sheet, region);
+  const LaplacianSystem& system = edit.system;
 
   const RegionRings& rings = system.rings();
   std::vector<Matrix3d> transforms;
@@ -44,8 +60,7 @@ TEST(PoseHessian, SolvesToTheSameBitsWhenItIsPrepared) {
     displacement.emplace_back(sheet.positions[v].x() * Vector3d(0, 0.1, 0.5));
   }
   const auto solution = [&](bool is_prepared) {
-    PoseHessian hessian(sheet.topology(), region.roi, edit.factors->pattern(), system, options,
-                        [&] { return edit.tangent_rows(kernels); });
+    PoseHessian hessian = edit.hessian();
     if (is_prepared) hessian.prepare();
     EXPECT_TRUE(hessian.factorize(transforms, displacement));
     std::vector<double> x(3 * system.size());
@@ -56,8 +71,8 @@ TEST(PoseHessian, SolvesToTheSameBitsWhenItIsPrepared) {
   EXPECT_EQ(solution(true), solution(false));
 }
 
-// A sheet of so many quads a side, held at its corners and its middle by `weight`: all that holds
-// it pulls it up by 1, which it gives in to.
+// The sheet has `side` quads a side and is held at its corners and its middle by `weight`. All of
+// these pull it up by 1, so it moves up by 1.
 void expect_sheet_gives_in(Index side, double weight) {
   SCOPED_TRACE(weight);
   const Mesh sheet = grid(side, side);
@@ -66,16 +81,10 @@ void expect_sheet_gives_in(Index side, double weight) {
   region.handles.push_back({row * row / 2});
   for (Index v = 0; v < sheet.vertex_count(); ++v) region.roi.push_back(v);
   region.belt = {0, row - 1, row * (row - 1), row * row - 1};
-  CpuKernels kernels;
-  PreparedRegion prepared(sheet.topology());
-  DeformOptions options;
-  options.settle = SettleOptions();
-  options.constraint_weight = weight;
-  const EditSystem edit(prepared, sheet.positions, region, options, Progress{});
-  const LaplacianSystem& system = *edit.laplacian;
+  PreparedEdit edit(sheet, region, weight);
+  const LaplacianSystem& system = edit.system;
   const std::size_t n = system.size();
-  PoseHessian hessian(sheet.topology(), region.roi, edit.factors->pattern(), system, options,
-                      [&] { return edit.tangent_rows(kernels); });
+  PoseHessian hessian = edit.hessian();
   const std::vector<Matrix3d> transforms(n, Matrix3d::Identity());
   const std::vector<Vector3d> displacement(n, Vector3d::Zero());
   ASSERT_TRUE(hessian.factorize(transforms, displacement));
@@ -87,21 +96,15 @@ void expect_sheet_gives_in(Index side, double weight) {
   for (std::size_t k = 0; k < n; ++k) ASSERT_NEAR(x[2 * n + k], 1.0, 0.05) << "unknown " << k;
 }
 
-// A surface that has become what its stretched and turned rest asks for has no energy, and there
-// the matrix is the Hessian of E but for a thousandth.
+// At a pose that equals the stretched and rotated rest shape the energy is 0, and the matrix is the
+// Hessian of E but for a thousandth.
 TEST(PoseHessian, IsTheHessianOfAStretchedPose) {
   const Mesh tube = test::bumpy_tube();
-  const EditRegion region = test::foot_and_head(tube);
-  CpuKernels kernels;
-  PreparedRegion prepared(tube.topology());
-  DeformOptions options;
-  options.settle = SettleOptions();
-  const EditSystem edit(prepared, tube.positions, region, options, Progress{});
-  const LaplacianSystem& system = *edit.laplacian;
+  PreparedEdit edit(tube, test::foot_and_head(tube));
+  const LaplacianSystem& system = edit.system;
   const std::size_t n = system.size();
-  PoseHessian hessian(tube.topology(), region.roi, edit.factors->pattern(), system, options,
-                      [&] { return edit.tangent_rows(kernels); });
-  EnergyMinimizer settler(kernels, system, *options.settle);
+  PoseHessian hessian = edit.hessian();
+  EnergyMinimizer settler(edit.kernels, system, SettleOptions());
 
   const Eigen::AngleAxisd tilt(0.6, Vector3d(1.0, 2.0, -1.0).normalized());
   const Matrix3d S = tilt * Vector3d(1.6, 0.8, 1.1).asDiagonal() * tilt.inverse();
@@ -147,7 +150,7 @@ TEST(PoseHessian, IsTheHessianOfAStretchedPose) {
   EXPECT_LT(std::sqrt(off / size), 0.02);
 }
 
-// Where next to nothing holds a sheet floats find its translations far too stiff.
+// Single precision makes the translations of a weakly held sheet far too stiff.
 TEST(PoseHessian, IsRefinedToWhatDoublesSolve) {
   for (const double weight : {1.0, 1e-3, 1e-4, 5e-5}) expect_sheet_gives_in(40, weight);
 }

@@ -64,9 +64,9 @@ class SettledEdit {
     CpuKernels kernels;
     const std::unique_ptr<Preconditioner> tangent = tangent_of(system);
     EnergyMinimizer settler(kernels, system, options, tangent.get());
-    std::vector<Eigen::Vector3d> wanted(mesh_.vertex_count(), Eigen::Vector3d::Zero());
+    std::vector<Eigen::Vector3d> prescribed(mesh_.vertex_count(), Eigen::Vector3d::Zero());
     for (const auto& handle : region_.handles) {
-      for (const Index v : handle) wanted[v] = motion * mesh_.positions[v] - mesh_.positions[v];
+      for (const Index v : handle) prescribed[v] = motion * mesh_.positions[v] - mesh_.positions[v];
     }
     std::vector<Eigen::Vector3d> u(mesh_.vertex_count(), Eigen::Vector3d::Zero());
     if (start == Start::linear) {
@@ -77,7 +77,7 @@ class SettledEdit {
     const std::vector<Eigen::Vector3d> begin = u;
     run([&] {
       std::copy(begin.begin(), begin.end(), u.begin());
-      settled.result = settler.settle({wanted}, u);
+      settled.result = settler.settle({prescribed}, u);
     });
     for (std::size_t i = 0; i < u.size(); ++i) settled.positions[i] += u[i];
     return settled;

@@ -1,5 +1,5 @@
-// Memory refused at every call: each edit fails with an error that says so, or comes to the same
-// result, and nothing leaks (LeakSanitizer sees that).
+// If an allocation fails, the edit fails with an error or has the same result, and nothing leaks,
+// which LeakSanitizer checks.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +15,8 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/session/run_recipe.h"
-#include "session/transplant_runs.h"
+#include "lapwing/run/run_recipe.h"
+#include "run/transplant_runs.h"
 #include "support/failing_new.h"
 
 namespace lapwing {
@@ -25,8 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::FailingNew;
 
-// How many of the calls fail, one in each run, when a run makes more of them: enough to meet each
-// of its loops. LAPWING_EVERY_ALLOCATION has all of them fail.
+// Number of runs, in each of which one allocation fails: enough to reach every loop. With
+// LAPWING_EVERY_ALLOCATION, every allocation fails in one run.
 constexpr long kRuns = 700;
 
 void meet_everywhere(const std::function<Positions()>& work) {
@@ -55,8 +55,8 @@ void meet_everywhere(const std::function<Positions()>& work) {
   std::printf("%ld calls, one in %ld refused, %ld runs ended by that\n", calls, stride, refused);
 }
 
-// What `recipe` makes, with its memory refused. The recipe is read before: the destructors of the
-// JSON library take memory, and end the program where there is none.
+// The recipe is parsed before, because destructors of the JSON library allocate memory, and end the
+// program if they cannot.
 void meet_everywhere(const Recipe& recipe) {
   CpuKernels kernels;
   meet_everywhere([&] { return run_recipe(recipe, kernels)->mesh.positions; });

@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <sys/types.h>
 
+#include "support/failing_new.h"
+
 namespace lapwing::test {
 namespace {
 
@@ -19,7 +21,7 @@ std::atomic<int> failing_error{0};
 std::atomic<bool> failed{false};
 std::atomic<bool> no_nameless_files{false};
 
-// Whether this call of `call` is the one; sets errno.
+// Counts a call. Returns whether it must fail, and then sets errno.
 bool fails(FileCall call) {
   if (failing_call != static_cast<int>(call) || calls_left.fetch_sub(1) != 0) return false;
   failed = true;
@@ -64,6 +66,7 @@ NoNamelessFiles::~NoNamelessFiles() {
 
 }  // namespace lapwing::test
 
+using lapwing::test::allocation_fails;
 using lapwing::test::fails;
 using lapwing::test::FileCall;
 
@@ -119,6 +122,21 @@ int __wrap_linkat(int old_folder, const char* old_path, int new_folder, const ch
 
 int __wrap_rename(const char* from, const char* to) {
   return fails(FileCall::rename) ? -1 : __real_rename(from, to);
+}
+
+// Eigen's matrices and C libraries allocate memory by these.
+void* __real_malloc(std::size_t bytes);
+void* __real_calloc(std::size_t count, std::size_t bytes);
+void* __real_realloc(void* memory, std::size_t bytes);
+
+void* __wrap_malloc(std::size_t bytes) {
+  return allocation_fails() ? nullptr : __real_malloc(bytes);
+}
+void* __wrap_calloc(std::size_t count, std::size_t bytes) {
+  return allocation_fails() ? nullptr : __real_calloc(count, bytes);
+}
+void* __wrap_realloc(void* memory, std::size_t bytes) {
+  return allocation_fails() ? nullptr : __real_realloc(memory, bytes);
 }
 
 }  // extern "C"

@@ -4,15 +4,14 @@
 
 namespace lapwing::test {
 
-/// The system calls by which our code makes files. Only files that are opened for writing and
-/// written to count.
+/// The system calls by which our code writes files. Calls for other files are not counted.
 enum class FileCall { open, write, fsync, fchmod, linkat, rename };
 inline constexpr FileCall kFileCalls[] = {FileCall::open,   FileCall::write,  FileCall::fsync,
                                           FileCall::fchmod, FileCall::linkat, FileCall::rename};
 std::string_view name_of(FileCall call);
 
-/// While alive, has call number `fail_at` (from 0) of `call` fail with `error`. A failing write
-/// first writes half of what it was given, as on a disk that fills up.
+/// While it exists, call number `fail_at` (from 0) of `call` fails with `error`. A failing write
+/// first writes half of its bytes, as on a disk that fills up.
 class FailingCall {
  public:
   FailingCall(FileCall call, long fail_at, int error);
@@ -20,11 +19,11 @@ class FailingCall {
   FailingCall(const FailingCall&) = delete;
   FailingCall& operator=(const FailingCall&) = delete;
 
-  /// Whether it came to that.
+  /// Returns whether the call has failed.
   static bool has_failed();
 };
 
-/// While alive, no file without a name can be made: as on a file system that knows none.
+/// While it exists, files cannot be created without a name, as on some file systems.
 class NoNamelessFiles {
  public:
   NoNamelessFiles();

@@ -1,5 +1,5 @@
-// Every way in which the system can refuse a file, at every call: the old file or the new one is
-// there, whole, and nothing else.
+// If any system call fails, the folder has the complete old file or the complete new one, and
+// nothing else.
 #include <cerrno>
 #include <cstring>
 #include <functional>
@@ -17,7 +17,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "state/history.h"
 #include "state/journal.h"
 #include "support/error_message.h"
@@ -51,8 +51,8 @@ std::vector<Fault> faults() {
 
 class FileFault : public ::testing::TestWithParam<Fault> {
  protected:
-  // Has `write` meet the fault at its first call, at its second, and so on until it meets it no
-  // more. `look` says whether what is there afterwards may be.
+  // Makes the first call of `write` fail, then the second, and so on until no call fails. `look`
+  // checks the files after each.
   void meet_everywhere(const std::function<void()>& prepare, const std::function<void()>& write,
                        const std::function<void(bool written, int k)>& look) {
     bool met = true;
@@ -74,7 +74,7 @@ class FileFault : public ::testing::TestWithParam<Fault> {
   }
 
   Files files() const { return test::files_in(folder_.path()); }
-  // Nothing but the files of `before` and `after`, each whole.
+  // Expects only complete files of `before` and `after`.
   void expect_old_or_new(const Files& before, const Files& after, int k) const {
     for (const auto& [name, bytes] : files()) {
       const auto old = before.find(name);
@@ -115,7 +115,7 @@ TEST_P(FileFault, LeavesNothingWhereNothingWas) {
                   [&](bool written, int k) { EXPECT_EQ(files().size(), written ? 1U : 0U) << k; });
 }
 
-// Up to the first rename none of the files of a run has changed.
+// Before the first rename, no file has changed.
 TEST_P(FileFault, LeavesAllFilesOfARunAsTheyWereUntilTheyAreWhole) {
   folder_.file("tube.obj", "");
   write_mesh(cylinder(12, 20, 0.5, 3.0), folder_ / "tube.obj");

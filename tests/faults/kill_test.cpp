@@ -1,6 +1,6 @@
-// The program killed at any moment of its life: the file that it replaces is the old one or the new
-// one, whole. Between the moment when a file is whole and has a name and that when it is renamed
-// there is no other call; what a kill there leaves the next run takes away.
+// If the program is killed at any moment, the file that it replaces is the complete old or new one.
+// A temporary file has a name only between two system calls; if the program is killed there, the
+// next run removes the file.
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -29,8 +29,9 @@ using test::Files;
 constexpr int kKillsBySigkill = 150;
 constexpr int kKillsByOtherSignals = 30;
 constexpr int kMostRoundsPerKill = 8;
-// The span from which moments are drawn grows with each kill and shrinks with each run that ends
-// before its signal, so that on a machine of any load about a quarter of the runs end first.
+// The time of the signal is random up to a limit, which grows with each kill and shrinks with each
+// run that ends before its signal. About a quarter of the runs then end first, on a machine of any
+// load.
 constexpr double kGrowth = 1.03;
 constexpr double kShrinkage = 1.1;
 
@@ -51,7 +52,7 @@ class Killed : public ::testing::TestWithParam<int> {
     _exit(9);
   }
 
-  // Whether the signal came before the end.
+  // Returns whether the signal ended the program.
   bool kill_after(microseconds time, const std::vector<std::string>& arguments) const {
     const pid_t child = start(arguments);
     std::this_thread::sleep_for(time);
@@ -69,8 +70,8 @@ class Killed : public ::testing::TestWithParam<int> {
     return std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - begin);
   }
 
-  // Starts the program again and again on what `prepare` puts there, until a signal has ended it at
-  // enough random moments of its life.
+  // Runs the program on the files of `prepare` until signals have ended it at enough random
+  // moments.
   template <class Prepare>
   void expect_old_or_new(const std::vector<std::string>& arguments, const Prepare& prepare) {
     prepare();
@@ -94,7 +95,7 @@ class Killed : public ::testing::TestWithParam<int> {
       }
       for (const auto& [name, bytes] : test::files_in(folder_.path())) {
         const std::string target = name.substr(0, name.find(".tmp-"));
-        // A report has the times of its run.
+        // A report contains times, so its bytes differ.
         const bool is_report = bytes.starts_with("{") && bytes.ends_with("\n}\n");
         const bool is_old = name == target && bytes == before.at(target);
         ASSERT_TRUE(is_old || bytes == after.at(target) || is_report)

@@ -5,7 +5,7 @@
 namespace lapwing::fuzz {
 
 VertexSet Choices::vertices(Index count) {
-  // A run of them, which on these shapes is a patch.
+  // Consecutive vertices form a patch on these shapes.
   const Index first = below(count);
   const Index many = 1 + below(std::max<Index>(1, count / 3));
   VertexSet chosen;

@@ -12,7 +12,7 @@
 
 namespace lapwing::fuzz {
 
-/// Decisions out of bytes; where they are used up, always the first choice.
+/// Makes decisions from bytes. When no bytes are left, makes the first choice.
 class Choices {
  public:
   explicit Choices(Bytes bytes) : left_(bytes) {}
@@ -27,9 +27,8 @@ class Choices {
   Index below(Index count) {
     return static_cast<Index>((byte() | static_cast<unsigned>(byte()) << 8U) % count);
   }
-  /// From `least` to `most`.
   double between(double least, double most) { return least + (most - least) * byte() / 255.0; }
-  /// About 1, or far from it.
+  /// Returns a number near 1, or a very large or small one.
   double number() {
     static constexpr std::array kOdd{0.0,   -0.0,  1e-30, 1e30,  1e-300,
                                      1e300, 1e-12, 1e12,  1e154, std::numeric_limits<double>::max(),
@@ -38,7 +37,7 @@ class Choices {
     if (which < kOdd.size()) return one_in(2) ? -kOdd[which] : kOdd[which];
     return (which - 133.0) / 61.0;
   }
-  /// The same above 0.
+  /// Returns such a number above 0.
   double above_zero() {
     const double x = std::abs(number());
     return x > 0.0 ? x : 1.0;
@@ -47,10 +46,10 @@ class Choices {
 
   VertexSet vertices(Index count);
   RegionSpec region(const Mesh& mesh);
-  /// Mostly a disk of some triangles.
+  /// Returns a disk of some triangles, or seldom any region.
   RegionSpec patch(const Mesh& mesh);
   Move move();
-  /// A small shape, perhaps with a few of its positions or triangles spoilt.
+  /// Returns a small shape, sometimes with some defects.
   Mesh mesh();
 
  private:

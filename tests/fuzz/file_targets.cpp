@@ -1,4 +1,4 @@
-// Readers of files, and writers of what they have read.
+// Reads files of every format, and writes them again.
 #include <array>
 
 #include "fuzz/targets.h"
@@ -9,9 +9,10 @@
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/file_colors.h"
 #include "lapwing/io/image.h"
-#include "lapwing/io/material_library.h"
+#include "lapwing/io/materials.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/point_table.h"
+#include "lapwing/mesh/compact.h"
 
 namespace lapwing::fuzz {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  // Also where they are not numbers.
+  // NaN equals NaN.
   for (int k = 0; k < 3; ++k) {
     if (a[k] != b[k] && !(std::isnan(a[k]) && std::isnan(b[k]))) return false;
   }
@@ -30,7 +31,7 @@ bool are_same(const Positions& a, const Positions& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
 
-// Its own format keeps every byte, whatever it is, as long as nothing moves.
+// If nothing moves, a file in the same format keeps every byte.
 void require_kept(const Mesh& mesh, const fs::path& from, std::string_view name) {
   const fs::path to = file_of("", "kept-" + std::string(name));
   write_mesh(mesh, to);
@@ -38,7 +39,7 @@ void require_kept(const Mesh& mesh, const fs::path& from, std::string_view name)
           "what was not changed is written as it was");
 }
 
-// What is read of a file that was made anew is what was written.
+// A new file reads back as it was written.
 void require_read_back(const Mesh& mesh, std::string_view name, const WriteOptions& options) {
   const fs::path to = file_of("", name);
   try {
@@ -52,7 +53,7 @@ void require_read_back(const Mesh& mesh, std::string_view name, const WriteOptio
   require(again.face_vertices() == mesh.face_vertices(), "corners come back");
 }
 
-// As near as a file of single precision has it.
+// Returns whether a file in single precision can store `wanted` as `read`.
 bool is_stored(const Eigen::Vector3d& wanted, const Eigen::Vector3d& read) {
   for (int k = 0; k < 3; ++k) {
     const double as_float = static_cast<double>(static_cast<float>(wanted[k]));
@@ -62,7 +63,7 @@ bool is_stored(const Eigen::Vector3d& wanted, const Eigen::Vector3d& read) {
   return true;
 }
 
-// Of a format that has triangles alone, and no vertices but their corners.
+// For formats that store only the corners of triangles.
 void require_corners(const Mesh& written, const Mesh& read) {
   require(read.face_count() == written.face_count(), "triangles come back");
   for (std::size_t c = 0; c < read.face_vertices().size(); ++c) {
@@ -82,7 +83,7 @@ void require_stl_anew(const Mesh& mesh, Encoding encoding) {
   require_corners(mesh, read_mesh(to));
 }
 
-// What is read of a file with one vertex moved, which is all that was written of it.
+// If one vertex moves, only that vertex changes in the file.
 void require_moved(const Mesh& mesh, std::string_view name) {
   if (mesh.positions.empty()) return;
   const fs::path to = file_of("", "moved-" + std::string(name));
@@ -107,13 +108,26 @@ void require_moved(const Mesh& mesh, std::string_view name) {
   require(is_stored(moved.positions.back(), again.positions.back()), "what moved comes back");
 }
 
+// A file is either read past its defects to a valid mesh, which is whole once written, or refused.
+void require_read_past_defects(const fs::path& path) {
+  DamagedMesh damaged;
+  try {
+    damaged = read_damaged_mesh(path);
+  } catch (const InputError&) {
+    return;
+  }
+  validate_indices(damaged.mesh);
+  validate_attributes(damaged.mesh);
+  if (!damaged.defects.empty()) require_read_back(damaged.mesh, "past-defects.ply", {});
+}
+
 void read_and_write(Bytes bytes, std::string_view name) {
   const fs::path path = file_of(bytes, name);
   Mesh mesh;
   try {
     mesh = read_mesh(path);
   } catch (const InputError&) {
-    return;
+    return require_read_past_defects(path);
   }
   validate_indices(mesh);
   require(mesh.face_starts().back() == mesh.face_vertices().size(), "faces end with the corners");
@@ -130,28 +144,15 @@ void read_and_write(Bytes bytes, std::string_view name) {
   require_moved(mesh, name);
 }
 
-void read_obj(Bytes bytes) {
-  read_and_write(bytes, "a.obj");
-}
-void read_off(Bytes bytes) {
-  read_and_write(bytes, "a.off");
-}
-void read_ply(Bytes bytes) {
-  read_and_write(bytes, "a.ply");
-}
-void read_stl(Bytes bytes) {
-  read_and_write(bytes, "a.stl");
-}
-
-// Positions are 32-bit floats or whole numbers in coordinates of their own, so that what moves
-// comes back nearly, and equal ones are one vertex, so that others may be.
+// glTF stores 32-bit floats or integers in local coordinates, so positions are rounded, and equal
+// positions become one vertex.
 void read_glb(Bytes bytes) {
   const fs::path path = file_of(bytes, "a.glb");
   Mesh mesh;
   try {
     mesh = read_mesh(path);
   } catch (const InputError&) {
-    return;
+    return require_read_past_defects(path);
   }
   validate_indices(mesh);
   require_kept(mesh, path, "a.glb");
@@ -184,8 +185,7 @@ void read_picture(Bytes bytes) {
   const fs::path path = file_of(bytes, "a.png");
   try {
     const ImageSize size = read_image_size(path);
-    // The readers of images are libraries'; their memory is bounded by the pixels, of which a file
-    // of no size can promise very many. Most of the time goes into writing them again.
+    // A tiny file can declare very many pixels, and writing them takes most of the time.
     constexpr std::uint64_t kMostPixels = 1U << 8U;
     if (std::uint64_t{size.width} * size.height > kMostPixels) return;
     const Image image = read_image(path);
@@ -195,8 +195,7 @@ void read_picture(Bytes bytes) {
   }
 }
 
-template <std::size_t N>
-void read_table(Bytes bytes, const char (&name)[N]) {
+void read_table(Bytes bytes, std::string_view name) {
   try {
     const fs::path path = file_of(bytes, name);
     const PointTable table = read_point_table(path);
@@ -204,12 +203,6 @@ void read_table(Bytes bytes, const char (&name)[N]) {
             "what was not changed is written as it was");
   } catch (const InputError&) {
   }
-}
-void read_csv(Bytes bytes) {
-  read_table(bytes, "a.csv");
-}
-void read_npy(Bytes bytes) {
-  read_table(bytes, "a.npy");
 }
 
 std::vector<std::string> meshes_with(std::string_view extension) {
@@ -248,10 +241,13 @@ std::vector<std::string> ply_seeds() {
       "property list uchar uint vertex_indices\nproperty list uchar float texcoord\n"
       "element edge 1\nproperty int vertex1\nend_header\n"
       "1 0 0 0 0\n2 1 0 0 1 5\n3 0 1 0 2 7 8\n3 0 1 2 6 0 0 1 0 0 1\n4\n");
+  seeds.emplace_back(
+      "ply\nformat ascii 1.0\nelement tristrips 2\nproperty list int int vertex_indices\n"
+      "property uchar cost\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "property int label\nend_header\n"
+      "5 0 1 2 3 -1 7\n6 0 1 1 2 -1 3 8\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 3 5\n");
   return seeds;
-}
-std::vector<std::string> stl_seeds() {
-  return meshes_with(".stl");
 }
 std::vector<std::string> glb_seeds() {
   std::vector<std::string> seeds;
@@ -272,6 +268,11 @@ std::vector<std::string> glb_seeds() {
   seeds.push_back(sample.glb(R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0,)"
                              R"("scale":[2,2,-2]}],"meshes":[{"primitives":[)" +
                              primitive + "]}]"));
+  // Two nodes show one mesh. A byte-order mark precedes the text.
+  seeds.push_back(sample.glb(R"("nodes":[{"mesh":0},{"mesh":0,"translation":[2,0,0]}],"meshes":[)"
+                             R"({"primitives":[)" +
+                                 primitive + "]}]",
+                             "\xEF\xBB\xBF"));
   seeds.push_back(
       R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
       R"({"POSITION":0}}]}],"buffers":[{"byteLength":36,"uri":"data:;base64,)"
@@ -312,8 +313,16 @@ std::vector<std::string> picture_seeds() {
   return seeds;
 }
 std::vector<std::string> csv_seeds() {
-  return {"x,y,z\n0,1,2\n-1e3, 2.5 ,+7\n", "vertex; x; y; z; weight\r\n3; 0,5; 1; 2; 1\r\n",
-          "x y z nx ny nz qw qx qy qz\n0 0 0 0 0 1 1 0 0 0\n", "1\t2\t3\n# c\n\n4\t5\t6\n"};
+  return {"x,y,z\n0,1,2\n-1e3, 2.5 ,+7\n",
+          "vertex; x; y; z; weight\r\n3; 0,5; 1; 2; 1\r\n",
+          "x y z nx ny nz qw qx qy qz\n0 0 0 0 0 1 1 0 0 0\n",
+          "1\t2\t3\n# c\n\n4\t5\t6\n",
+          "\"a \"\"b\"\", c\",1,2,3,\n",
+          "# columns = id,x,y,z,label\ni,1,2,3,F-1,,2\r\r\n"};
+}
+std::vector<std::string> markups_seeds() {
+  return {R"({"markups": [{"controlPoints": [{"label": "a", "position": [1, 2.5, -3e0]},)"
+          R"({"position": ""}]}, {"type": "Plane"}]})"};
 }
 std::vector<std::string> npy_seeds() {
   const auto npy = [](std::string header, const std::string& data) {
@@ -328,18 +337,25 @@ std::vector<std::string> npy_seeds() {
 }
 
 constexpr std::array kFileTargets{
-    Target{"obj", "read, written in place and anew, read back", &read_obj, &obj_seeds, "obj.dict",
-           400},
-    Target{"off", "the same of OFF", &read_off, &off_seeds, "off.dict", 400},
-    Target{"ply", "the same of PLY", &read_ply, &ply_seeds, "ply.dict", 400},
-    Target{"stl", "the same of STL", &read_stl, &stl_seeds, "stl.dict", 400},
+    Target{"obj", "read, written in place and anew, read back",
+           [](Bytes bytes) { read_and_write(bytes, "a.obj"); }, &obj_seeds, "obj.dict", 400},
+    Target{"off", "the same of OFF", [](Bytes bytes) { read_and_write(bytes, "a.off"); },
+           &off_seeds, "off.dict", 400},
+    Target{"ply", "the same of PLY", [](Bytes bytes) { read_and_write(bytes, "a.ply"); },
+           &ply_seeds, "ply.dict", 400},
+    Target{"stl", "the same of STL", [](Bytes bytes) { read_and_write(bytes, "a.stl"); },
+           [] { return meshes_with(".stl"); }, "stl.dict", 400},
     Target{"glb", "glTF, written in place and anew", &read_glb, &glb_seeds, "gltf.dict", 400},
     Target{"mtl", "material libraries, with what they name", &read_colors, &mtl_seeds, "mtl.dict",
            400},
     Target{"picture", "PNG, JPEG, BMP, TGA; written as PNG and read", &read_picture, &picture_seeds,
            "", 400},
-    Target{"csv", "tables of points, written as they were", &read_csv, &csv_seeds, "", 400},
-    Target{"npy", "the same of arrays of numpy", &read_npy, &npy_seeds, "npy.dict", 400}};
+    Target{"csv", "tables of points, written as they were",
+           [](Bytes bytes) { read_table(bytes, "a.csv"); }, &csv_seeds, "", 400},
+    Target{"markups", "the same of control points of 3D Slicer",
+           [](Bytes bytes) { read_table(bytes, "a.mrk.json"); }, &markups_seeds, "", 400},
+    Target{"npy", "the same of arrays of numpy", [](Bytes bytes) { read_table(bytes, "a.npy"); },
+           &npy_seeds, "npy.dict", 400}};
 
 }  // namespace
 

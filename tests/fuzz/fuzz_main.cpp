@@ -1,5 +1,5 @@
-// What libFuzzer calls: one program for all targets, of which --target=NAME chooses one. With
-// --seeds=FOLDER it writes what that target begins with, and with --list the names, and ends.
+// The entry points of libFuzzer for all targets; --target=NAME selects one. --seeds=FOLDER writes
+// the initial inputs of that target, and --list prints the names.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

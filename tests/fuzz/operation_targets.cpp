@@ -20,7 +20,7 @@ bool is_finite(const Vector3d& p) {
   return p.allFinite();
 }
 
-// Of the same triangles, finite wherever the mesh was, and to the bit the same outside of `region`.
+// Requires as many vertices, positions that stay finite, and equal bits outside `region`.
 void require_kept_outside(const Mesh& before, const Mesh& after, const VertexSet& region) {
   require(after.vertex_count() == before.vertex_count(), "as many vertices");
   std::vector<bool> inside(before.vertex_count());
@@ -38,7 +38,7 @@ bool is_unmoved(const Vector3d& a, const Vector3d& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-// A vertex that came from `before`, where it was: `sources` has its number there, or kNoIndex.
+// Requires that vertices of `before` did not move. `sources` has their old numbers, or kNoIndex.
 void require_unmoved(const Mesh& before, const Mesh& after, std::span<const Index> sources) {
   require(sources.size() == after.vertex_count(), "a source for every vertex");
   for (Index v = 0; v < after.vertex_count(); ++v) {
@@ -49,7 +49,7 @@ void require_unmoved(const Mesh& before, const Mesh& after, std::span<const Inde
   }
 }
 
-// The work goes on after this many reports of it, and then nobody wants it any more.
+// Cancels after this many reports.
 class Cancelling {
  public:
   explicit Cancelling(int after) : left_(after) {}
@@ -60,7 +60,7 @@ class Cancelling {
   int left_;
 };
 
-// The largest finite coordinate.
+// Returns the largest finite coordinate.
 double reach(const Mesh& mesh) {
   double most = 0.0;
   for (const Vector3d& p : mesh.positions) {
@@ -69,10 +69,10 @@ double reach(const Mesh& mesh) {
   return most;
 }
 
-// Beyond it squares of lengths have no room.
+// Squares of larger lengths overflow.
 constexpr double kModerate = 1e100;
 
-// The work is bounded by what is reported of it, whatever the numbers.
+// The number of reports bounds the work, whatever the input.
 Progress bounded(long most) {
   return [left = most](std::string_view, double) mutable {
     require(--left > 0, "an end within bounded work");
@@ -99,8 +99,7 @@ DeformRequest deform_request(Choices& choices, const Mesh& mesh) {
   return request;
 }
 
-// The largest distance between a handle's vertices and where its move wants them, and what rounding
-// may make of it.
+// The largest distance of a handle's vertices from their targets, and its rounding error.
 struct HandleError {
   double distance = 0.0;
   double rounding = 0.0;
@@ -122,7 +121,7 @@ HandleError handle_error(const Mesh& rest, const Mesh& moved, const DeformReques
   return error;
 }
 
-// Flips, turns and scales of the certificate are those of the surface that came out.
+// The flips, rotations and scales of the certificate are those of the result.
 void require_measures(const Mesh& mesh, const Deformed& result) {
   if (!joined_surface(mesh).empty()) return;  // measured on the joined surface
   Certificate again;
@@ -176,7 +175,7 @@ CoatParameters coat_parameters(Choices& choices) {
   return p;
 }
 
-// Where the patch kept its triangles the rest of the target did not move.
+// If the patch keeps its triangles, the rest of the target does not move.
 void require_coated(const Mesh& target, const RegionSpec& patch, const Coated& result) {
   if (result.report.vertices_before_remeshing == 0) {
     require_kept_outside(target, result.mesh, resolve(patch, target));

@@ -1,4 +1,4 @@
-// What people and programs write as JSON.
+// Reads JSON documents of every kind.
 #include <array>
 
 #include "batch/bent_tubes.h"
@@ -8,9 +8,9 @@
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/parts/part_library.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/recipe/recipe_files.h"
+#include "lapwing/transplant/part_library.h"
 #include "state/journal.h"
 
 namespace lapwing::fuzz {
@@ -49,11 +49,10 @@ void read_journal_lines(Bytes bytes) {
   const auto path = file_of(bytes, "edit.journal");
   const auto edit = viewer::read_journal(path);
   if (!edit) return;
-  // Any bytes may be where results are looked for.
   for (const auto& [key, where] : edit->results) viewer::read_result(path, where);
 }
 
-// The details of a part whose mesh is fine.
+// The details of a part with a valid mesh.
 void read_details(Bytes bytes) {
   static const fs::path mesh = [] {
     const fs::path path = file_of("", "part.obj");
@@ -68,7 +67,7 @@ void read_details(Bytes bytes) {
   }
 }
 
-// A folder of one part, mesh and details in one: the details begin behind a line of `---`.
+// A folder of one part. The details follow the mesh after a line `---`.
 void read_whole_part(Bytes bytes) {
   constexpr std::string_view kBetween = "\n---\n";
   const std::string_view text = text_of(bytes);

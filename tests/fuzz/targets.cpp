@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of this process in memory, where the system has such.
+// A folder of this process, in memory if the system has such a file system.
 class Folder {
  public:
   Folder() {

@@ -118,12 +118,8 @@ class Document:
         return found
 
     def primitives(self):
-        """(mesh, matrix, primitive) of what has triangles and positions, each mesh once."""
-        seen = set()
+        """(mesh, matrix, primitive) of what has triangles and positions, for each object."""
         for _, mesh, matrix in self.objects():
-            if mesh in seen:
-                continue
-            seen.add(mesh)
             for primitive in self.json["meshes"][mesh]["primitives"]:
                 if primitive.get("mode", 4) >= 4 and "POSITION" in primitive["attributes"]:
                     yield mesh, matrix, primitive

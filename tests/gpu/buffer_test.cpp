@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "support/error_message.h"
 #include "support/gpu.h"
 
 namespace lapwing::gpu {
@@ -16,13 +17,10 @@ TEST(Buffer, TooLargeIsRefusedWithItsBytesAndTheLimit) {
   LAPWING_NEEDS_GPU();
   const Context context;
   constexpr VkDeviceSize kBytes = VkDeviceSize{1} << 52U;
-  try {
-    const Buffer buffer(context, "response basis", kBytes);
-    FAIL();
-  } catch (const GpuError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("response basis"), HasSubstr(std::to_string(kBytes)),
-                                    HasSubstr("allows"), HasSubstr("--device cpu")));
-  }
+  EXPECT_THAT(
+      error_message<GpuError>([&] { const Buffer buffer(context, "response basis", kBytes); }),
+      AllOf(HasSubstr("response basis"), HasSubstr(std::to_string(kBytes)), HasSubstr("allows"),
+            HasSubstr("--device cpu")));
 }
 
 TEST(Buffer, MappedMemoryHasItsSize) {

@@ -7,6 +7,7 @@
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/shaders/add_one.h"
 #include "lapwing/shaders/in_place.h"
+#include "support/error_message.h"
 #include "support/gpu.h"
 
 namespace lapwing::gpu {
@@ -14,20 +15,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-template <typename Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const GpuError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(Kernel, BufferThatIsNeitherReadonlyNorWriteonlyIsRefused) {
   LAPWING_NEEDS_GPU();
   const Context context;
-  EXPECT_THAT(message_of([&] { Kernel(context, "in_place", shaders::in_place()); }),
+  EXPECT_THAT(error_message<GpuError>([&] { Kernel(context, "in_place", shaders::in_place()); }),
               HasSubstr("in_place"));
 }
 
@@ -56,17 +47,17 @@ TEST_F(Dispatch, RefusesWrongBuffersAndNamesTheKernel) {
   CommandList list(context, "test");
   Recorder recorder(list);
   const std::uint32_t count = 16;
-  EXPECT_THAT(message_of([&] { recorder.dispatch(kernel, count, {a}, count); }),
+  EXPECT_THAT(error_message<GpuError>([&] { recorder.dispatch(kernel, count, {a}, count); }),
               HasSubstr("add_one: it takes 2 buffers, not 1"));
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(error_message<GpuError>([&] {
                 recorder.dispatch(kernel, count, {a, b, b}, count);
               }),
               HasSubstr("it takes 2 buffers, not 3"));
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(error_message<GpuError>([&] {
                 recorder.dispatch(kernel, count, {a, b});
               }),
               HasSubstr("push constants"));
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(error_message<GpuError>([&] {
                 recorder.dispatch(kernel, count, {a, a}, count);
               }),
               HasSubstr("bound both for reading and for writing"));
@@ -83,7 +74,7 @@ TEST_F(Dispatch, RefusesARangeBeyondTheDevicesLimit) {
   CommandList list(context, "test");
   Recorder recorder(list);
   const std::uint32_t count = 16;
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(error_message<GpuError>([&] {
                 recorder.dispatch(kernel, count, {a, b}, count);
               }),
               HasSubstr("beyond the device's limit of " + std::to_string(limit)));

@@ -19,7 +19,7 @@ ContextOptions profiled() {
   return options;
 }
 
-// A list of `dispatches` dispatches of add_one that wait for one another.
+// A command list of dispatches of add_one, each of which reads the result of the one before.
 struct Adding {
   Adding(Context& context, int dispatches)
       : add_one(context, "add_one", shaders::add_one(), 4),
@@ -70,12 +70,6 @@ TEST(Profile, CountsADispatchThatItHasNoRoomToTime) {
   Adding adding(context, 100);
   adding.list.run();
   EXPECT_EQ(context.profile()->take().kernels.at("add_one").dispatches, 100U);
-}
-
-TEST(Profile, IsNotThereUnlessAskedFor) {
-  LAPWING_NEEDS_GPU();
-  const Context context;
-  EXPECT_EQ(context.profile(), nullptr);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "lapwing/gpu/recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +25,7 @@ class RecorderTest : public ::testing::Test {
     context = std::make_unique<Context>();
     list = std::make_unique<CommandList>(*context, "test", 2);
     add_one = std::make_unique<Kernel>(*context, "add_one", shaders::add_one(), 4);
+    buffers.emplace(std::array{buffer("a"), buffer("b"), buffer("c"), buffer("d")});
   }
 
   Buffer buffer(const char* name) const { return {*context, name, kBytes}; }
@@ -41,12 +44,11 @@ class RecorderTest : public ::testing::Test {
   std::unique_ptr<Context> context;
   std::unique_ptr<CommandList> list;
   std::unique_ptr<Kernel> add_one;
+  std::optional<std::array<Buffer, 4>> buffers;
 };
 
 TEST_F(RecorderTest, PutsABarrierBetweenAWriteAndItsReader) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
-  const Buffer c = buffer("c");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 5);
   Recorder recorder(*list);
   recorder.dispatch(*add_one, kCount, {a, b}, kCount);
@@ -58,9 +60,7 @@ TEST_F(RecorderTest, PutsABarrierBetweenAWriteAndItsReader) {
 }
 
 TEST_F(RecorderTest, PutsABarrierBetweenAReadAndALaterWrite) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
-  const Buffer c = buffer("c");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 5);
   fill(c, 50);
   Recorder recorder(*list);
@@ -74,10 +74,7 @@ TEST_F(RecorderTest, PutsABarrierBetweenAReadAndALaterWrite) {
 }
 
 TEST_F(RecorderTest, LeavesIndependentDispatchesAlone) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
-  const Buffer c = buffer("c");
-  const Buffer d = buffer("d");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 5);
   Recorder recorder(*list);
   recorder.dispatch(*add_one, kCount, {a, b}, kCount);
@@ -88,10 +85,7 @@ TEST_F(RecorderTest, LeavesIndependentDispatchesAlone) {
 }
 
 TEST_F(RecorderTest, SecondReaderOfOneWriteNeedsNoSecondBarrier) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
-  const Buffer c = buffer("c");
-  const Buffer d = buffer("d");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 5);
   Recorder recorder(*list);
   recorder.dispatch(*add_one, kCount, {a, b}, kCount);
@@ -101,9 +95,7 @@ TEST_F(RecorderTest, SecondReaderOfOneWriteNeedsNoSecondBarrier) {
 }
 
 TEST_F(RecorderTest, OrdersFillsCopiesAndDispatches) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
-  const Buffer c = buffer("c");
+  const auto& [a, b, c, d] = *buffers;
   Recorder recorder(*list);
   recorder.fill(a, 3);
   recorder.dispatch(*add_one, kCount, {a, b}, kCount);
@@ -116,10 +108,7 @@ TEST_F(RecorderTest, OrdersFillsCopiesAndDispatches) {
 }
 
 TEST_F(RecorderTest, LaterStageOfAReadWaitsForTheWriteToo) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
-  const Buffer c = buffer("c");
-  const Buffer d = buffer("d");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 1);
   Recorder recorder(*list);
   recorder.dispatch(*add_one, kCount, {a, b}, kCount);
@@ -133,8 +122,7 @@ TEST_F(RecorderTest, LaterStageOfAReadWaitsForTheWriteToo) {
 }
 
 TEST_F(RecorderTest, ListsSeeWhatEarlierListsWroteWithoutAWaitBetween) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 0);
   CommandList back(*context, "back");
   {
@@ -192,8 +180,7 @@ TEST_F(RecorderTest, ListWithoutCommandsCannotBeSubmitted) {
 }
 
 TEST_F(RecorderTest, TimestampsRise) {
-  const Buffer a = buffer("a");
-  const Buffer b = buffer("b");
+  const auto& [a, b, c, d] = *buffers;
   fill(a, 1);
   Recorder recorder(*list);
   const std::uint32_t before = recorder.timestamp();
@@ -201,7 +188,10 @@ TEST_F(RecorderTest, TimestampsRise) {
   const std::uint32_t after = recorder.timestamp();
   recorder.finish();
   list->run();
-  EXPECT_GE(list->milliseconds_between(before, after), 0.0);
+  if (context->limits().timestampComputeAndGraphics == VK_FALSE) GTEST_SKIP() << "no timestamps";
+  constexpr double kMinute = 60e3;  // a falling clock would give a huge unsigned difference
+  EXPECT_GT(list->milliseconds_between(before, after), 0.0);
+  EXPECT_LT(list->milliseconds_between(before, after), kMinute);
 }
 
 }  // namespace

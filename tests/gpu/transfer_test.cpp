@@ -10,7 +10,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// Mapped memory, and staged copies as on a discrete GPU.
+// With mapped memory, and with staged copies as on a discrete GPU.
 class Transfer : public ::testing::TestWithParam<bool> {
  protected:
   static ContextOptions options() {

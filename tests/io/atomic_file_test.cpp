@@ -10,13 +10,14 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
 
 namespace fs = std::filesystem;
 
-// No file of this process may grow beyond the limit while it lives: a full disk, in effect.
+// While it exists, no file of this process can grow beyond the limit, as on a full disk.
 class SmallFilesOnly {
  public:
   explicit SmallFilesOnly(rlim_t bytes) {
@@ -37,7 +38,8 @@ class SmallFilesOnly {
   void (*old_handler_)(int) = nullptr;
 };
 
-// Permissions do not bind the superuser: owns the folder and its files as somebody else meanwhile.
+// While it exists, another user owns the folder and its files, because permissions do not bind the
+// superuser.
 class Unprivileged {
  public:
   explicit Unprivileged(const fs::path& folder) {
@@ -114,12 +116,7 @@ TEST(ReplaceFile, RefusesWhatCannotBeReplacedWithTheReason) {
   fs::create_symlink("b", folder / "a");
   fs::create_symlink("a", folder / "b");
   const auto reason_of = [](const fs::path& path) {
-    try {
-      replace_file(path, "x");
-    } catch (const IoError& error) {
-      return std::string(error.what());
-    }
-    return std::string("written");
+    return error_message<IoError>([&] { replace_file(path, "x"); });
   };
   EXPECT_THAT(reason_of(folder.path()), ::testing::HasSubstr("Is a directory"));
   EXPECT_THAT(reason_of(folder / "none/a.txt"), ::testing::HasSubstr("No such file"));
@@ -202,13 +199,8 @@ TEST(FileReplacements, SayWhichAreInPlaceWhereALaterOneCannotBe) {
   files.add(folder / "a.txt", "new a");
   files.add(folder / "b.txt", "new b");
   fs::create_directory(folder / "b.txt");
-  try {
-    files.commit();
-    FAIL() << "written over a folder";
-  } catch (const IoError& error) {
-    EXPECT_THAT(error.what(),
-                ::testing::HasSubstr("Already written: " + (folder / "a.txt").string()));
-  }
+  EXPECT_THAT(error_message<IoError>([&] { files.commit(); }),
+              ::testing::HasSubstr("Already written: " + (folder / "a.txt").string()));
 }
 
 TEST(RequireReplaceable, TellsBeforeTheWorkWhatReplacingWouldTell) {

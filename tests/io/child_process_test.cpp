@@ -9,7 +9,7 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/file_bytes.h"
 #include "support/environment.h"
 
 namespace lapwing {
@@ -17,7 +17,6 @@ namespace {
 
 class ChildProcess : public ::testing::Test {
  protected:
-  // A script of the shell.
   std::filesystem::path program(const std::string& name, const std::string& script) {
     const auto path = folder_.file(name, "#!/bin/sh\n" + script);
     std::filesystem::permissions(path, std::filesystem::perms::owner_all);

@@ -7,8 +7,8 @@
 
 namespace lapwing::test {
 
-/// A glTF document that is written by hand: its buffer is filled by calls, which return numbers of
-/// accessors, and the rest is given as JSON.
+/// Builds a glTF document. Calls fill its buffer and return the numbers of accessors; the rest is
+/// given as JSON.
 class GltfSample {
  public:
   template <class Number>
@@ -36,11 +36,8 @@ class GltfSample {
     return accessors_++;
   }
 
-  std::size_t view_count() const { return views_; }
-  std::size_t buffer_size() const { return buffer_.size(); }
-
-  /// With `rest`, members of the document separated by commas; `buffer_members` are added to the
-  /// buffer's, such as a "uri".
+  /// `rest` has the other members of the document, separated by commas. `buffer_members` are added
+  /// to the members of the buffer, such as a "uri".
   std::string json(const std::string& rest, const std::string& buffer_members = {}) const {
     return R"({"asset":{"version":"2.0"},)" + rest + R"(,"buffers":[{"byteLength":)" +
            std::to_string(buffer_.size()) + buffer_members + R"(}],"bufferViews":[)" + view_list_ +
@@ -49,7 +46,7 @@ class GltfSample {
 
   const std::string& buffer() const { return buffer_; }
 
-  /// `before` stands before the document in its chunk.
+  /// The chunk of the document begins with `before`.
   std::string glb(const std::string& rest, const std::string& before = {}) const {
     std::string text = before + json(rest);
     while (text.size() % 4 != 0) text += ' ';

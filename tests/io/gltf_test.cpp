@@ -1,4 +1,4 @@
-// glTF files: what is read, that nothing but what moved changes, and what is refused.
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -12,6 +12,8 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/environment.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
@@ -20,16 +22,20 @@ namespace fs = std::filesystem;
 using test::GltfSample;
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::string message_of(const fs::path& path) {
-  try {
-    read_mesh(path);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was wrong";
+  return error_message<Error>([&] { read_mesh(path); });
 }
+
+// The rest of a document with one mesh, of these attributes and further members of its primitive.
+std::string one_mesh(const std::string& attributes, const std::string& members = "") {
+  return R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{)" + attributes + "}" +
+         members + "}]}]";
+}
+
+const std::vector<float> kTrianglePoints{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 // A square of two triangles that share no vertex of the file, as at a seam of the texture.
 struct Square {
@@ -102,6 +108,32 @@ TEST(Gltf, AByteOrderMarkIsReadAndKept) {
   }
 }
 
+TEST(Gltf, NulsThatPadTheTextAreReadAndKept) {
+  const TemporaryFolder folder;
+  const Square square;
+  std::string bytes = square.sample.glb(square.rest());
+  const std::size_t size = square.sample.json(square.rest()).size();
+  for (std::size_t k = 20 + size; k < 20 + (size + 3) / 4 * 4; ++k) bytes[k] = '\0';
+  bytes.insert(20 + (size + 3) / 4 * 4, 4, '\0');
+  bytes[8] = static_cast<char>(bytes[8] + 4);
+  bytes[12] = static_cast<char>(bytes[12] + 4);
+  Mesh mesh = read_mesh(folder.file("flag.glb", bytes));
+  write_mesh(mesh, folder / "again.glb");
+  EXPECT_EQ(content_of(folder / "again.glb"), bytes);
+  mesh.positions[2] += Eigen::Vector3d(0.0, 0.0, 1234.0);  // makes the text longer
+  write_mesh(mesh, folder / "moved.glb");
+  EXPECT_EQ(read_mesh(folder / "moved.glb").positions, mesh.positions);
+}
+
+// The other program that reads the file could take what is behind the NUL.
+TEST(Gltf, TextBehindANulIsRefused) {
+  const TemporaryFolder folder;
+  const Square square;
+  const std::string text = square.sample.json(square.rest(), R"(,"uri":"flag.bin")");
+  EXPECT_THAT(message_of(folder.file("a.gltf", text + std::string(1, '\0') + text)),
+              HasSubstr("found a NUL byte"));
+}
+
 TEST(Gltf, PositionsNormalsTangentsAndBoundsFollow) {
   const TemporaryFolder folder;
   const Square square;
@@ -161,7 +193,7 @@ TEST(Gltf, ObjectsAreChosenByName) {
   EXPECT_THAT(message_of(folder / "two.glb#Rigth"),
               AllOf(HasSubstr("there is no object 'Rigth'"), HasSubstr("\"Right\"?")));
 
-  // Both show the same numbers: the one that moves gets its own.
+  // Both objects share their numbers. The one that moves gets a copy.
   Mesh left = read_mesh(folder / "two.glb#Left");
   left.positions[0].z() = 1.0;
   write_mesh(left, folder / "moved.glb");
@@ -170,10 +202,107 @@ TEST(Gltf, ObjectsAreChosenByName) {
             read_mesh(folder / "two.glb#Right").positions);
 }
 
+// A file whose nodes R and L, 3 to the right, show one mesh of a square.
+class GltfInstances : public ::testing::Test {
+ protected:
+  Mesh read(const std::string& name = "two.glb") const { return read_mesh(folder_ / name); }
+  void write_file(const std::string& nodes) const {
+    const Square square;
+    folder_.file("two.glb",
+                 square.sample.glb(R"("nodes":[)" + nodes +
+                                   R"(],"materials":[{}],"meshes":[{"name":"m","primitives":[)" +
+                                   square.primitive + "]}]"));
+  }
+  void SetUp() override {
+    write_file(R"({"name":"R","mesh":0},{"name":"L","mesh":0,"translation":[3,0,0]})");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(GltfInstances, NodesOfOneMeshAreTwoObjects) {
+  const Mesh mesh = read();
+  EXPECT_EQ(mesh.vertex_count(), 8U);
+  EXPECT_EQ(mesh.face_count(), 4U);
+  EXPECT_THAT(mesh.attributes().groups, ElementsAre("R", "L"));
+  EXPECT_EQ(mesh.positions[4], mesh.positions[0] + Eigen::Vector3d(3, 0, 0));
+  EXPECT_EQ(read("two.glb#L").positions[0].x(), 3.0);
+  EXPECT_EQ(read("two.glb#m").vertex_count(), 8U) << "all objects of that mesh";
+
+  const WriteReport report = write_mesh(mesh, folder_ / "two.obj");
+  EXPECT_THAT(report.not_carried, Contains(HasSubstr("meshes that several nodes share (1)")));
+  EXPECT_THAT(content_of(folder_ / "two.obj"), AllOf(HasSubstr("o R\n"), HasSubstr("o L\n")));
+  EXPECT_EQ(read("two.obj").positions, mesh.positions);
+}
+
+TEST_F(GltfInstances, ObjectsWithoutOrWithEqualNamesStayApart) {
+  write_file(R"({"mesh":0},{"mesh":0,"translation":[3,0,0]},{"name":"m","mesh":0})");
+  EXPECT_THAT(read().attributes().groups, ElementsAre("m", "m (node 1)", "m (node 2)"));
+  EXPECT_EQ(read("two.glb#m (node 1)").positions[0].x(), 3.0);
+}
+
+TEST_F(GltfInstances, AnEditOfOneMovesTheOthersAndSaysSo) {
+  for (const char* chosen : {"two.glb#L", "two.glb"}) {
+    Mesh mesh = read(chosen);
+    mesh.positions.back() += Eigen::Vector3d(0, 0, 4);
+    const WriteReport report = write_mesh(mesh, folder_ / "moved.glb");
+    const Mesh moved = read("moved.glb");
+    EXPECT_EQ(moved.positions[3], Eigen::Vector3d(0, 1, 4));
+    EXPECT_EQ(moved.positions[7], Eigen::Vector3d(3, 1, 4));
+    EXPECT_THAT(report.notes,
+                ElementsAre(HasSubstr("the mesh of 'L' is also shown by 'R', where the edit")));
+  }
+}
+
+TEST_F(GltfInstances, ThoseThatMoveAlikeKeepTheirMesh) {
+  Mesh mesh = read();
+  mesh.positions[3].z() = mesh.positions[7].z() = 4.0;
+  EXPECT_THAT(write_mesh(mesh, folder_ / "moved.glb").notes, ElementsAre());
+  EXPECT_EQ(read("moved.glb").positions, mesh.positions);
+  EXPECT_EQ(content_of(folder_ / "moved.glb").size(), content_of(folder_ / "two.glb").size());
+}
+
+TEST_F(GltfInstances, ThoseThatMoveDifferentlyGetTheirOwnMeshes) {
+  write_file(R"({"name":"R","mesh":0},{"name":"L","mesh":0,"translation":[3,0,0]},)"
+             R"({"name":"T","mesh":0,"translation":[0,9,0]})");
+  for (const bool all_move : {false, true}) {
+    Mesh mesh = read();
+    mesh.positions[0].z() = 1.0;
+    mesh.positions[5].z() = 2.0;
+    if (all_move) mesh.positions[10].z() = 3.0;
+    const WriteReport report = write_mesh(mesh, folder_ / "moved.glb");
+    EXPECT_THAT(report.notes,
+                ElementsAre(HasSubstr("showed one mesh but were edited differently")));
+    const Mesh moved = read("moved.glb");
+    EXPECT_EQ(moved.positions, mesh.positions);
+    EXPECT_EQ(moved.attributes().groups, mesh.attributes().groups);
+    EXPECT_EQ(moved.attributes().uvs, mesh.attributes().uvs);
+  }
+}
+
+TEST_F(GltfInstances, AMorphTargetIsThatOfTheObjectThatMoved) {
+  Mesh mesh = read();
+  mesh.positions[5].z() = 2.0;
+  write_mesh(mesh, folder_ / "up.glb", {.morph_target = "up"});
+  EXPECT_THAT(content_of(folder_ / "up.glb"), HasSubstr(R"("max":[0,0,2])"));
+  mesh.positions[0].z() = 1.0;
+  EXPECT_THAT(error_message<InputError>(
+                  [&] { write_mesh(mesh, folder_ / "up.glb", {.morph_target = "up"}); }),
+              HasSubstr("'R' and 'L' show one mesh but moved differently"));
+}
+
+TEST_F(GltfInstances, AShortFileCannotShowAMeshTooOften) {
+  const test::Environment limit("LAPWING_MOST_TRIANGLES", "9");
+  EXPECT_EQ(read().face_count(), 4U);
+  write_file(R"({"mesh":0},{"mesh":0},{"mesh":0},{"mesh":0})");
+  EXPECT_THAT(message_of(folder_ / "two.glb"),
+              AllOf(HasSubstr("the nodes that show a mesh again have"), HasSubstr("two.glb#m")));
+}
+
 TEST(Gltf, SparsePositionsMoveWhereTheyStand) {
   const TemporaryFolder folder;
   GltfSample sample;
-  sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  sample.add(kTrianglePoints, 5126, "VEC3", 3);
   sample.add(std::vector<std::uint16_t>{2}, 5123, "SCALAR", 1);
   sample.add(std::vector<float>{0, 3, 0}, 5126, "VEC3", 1);
   const auto p = sample.add_accessor(
@@ -181,9 +310,7 @@ TEST(Gltf, SparsePositionsMoveWhereTheyStand) {
       R"("sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},)"
       R"("values":{"bufferView":2}})");
   const fs::path path =
-      folder.file("a.glb", sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
-                                      R"({"attributes":{"POSITION":)" +
-                                      std::to_string(p) + "}}]}]"));
+      folder.file("a.glb", sample.glb(one_mesh(R"("POSITION":)" + std::to_string(p))));
   Mesh mesh = read_mesh(path);
   EXPECT_EQ(mesh.positions[2], Eigen::Vector3d(0, 3, 0));
   mesh.positions[2] = {0, 7, 0};
@@ -195,7 +322,6 @@ TEST(Gltf, SparsePositionsMoveWhereTheyStand) {
 
 TEST(Gltf, WholeNumbersBecomeFloatsWhereTheyMove) {
   const TemporaryFolder folder;
-  // Parts of 1.
   GltfSample sample;
   sample.add(std::vector<std::int16_t>{0, 0, 0, 0, 32767, 0, 0, 0, 0, 32767, 0, 0}, 5122, "VEC3", 3,
              "stride:8");
@@ -213,18 +339,18 @@ TEST(Gltf, WholeNumbersBecomeFloatsWhereTheyMove) {
   EXPECT_EQ(read_mesh(path).positions[2], mesh.positions[2]);
 }
 
-// A triangle with texture coordinates in whole numbers, of which the largest stands for 1.
+// A triangle with normalized integers as texture coordinates.
 template <class Part, class Corner>
 std::string triangle_in(int part_type, int corner_type) {
   GltfSample sample;
   const auto one = std::numeric_limits<Part>::max();
-  const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  const auto p = sample.add(kTrianglePoints, 5126, "VEC3", 3);
   const auto uv = sample.add(std::vector<Part>{0, one, one, one, 0, 0}, part_type, "VEC2", 3,
                              R"(,"normalized":true)");
   const auto i = sample.add(std::vector<Corner>{2, 0, 1}, corner_type, "SCALAR", 3);
-  return sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":)" +
-                    std::to_string(p) + R"(,"TEXCOORD_0":)" + std::to_string(uv) +
-                    R"(},"indices":)" + std::to_string(i) + "}]}]");
+  return sample.glb(
+      one_mesh(R"("POSITION":)" + std::to_string(p) + R"(,"TEXCOORD_0":)" + std::to_string(uv),
+               R"(,"indices":)" + std::to_string(i)));
 }
 
 TEST(Gltf, WholeNumbersOfEverySizeAreRead) {
@@ -245,11 +371,9 @@ TEST(Gltf, WholeNumbersOfEverySizeAreRead) {
 TEST(Gltf, DataInTheTextIsWrittenThere) {
   const TemporaryFolder folder;
   GltfSample sample;
-  const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
-  const std::string rest = R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
-                           R"({"POSITION":)" +
-                           std::to_string(p) + "}}]}]";
-  // 36 bytes, of which only two floats are not 0, 1.0F is 00 00 80 3F; and two that nothing uses.
+  const auto p = sample.add(kTrianglePoints, 5126, "VEC3", 3);
+  const std::string rest = one_mesh(R"("POSITION":)" + std::to_string(p));
+  // 36 bytes, in which two floats are 1.0F (00 00 80 3F) and the others 0, and two unused bytes.
   const std::string data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAA=";
   const fs::path path = folder.file(
       "a.gltf", sample.json(rest, R"(,"uri":"data:application/octet-stream;base64,)" + data + '"'));
@@ -268,10 +392,8 @@ TEST(Gltf, DataInTheTextIsWrittenThere) {
 TEST(Gltf, ABufferOfItsOwnGoesWithTheFile) {
   const TemporaryFolder folder;
   GltfSample sample;
-  const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
-  const std::string rest = R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
-                           R"({"POSITION":)" +
-                           std::to_string(p) + "}}]}]";
+  const auto p = sample.add(kTrianglePoints, 5126, "VEC3", 3);
+  const std::string rest = one_mesh(R"("POSITION":)" + std::to_string(p));
   const fs::path path = folder.file("a.gltf", sample.json(rest, R"(,"uri":"some%20numbers.bin")"));
   folder.file("some numbers.bin", sample.buffer());
   Mesh mesh = read_mesh(path);
@@ -284,7 +406,7 @@ TEST(Gltf, ABufferOfItsOwnGoesWithTheFile) {
   EXPECT_EQ(read_mesh(path).positions, mesh.positions) << "in its place";
 }
 
-// Two objects, of which the second has a skin and numbers of its own.
+// Two objects. The second has a skin, and other accessors.
 std::string two_objects(GltfSample& sample) {
   std::string primitives[2];
   for (std::string& primitive : primitives) {
@@ -300,7 +422,7 @@ std::string two_objects(GltfSample& sample) {
          primitives[0] + R"(]},{"primitives":[)" + primitives[1] + "]}]";
 }
 
-// The last face of `mesh` cut off: what a step leaves that made other triangles.
+// Removes the last face, as a step does that changes the triangles.
 Mesh without_last_face(const Mesh& mesh) {
   Mesh cut = mesh;
   cut.source.reset();
@@ -330,6 +452,27 @@ TEST(Gltf, OtherTrianglesTakeThePlaceOfTheOldOnes) {
   EXPECT_EQ(read_mesh(folder / "b.glb#Left").positions, read_mesh(folder / "a.glb#Left").positions);
 }
 
+// As two_objects, but both nodes show the first mesh and none has a skin.
+TEST_F(GltfInstances, NewTrianglesOfOneAppearInAllOfThem) {
+  GltfSample sample;
+  std::string rest = two_objects(sample);
+  rest.replace(rest.find(R"("mesh":1,"skin":0)"), 17, R"("mesh":0)");
+  const Mesh mesh = read_mesh(folder_.file("a.glb", sample.glb(rest)));
+  ASSERT_EQ(mesh.face_count(), 4U);
+  const WriteReport report =
+      write_mesh(without_last_face(mesh), folder_ / "b.glb", {.original_file = mesh.source});
+  EXPECT_THAT(report.notes, ElementsAre(HasSubstr("the mesh of 'Right' is also shown by 'Left'")));
+  EXPECT_EQ(read("b.glb").face_count(), 2U);
+
+  Mesh both = without_last_face(mesh);
+  both.positions[0].z() = 1.0;
+  EXPECT_THAT(write_mesh(both, folder_ / "c.glb", {.original_file = mesh.source}).notes,
+              ElementsAre(HasSubstr("'Left' and 'Right' showed one mesh but were edited")));
+  EXPECT_EQ(read("c.glb").face_count(), 3U);
+  EXPECT_EQ(read("c.glb#Right").face_count(), 1U);
+  EXPECT_EQ(read("c.glb#Left").positions[0].z(), 1.0);
+}
+
 TEST(Gltf, AMorphTargetTellsWhatMoved) {
   const TemporaryFolder folder;
   GltfSample sample;
@@ -346,7 +489,7 @@ TEST(Gltf, AMorphTargetTellsWhatMoved) {
   EXPECT_THROW(write_mesh(mesh, folder / "b.glb", {.morph_target = "up"}), InputError);
 }
 
-// A square with a morph target, its weight on mesh and node, and an animation of that.
+// A square with a morph target, its weight on mesh and node, and an animation of that weight.
 std::string morphed_square(const std::string& extras) {
   Square square;
   GltfSample& sample = square.sample;
@@ -393,6 +536,63 @@ TEST(Gltf, NamesOfMorphTargetsAreKeptAndStayApart) {
   write_mesh(other, folder / "e.glb", {.morph_target = "smile"});
   EXPECT_THAT(content_of(folder / "e.glb"),
               HasSubstr(R"("mine":1,"targetNames":["target 0","smile"])"));
+}
+
+TEST(Gltf, AMorphTargetWhoseWeightsAreNoListIsRefused) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  const auto p = sample.add(kTrianglePoints, 5126, "VEC3", 3);
+  const std::string primitives = R"([{"attributes":{"POSITION":)" + std::to_string(p) + "}}]";
+  Mesh mesh = read_mesh(folder.file(
+      "a.glb", sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"weights":5,"primitives":)" +
+                          primitives + "}]")));
+  mesh.positions[1].z() = 4.0;
+  EXPECT_THAT(error_message<InputError>(
+                  [&] { write_mesh(mesh, folder / "b.glb", {.morph_target = "up"}); }),
+              AllOf(HasSubstr("a.glb:1:"), HasSubstr("expected a list")));
+}
+
+TEST(Gltf, NormalsThatAMeshLacksAreSplitAtHardEdges) {
+  const TemporaryFolder folder;
+  const Mesh box = bar(2, 3, 1.0, 2.0);
+  const auto largest_difference = [&](double feature_angle) {
+    const fs::path path = folder.path() / "box.glb";
+    write_mesh(box, path, {.feature_angle_degrees = feature_angle});
+    const Mesh read = read_mesh(path);
+    double largest = 0.0;
+    for (std::size_t f = 0; f < read.face_count(); ++f) {
+      const auto face = read.face(f);
+      const Eigen::Vector3d& from = read.positions[face[0]];
+      const Eigen::Vector3d normal =
+          (read.positions[face[1]] - from).cross(read.positions[face[2]] - from).normalized();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index stored = read.attributes().corner_normals[read.face_starts()[f] + k];
+        largest = std::max(largest, (read.attributes().normals[stored] - normal).norm());
+      }
+    }
+    return largest;
+  };
+  EXPECT_LT(largest_difference(kFeatureAngleDegrees), 1e-6);
+  EXPECT_GT(largest_difference(91.0), 0.5) << "means over the edges";
+}
+
+TEST(Gltf, StoredNormalsAreNotSplit) {
+  const TemporaryFolder folder;
+  Mesh box = bar(1, 1, 1.0, 1.0);
+  box.edit_attributes().normals.assign(box.vertex_count(), Eigen::Vector3d::UnitX());
+  box.edit_attributes().has_vertex_normals = true;
+  write_mesh(box, folder.path() / "box.ply");
+  const Mesh stored = read_mesh(folder.path() / "box.ply");
+  write_mesh(stored, folder.path() / "box.glb");
+  const Mesh read = read_mesh(folder.path() / "box.glb");
+  const MeshAttributes& a = read.attributes();
+  ASSERT_EQ(a.normals.size(), box.vertex_count());
+  for (std::size_t c = 0; c < a.corner_normals.size(); ++c) {
+    const auto at = std::ranges::find(stored.positions, read.positions[read.face_vertices()[c]]);
+    ASSERT_NE(at, stored.positions.end());
+    const auto& normal = stored.attributes().normals[at - stored.positions.begin()];
+    EXPECT_LT((a.normals[a.corner_normals[c]] - normal).norm(), 1e-6) << "corner " << c;
+  }
 }
 
 TEST(Gltf, MadeAnewItReadsBack) {

@@ -10,15 +10,14 @@
 
 namespace lapwing {
 
-/// How `jpeg_file` writes.
 struct JpegOptions {
-  int pixels = TJPF_RGBA;  ///< what it is given, one of TJPF_*
+  int pixels = TJPF_RGBA;  ///< layout of the pixels, one of TJPF_*
   int sampling = TJSAMP_444;
   int quality = 100;
   bool progressive = false;
 };
 
-/// The bytes of a JPEG file of `width` columns, rows from the top.
+/// Returns a JPEG file of `width` columns, rows from the top.
 inline std::string jpeg_file(std::span<const std::uint8_t> pixels, int width,
                              const JpegOptions& options = {}) {
   const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), &tjDestroy);

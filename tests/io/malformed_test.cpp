@@ -8,6 +8,7 @@
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
@@ -18,7 +19,7 @@ using ::testing::HasSubstr;
 struct Malformed {
   std::string name;  ///< of the file
   std::string content;
-  std::string place;    ///< behind the file's name
+  std::string place;    ///< after the file's name
   std::string message;  ///< a part of it
 
   friend void PrintTo(const Malformed& m, std::ostream* out) {
@@ -41,7 +42,7 @@ const std::array kMalformed{
     Malformed{"a.obj", "v 1 2 x3\n", ":1:", "expected a coordinate, found 'x3'"},
     Malformed{"a.obj", "\r\nv 1 2 3+e1\r\n", ":2:", "found '3+e1'"},
     Malformed{"a.obj", "\rv 1 2\r", ":2:", "expected a coordinate"},
-    Malformed{"a.obj", "v 1 2 3 4 5\n", ":1:", "expected x y z, x y z w or x y z r g b"},
+    Malformed{"a.obj", "v 1 2 3 4 5\n", ":1:", "x y z r g b or x y z w r g b"},
     Malformed{"a.obj", kTriangle + "f 1 2\n", ":4:", "at least 3 corners, but this one has 2"},
     Malformed{"a.obj", kTriangle + "f 1 2 4\n", ":4:", "vertex 4, but the file has 3"},
     Malformed{"a.obj", kTriangle + "f 0 1 2\n", ":4:", "vertex 0"},
@@ -62,7 +63,9 @@ const std::array kMalformed{
     Malformed{"a.off", "OFF\n1 1 0\n0 0 0\n2 0 0     \n", ":4:", "at least 3 corners"},
     Malformed{"a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n", ":4:", "face 0 names vertex 1"},
     Malformed{"a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", ":4:", "vertex -1"},
-    Malformed{"a.off", "OFF\n1 1 0\n0 0 0\n3 0 0    \n", ":4:", "expected a vertex number"},
+    Malformed{"a.off", "OFF\n1 2 0\n0 0 0\n3 0 0\n3 0 0 0\n", ":4:", "expected a vertex number"},
+    Malformed{"a.off", "OFF\n1 1 0\n0 0 0\n3 0 0    \n",
+              ":2:", "1 faces, but the file ends after 0"},
     Malformed{"a.off", "COFF\n1 0 0\n0 0 0 1 1\n", ":3:", "colour of 3 or 4 numbers"},
     Malformed{"a.off", "OFF\n2 0 0\n0 0 0      \n", ":4:", "found the end of the file"},
     Malformed{"a.ply", "plx\n", ":1:", "expected 'ply'"},
@@ -76,20 +79,26 @@ const std::array kMalformed{
     Malformed{"a.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n",
               ":3:", "x, y and z"},
     Malformed{"a.ply", "ply\nformat ascii 1.0\nend_header\n", ":3:", "element 'vertex'"},
+    Malformed{"a.ply",
+              "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+              "property float z\nelement tristrips 0\nproperty int vertex_indices\nend_header\n",
+              ":7:", "'list int int vertex_indices' in 'tristrips'"},
     Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0\n1 1 1\n3 0 1 2\n", ":11:", "end of the line"},
     Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0 0 5\n1 1 1\n3 0 1 2\n", ":11:", "found '5'"},
     Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0 0\n1 1 1\n3 0 1 3\n", ":13:", "vertex 3"},
     Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0 0\n1 1 1\n2 0 1\n", ":13:", "at least 3 corners"},
     Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0 0\n1 1 1\n-3 0 1\n", ":13:", "-3 entries"},
-    Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0 0\n1 1 1\n70000 0 1\n", ":13:", "70000 entries"},
+    Malformed{"a.ply", kPlyVertices + "0 0 0\n0 0 0\n1 1 1\n70000 0 1\n0\n",
+              ":13:", "70000 entries"},
     Malformed{"a.ply", kPlyVertices + "0 0 0\n", ":3:", "promises 3 'vertex' records"},
     Malformed{"a.ply", kBinaryPly + std::string("\3\0\0\0\0\0\0\0\0\0", 10), kFirstByte,
-              "3 entries"},
-    Malformed{"a.ply", kBinaryPly + "\x7F\x7F\x7F\x7F", kFirstByte, "2139062143 entries"},
+              "1 faces, but the file ends after 0"},
+    Malformed{"a.ply", kBinaryPly + "\x7F\x7F\x7F\x7F" + std::string(12, '\0'), kFirstByte,
+              "2139062143 entries"},
     Malformed{"a.ply", kBinaryPly + std::string("\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 16),
               kFirstIndex, "face 0 names vertex 0"},
-    Malformed{"a.stl", "solid a\nfacet normal 0 0\n", ":2:", "expected a coordinate"},
-    Malformed{"a.stl", "solid a\nfacet normal 0 0 1\nouter lop\n",
+    Malformed{"a.stl", "solid a\nfacet normal 0 0\nendfacet\n", ":2:", "expected a coordinate"},
+    Malformed{"a.stl", "solid a\nfacet normal 0 0 1\nouter lop\nendfacet\n",
               ":3:", "expected loop, found 'lop'"},
     Malformed{"a.stl", "solid a\nfact\n", ":2:", "expected 'facet' or 'endsolid', found 'fact'"},
     Malformed{"a.stl", "solid a\n", ":2:", "found the end of the file"},
@@ -103,36 +112,22 @@ class MalformedFile : public ::testing::TestWithParam<Malformed> {};
 TEST_P(MalformedFile, IsRefusedWithThePlaceAndTheExpectation) {
   const TemporaryFolder folder;
   const auto path = folder.file(GetParam().name, GetParam().content);
-  try {
-    read_mesh(path);
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                AllOf(HasSubstr(path.string() + GetParam().place), HasSubstr(GetParam().message),
-                      HasSubstr("export the file again")));
-  }
+  EXPECT_THAT(error_message<InputError>([&] { read_mesh(path); }),
+              AllOf(HasSubstr(path.string() + GetParam().place), HasSubstr(GetParam().message),
+                    HasSubstr("export the file again")));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MalformedFile, ::testing::ValuesIn(kMalformed));
 
 TEST(MalformedFile, UnknownExtensionNamesTheKnownOnes) {
-  try {
-    read_mesh("mesh.fbx");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                AllOf(HasSubstr("mesh.fbx"), HasSubstr(".obj, .off, .ply, .stl, .gltf or .glb")));
-  }
+  EXPECT_THAT(error_message<InputError>([&] { read_mesh("mesh.fbx"); }),
+              AllOf(HasSubstr("mesh.fbx"), HasSubstr(".obj, .off, .ply, .stl, .gltf or .glb")));
 }
 
 TEST(MalformedFile, MissingFileGivesTheSystemsReason) {
   const TemporaryFolder folder;
-  try {
-    read_mesh(folder / "none.obj");
-    FAIL() << "accepted";
-  } catch (const IoError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("none.obj"), HasSubstr("No such file")));
-  }
+  EXPECT_THAT(error_message<IoError>([&] { read_mesh(folder / "none.obj"); }),
+              AllOf(HasSubstr("none.obj"), HasSubstr("No such file")));
 }
 
 }  // namespace

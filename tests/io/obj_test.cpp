@@ -78,6 +78,32 @@ TEST_F(Obj, VertexColoursAreInUnitRangeWhateverTheFileUses) {
             Eigen::Vector4f(0, 0.2F, 1, 1));
 }
 
+TEST_F(Obj, VertexColoursMayFollowAWeightOrHaveAnOpacity) {
+  const auto colors = [&](std::string_view text) { return read(text).attributes().vertex_colors; };
+  EXPECT_THAT(colors("v 0 0 0 1 0.5 0.25 0\nv 1 0 0 1 0 0 1\nv 2 0 0\nv 3 0 0 0 1 0\n"),
+              ElementsAre(Eigen::Vector4f(0.5F, 0.25F, 0, 1), Eigen::Vector4f(0, 0, 1, 1),
+                          Eigen::Vector4f::Ones(), Eigen::Vector4f(0, 1, 0, 1)));
+  EXPECT_THAT(colors("v 0 0 0 1 255 51 0\n"), ElementsAre(Eigen::Vector4f(1, 0.2F, 0, 1)));
+  EXPECT_THAT(colors("v 0 0 0 1 0.5 0.25 1\nv 1 0 0 0.5 0 0 0.75\n"),
+              ElementsAre(Eigen::Vector4f(1, 0.5F, 0.25F, 1), Eigen::Vector4f(0.5F, 0, 0, 0.75F)));
+}
+
+TEST_F(Obj, ColoursOfZBrushAreReadInTheOrderOfTheVertices) {
+  const Mesh mesh = read(
+      "# made by ZBrush\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n#MRGB ffff0000FF00FF00\r\n"
+      "#MRGB 000033ff\n#MRGB is no colour\nf 1 2 3\n");
+  EXPECT_THAT(mesh.attributes().vertex_colors,
+              ElementsAre(Eigen::Vector4f(1, 0, 0, 1), Eigen::Vector4f(0, 1, 0, 1),
+                          Eigen::Vector4f(0, 0.2F, 1, 1), Eigen::Vector4f::Ones()));
+  EXPECT_THAT(mesh.attributes().comments, ElementsAre("made by ZBrush", "MRGB is no colour"));
+  EXPECT_THAT(mesh.attributes().uneditable, ElementsAre("masked vertices (1)"));
+  EXPECT_THAT(read("v 0 0 0\n#MRGB ff0000ffff000000\n").attributes().uneditable,
+              ElementsAre("colours (#MRGB) of vertices that do not exist (1)"));
+  // Numbers behind the positions are more precise.
+  EXPECT_THAT(read("v 0 0 0 0.25 0.5 1\n#MRGB ff4080ff\n").attributes().vertex_colors,
+              ElementsAre(Eigen::Vector4f(0.25F, 0.5F, 1, 1)));
+}
+
 TEST_F(Obj, GroupsAndMaterialsHoldForTheFacesThatFollow) {
   const Mesh mesh = read(
       "mtllib my colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng left arm\nusemtl a\nf 1 2 3\n"
@@ -90,10 +116,10 @@ TEST_F(Obj, GroupsAndMaterialsHoldForTheFacesThatFollow) {
 }
 
 TEST_F(Obj, WhatCannotBeEditedIsCounted) {
-  const Mesh mesh = read("o ball\nv 0 0 0 2\nv 1 0 0\nl 1 2\np 1\ns 1\ncurv 0 1 1 2\n");
+  const Mesh mesh = read("v 0 0 0 2\nv 1 0 0\nl 1 2\np 1\ns 1\ncurv 0 1 1 2\n");
   EXPECT_THAT(mesh.attributes().uneditable,
-              ElementsAre("line elements (1)", "object names (1)", "other statements (1)",
-                          "point elements (1)", "smoothing groups (1)", "vertex weights (1)"));
+              ElementsAre("line elements (1)", "other statements (1)", "point elements (1)",
+                          "smoothing groups (1)", "vertex weights (1)"));
 }
 
 TEST_F(Obj, MissingMaterialLibraryIsNoted) {

@@ -36,6 +36,26 @@ TEST(Off, PrefixesSayWhatAVertexHolds) {
   EXPECT_EQ(mesh.attributes().uvs[0], Eigen::Vector2d(0.25, 0.75));
 }
 
+TEST(Off, VertexColoursNeedNotBeDeclared) {
+  const auto attributes = [](const std::string& first, const std::string& second) {
+    return read_off_text("OFF\n2 0 0\n0 0 0 " + first + "\n1 0 0 " + second + "\n").attributes();
+  };
+  EXPECT_THAT(attributes("255 0 51 255", "0 255 0 0").vertex_colors,
+              ElementsAre(Eigen::Vector4f(1, 0, 0.2F, 1), Eigen::Vector4f(0, 1, 0, 0)));
+  EXPECT_THAT(attributes("255 0 51", "0 255 0").vertex_colors,
+              ElementsAre(Eigen::Vector4f(1, 0, 0.2F, 1), Eigen::Vector4f(0, 1, 0, 1)));
+  EXPECT_THAT(attributes("0.5 0.5 0.25", "1 0 0").vertex_colors,
+              ElementsAre(Eigen::Vector4f(0.5F, 0.5F, 0.25F, 1), Eigen::Vector4f(1, 0, 0, 1)));
+  // Normals, a vertex without numbers, and too few of them.
+  for (const auto& [first, second] : {std::pair("0 0 1", "0.6 0.8 0"), std::pair("0 -5 0", "1 5 1"),
+                                      std::pair("255 0 0", ""), std::pair("0.5 0.5", "1 0")}) {
+    const MeshAttributes other = attributes(first, second);
+    EXPECT_TRUE(other.vertex_colors.empty()) << first;
+    EXPECT_THAT(other.uneditable, ElementsAre(::testing::StartsWith(
+                                      "vertices with numbers that the header does not declare")));
+  }
+}
+
 TEST(Off, FaceColoursMayBeMissingOnSomeFaces) {
   const Mesh mesh =
       read_off_text("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 # none\n3 0 1 2 0 1 0.5\n3 0 1 2\n");

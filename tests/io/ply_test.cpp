@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 Mesh read_ply_text(std::string_view text) {
   const TemporaryFolder folder;
@@ -39,6 +42,14 @@ TEST(Ply, EveryPropertyFindsItsPlace) {
   EXPECT_THAT(a.uneditable, ElementsAre("'edge' elements (2)", "'weights' lists (3)"));
 }
 
+TEST(Ply, ColoursMayBeFloatsWithAnOpacity) {
+  const Mesh mesh = read_ply_text(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
+      "property float alpha\nend_header\n0 0 0 1 0 0.2 0.5\n");
+  EXPECT_THAT(mesh.attributes().vertex_colors, ElementsAre(Eigen::Vector4f(1, 0, 0.2F, 0.5F)));
+}
+
 TEST(Ply, TextureCoordinatesPerCornerAreRead) {
   const Mesh mesh = read_ply_text(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -47,6 +58,77 @@ TEST(Ply, TextureCoordinatesPerCornerAreRead) {
       "3 0 1 2 6 0 0 1 0 0 1\n3 2 1 0 0\n");
   EXPECT_EQ(mesh.attributes().uvs[1], Eigen::Vector2d(1, 0));
   EXPECT_THAT(mesh.attributes().corner_uvs, ElementsAre(0, 1, 2, kNoIndex, kNoIndex, kNoIndex));
+}
+
+// Five vertices and `count` records of strips.
+std::string strips_of(const std::string& count, const std::string& strips) {
+  return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+         "property float z\nelement tristrips " +
+         count +
+         "\nproperty list int int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n" +
+         strips;
+}
+
+TEST(Ply, EverySecondTriangleOfAStripRunsTheOtherWay) {
+  const Mesh mesh = read_ply_text(strips_of("1", "6 0 1 2 3 4 -1\n"));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2, 1, 3, 2, 2, 3, 4));
+  EXPECT_THAT(mesh.face_starts(), ElementsAre(0, 3, 6, 9));
+  EXPECT_THAT(mesh.attributes().uneditable, ElementsAre()) << "all of it is edited";
+}
+
+TEST(Ply, StripsEndAtMinusOneAndAtTheEndOfTheirRecord) {
+  const Mesh mesh = read_ply_text(strips_of("3", "8 -1 0 1 2 -1 1 3 2\n2 0 1\n4 3 4 2 -1\n"));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2, 1, 3, 2, 3, 4, 2));
+}
+
+TEST(Ply, RepeatedVerticesJoinStripsWithoutATriangle) {
+  const Mesh mesh = read_ply_text(strips_of("1", "8 0 1 2 2 1 1 3 4\n"));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2, 1, 4, 3))
+      << "triangles without area count, too";
+}
+
+TEST(Ply, StripsAddTrianglesToTheFaces) {
+  const Mesh both = read_ply_text(
+      "ply\nformat ascii 1.0\nelement tristrips 1\nproperty float cost\n"
+      "property list int int vertex_index\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int label\n"
+      "property list uchar float texcoord\nend_header\n"
+      "0.5 3 1 3 2\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 255 0 0 7 6 0 0 1 0 0 1\n");
+  EXPECT_THAT(both.face_vertices(), ElementsAre(0, 1, 2, 1, 3, 2));
+  EXPECT_THAT(both.attributes().face_colors,
+              ElementsAre(Eigen::Vector4f(1, 0, 0, 1), Eigen::Vector4f(1, 1, 1, 1)));
+  EXPECT_THAT(both.attributes().face_extras.at(0).values, ElementsAre(7, 0));
+  EXPECT_THAT(both.attributes().corner_uvs, ElementsAre(0, 1, 2, kNoIndex, kNoIndex, kNoIndex));
+  EXPECT_THAT(both.attributes().uneditable, ElementsAre("'cost' of triangle strips (1)"));
+}
+
+TEST(Ply, AVertexOfAStripThatTheFileDoesNotHaveIsNamed) {
+  EXPECT_THAT(
+      error_message<InputError>([] { read_ply_text(strips_of("2", "3 0 1 2\n4 0 1 2 5\n")); }),
+      HasSubstr("a.ply:16: a triangle strip names vertex 5, but the file has 5"));
+}
+
+TEST(Ply, StripsStayWhenAVertexMoves) {
+  const TemporaryFolder folder;
+  const std::string text = strips_of("1", "6 0 1 2 3 4 -1\n");
+  Mesh mesh = read_mesh(folder.file("a.ply", text));
+  mesh.positions[4] = {0.0, 3.0, 0.0};
+  write_mesh(mesh, folder / "b.ply");
+  std::string moved = text;
+  moved.replace(moved.find("0 2 0\n"), 6, "0 3 0\n");
+  EXPECT_EQ(content_of(folder / "b.ply"), moved);
+}
+
+TEST(Ply, StripsOfUnsignedNumbersEndAtTheLargest) {
+  using std::string_literals::operator""s;
+  const Mesh mesh = read_ply_text(
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\n"
+      "property uchar y\nproperty uchar z\nelement tristrips 1\n"
+      "property list uchar uint vertex_indices\nend_header\n"
+      "\0\0\0\1\0\0\0\1\0\5\0\0\0\0\1\0\0\0\2\0\0\0\xFF\xFF\xFF\xFF\1\0\0\0"s);
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2));
 }
 
 TEST(Ply, FacesMayComeBeforeVertices) {

@@ -54,7 +54,7 @@ inline Mesh rich_mesh() {
   return mesh;
 }
 
-/// Values per corner: what a mesh says whatever the order of its vertices.
+/// Returns values per corner, which do not depend on the order of the vertices.
 template <class Value>
 std::vector<Value> at_corners(const std::vector<Value>& values, const std::vector<Index>& corners) {
   std::vector<Value> result;

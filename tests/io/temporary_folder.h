@@ -11,7 +11,7 @@
 
 namespace lapwing {
 
-/// A folder of its own for a test, removed at the end.
+/// A new folder, which the destructor removes.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -25,14 +25,14 @@ class AssembleRsi : public test::KernelTest {
   }
 };
 
-// Largest absolute entry of a row's blocks, at least the 1 of the Laplacian itself.
+// Returns the largest absolute entry of a row's blocks, but at least the 1 of the Laplacian.
 double row_size(std::span<const double> row) {
   double size = 1.0;
   for (const double entry : row) size = std::max(size, std::abs(entry));
   return size;
 }
 
-// Largest difference between two results, each row measured against its own largest entry.
+// Returns the largest difference of two results, relative to the largest entry of each row.
 double relative_difference(const RingProblem& problem, std::span<const double> a,
                            std::span<const double> b) {
   const auto starts = rsi_block_starts(problem);
@@ -47,7 +47,7 @@ double relative_difference(const RingProblem& problem, std::span<const double> a
   return worst;
 }
 
-// The row of vertex i from eq. 10 as it stands: seven unknowns (s, h, t), A pseudo-inverted.
+// Returns the row of vertex i by eq. 10, with the pseudo-inverse of A for its seven unknowns.
 MatrixXd row_by_pseudo_inverse(const Sample& sample, Index i) {
   const auto ring = sample.topology.rings[i];
   const auto& v = sample.mesh.positions;
@@ -145,7 +145,7 @@ TEST_P(AssembleRsi, RowsComeInTheOrderAskedFor) {
   }
 }
 
-// More rows than one submission to a device takes.
+// These are more rows than one submission to a device.
 TEST_P(AssembleRsi, ManyRowsAgreeWithTheCpuTwin) {
   const Sample sample("sphere", test::rough_sphere(6, 0.005, 6));
   const RingProblem problem = sample.problem();

@@ -43,8 +43,7 @@ class AssembleTangent : public test::KernelTest {
   }
 };
 
-// Of what the blocks do, which the sign and turn of a Cholesky factor do not change: G'G row by
-// row, each against its own size.
+// Compares G'G row by row, because it does not depend on the choice of the factor F.
 TEST_P(AssembleTangent, AgreesWithTheCpuTwin) {
   CpuKernels cpu;
   for (const Sample& sample : test::awkward_meshes()) {
@@ -66,7 +65,7 @@ TEST_P(AssembleTangent, AgreesWithTheCpuTwin) {
   }
 }
 
-// |G_i u|^2 = a_i' K_i^-1 a_i, for rings on a line with the pseudo-inverse.
+// |G_i u|^2 = a_i' K_i^-1 a_i, with the pseudo-inverse for rings on a line.
 TEST_P(AssembleTangent, RowsTakeAwayWhatTurningTheRingSaves) {
   std::mt19937 generator(6);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -95,7 +94,7 @@ TEST_P(AssembleTangent, RowsTakeAwayWhatTurningTheRingSaves) {
       }
       Matrix3d C = om * delta * delta.transpose();
       Vector3d a = om * delta.cross(moved);
-      double held = om * moved.squaredNorm();  // the energy with the rotation held
+      double held = om * moved.squaredNorm();  // the energy at fixed rotations
       for (std::size_t n = 0; n < ring.size(); ++n) {
         const Vector3d e = v[i] - v[ring[n]];
         const Vector3d difference = u[i] - u[ring[n]];
@@ -123,7 +122,7 @@ TEST_P(AssembleTangent, RepeatsBitForBit) {
 
 LAPWING_ON_ALL_TWINS(AssembleTangent);
 
-// The tangent of a whole sphere, dense.
+// The tangent of a whole sphere, as a dense matrix.
 class TangentOfASphere : public ::testing::Test {
  protected:
   TangentOfASphere() {
@@ -174,7 +173,7 @@ TEST_F(TangentOfASphere, IsPositiveSemidefiniteAndKnowsRigidMotionsAlone) {
   }
 }
 
-// Rotations follow: what settling sees of a small displacement is what the tangent says of it.
+// For a small displacement, the tangent equals the energy at optimal rotations.
 TEST_F(TangentOfASphere, IsTheEnergyToSecondOrder) {
   CpuKernels kernels;
   const auto rotations = kernels.make_ring_rotations(std::make_shared<RegionRings>(rings_));

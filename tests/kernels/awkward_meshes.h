@@ -9,7 +9,7 @@
 
 namespace lapwing::test {
 
-/// A mesh with what the kernels take of it.
+/// A mesh with the input of the kernels.
 struct Sample {
   Sample(std::string sample_name, Mesh sample_mesh);
 
@@ -22,11 +22,11 @@ struct Sample {
   std::vector<Index> vertices;  ///< all
 };
 
-/// Sizes and shapes at which loops and formulas break: no vertex, a loose vertex, rings on a line
-/// or in a point, boundaries, a fan of 40, far from the origin, very small and very large. Seeded.
+/// Returns meshes at which loops and formulas break: no vertex, a loose vertex, rings on a line or
+/// in a point, boundaries, a fan of 40, far from the origin, very small, very large.
 std::vector<Sample> awkward_meshes();
 
-/// An icosphere whose vertices were moved at random by up to `amount`.
+/// Returns an icosphere whose vertices are moved at random by up to `amount` along each axis.
 Mesh rough_sphere(int subdivisions, double amount, unsigned seed);
 
 }  // namespace lapwing::test

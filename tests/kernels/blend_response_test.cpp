@@ -54,7 +54,7 @@ class BlendResponseKernel : public test::KernelTest {
 
 TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
   for (const Sample& sample : test::awkward_meshes()) {
-    // Numbers of columns around the groups of four that devices read.
+    // Devices read columns in groups of four.
     for (const std::size_t columns : {0U, 1U, 4U, 5U, 12U, 13U}) {
       const Drag drag(sample, columns, 11);
       auto expected = expected_of(drag);
@@ -131,7 +131,7 @@ TEST_P(BlendResponseKernel, RepeatsBitForBit) {
 
 LAPWING_ON_ALL_TWINS(BlendResponseKernel);
 
-// A blend with at most so many bytes of columns in a buffer.
+// Blends with at most `most_bytes` bytes of columns in each buffer.
 class BlendResponseBuffers : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -174,7 +174,7 @@ TEST_F(BlendResponseBuffers, AreBlendedOnTheHostAsByTheShader) {
     const std::vector<float> expected = blend(most_bytes, false);
     const std::vector<float> values = blend(most_bytes, true);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i % 4 == 3) continue;  // w, which only the surface's own positions set
+      if (i % 4 == 3) continue;  // only Surface sets w
       EXPECT_NEAR(values[i], expected[i], 2e-5) << "number " << i;
     }
   }

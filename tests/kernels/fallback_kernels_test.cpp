@@ -1,5 +1,7 @@
 #include "lapwing/kernels/fallback_kernels.h"
 
+#include <tuple>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,13 +9,14 @@
 #include "kernels/turned_rings.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/kernels/timed_kernels.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
 
-// The calls to a device until it fails; every one of them after that does.
+// Counts the calls to a device until it fails. All later calls fail, too.
 struct Life {
   long calls_left = 0;
 
@@ -93,7 +96,7 @@ FallbackKernels lives_for(long calls) {
   return FallbackKernels([calls] { return std::make_unique<MortalKernels>(calls); });
 }
 
-// What settling asks for, twice over: energies, gradients and transforms.
+// Returns all results that settling needs, for two displacements.
 std::vector<double> turn(Kernels& on, const test::TurnedRings& turned) {
   const std::size_t rows = turned.rings.row_count();
   const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
@@ -159,6 +162,26 @@ TEST(FallbackKernels, ADeviceThatCannotBeMadeIsTheCpuFromTheStart) {
   FallbackKernels kernels([]() -> std::unique_ptr<Kernels> { throw GpuError("no memory"); });
   EXPECT_EQ(kernels.device().name, "CPU");
   EXPECT_THAT(kernels.device().took_over, ::testing::HasSubstr("no memory"));
+}
+
+TEST(TimedKernels, CountEachKernelOnTheDeviceWhereItRan) {
+  const test::Sample sample = test::awkward_meshes().back();
+  const test::TurnedRings turned = test::turned_rings(sample, 40.0, 0.1, 0.3, 5);
+  CpuKernels cpu;
+  const std::vector<double> expected = turn(cpu, turned);
+  // The device makes the rotations, sets their stretch, fits and evaluates once, and then fails.
+  FallbackKernels kernels = lives_for(4);
+  TimedKernels timed(kernels);
+  EXPECT_EQ(turn(timed, turned), expected);
+  std::vector<std::tuple<std::string, std::string, std::size_t>> uses;
+  for (const KernelTime& time : timed.times()) {
+    uses.emplace_back(time.kernel, time.device, time.calls);
+    EXPECT_GE(time.milliseconds, 0.0);
+  }
+  EXPECT_THAT(uses, ::testing::ElementsAre(std::tuple("fit_rotations", "mortal", 1U),
+                                           std::tuple("energy_gradient", "mortal", 1U),
+                                           std::tuple("fit_rotations", "CPU", 1U),
+                                           std::tuple("energy_gradient", "CPU", 1U)));
 }
 
 }  // namespace

@@ -16,37 +16,25 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::fit;
+using test::Fitted;
 using test::Sample;
 using test::TurnedRings;
 
-struct Fitted {
-  std::vector<Matrix3d> transforms;
-  std::vector<double> energies;
-};
-
 class FitRotations : public test::KernelTest {
  protected:
-  static Fitted fit(Kernels& on, const TurnedRings& turned,
-                    std::span<const Matrix3d> stretch = {}) {
-    const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
-    rotations->set_rest_stretch(stretch);
-    Fitted fitted;
-    fitted.energies.resize(turned.rings.row_count());
-    rotations->fit_rotations(turned.displacement, fitted.energies);
-    fitted.transforms = rotations->transforms();
-    return fitted;
-  }
   double tolerance() const { return 10.0 * GetParam().tolerance; }
 };
 
-// How firmly a moment holds its rotation, 0 to 1: sigma_2 + sigma_3 with its sign, over sigma_1.
+// Returns how well a moment determines its rotation, from 0 to 1: sigma_2 + sigma_3, with its sign,
+// over sigma_1.
 double firmness(const Matrix3d& H) {
   const Vector3d sigma = Eigen::JacobiSVD<Matrix3d>(H).singularValues();
   if (!(sigma[0] > 0.0)) return 0.0;
   return (sigma[1] + (H.determinant() < 0.0 ? -sigma[2] : sigma[2])) / sigma[0];
 }
 
-// What row r adds to the energy if T is its transform.
+// Returns the energy of row r for the transform T.
 double energy_of(const TurnedRings& turned, std::size_t r, const Matrix3d& T) {
   const RegionRings& rings = turned.rings;
   double energy = rings.row_weights[r] *
@@ -58,7 +46,7 @@ double energy_of(const TurnedRings& turned, std::size_t r, const Matrix3d& T) {
   return energy;
 }
 
-// What rounding of the row's energy is relative to: its terms before they cancel.
+// Returns the terms of the row's energy before they cancel. Rounding is relative to these.
 double energy_scale(const TurnedRings& turned, std::size_t r, double scale) {
   const RegionRings& rings = turned.rings;
   const double laplacian =
@@ -72,7 +60,6 @@ double energy_scale(const TurnedRings& turned, std::size_t r, double scale) {
   return sum;
 }
 
-// What any motion makes of any ring: a rotation that no other one beats.
 TEST_P(FitRotations, AreProperAndTheBestThereAre) {
   for (const Sample& sample : test::awkward_meshes()) {
     for (const double noise : {0.0, 0.3, 3.0}) {
@@ -96,8 +83,8 @@ TEST_P(FitRotations, AreProperAndTheBestThereAre) {
   }
 }
 
-// Rings that are nearly lines: two eigenvalues of Horn's matrix come close, and Newton's method
-// needs a step for every halving of the way to them.
+// If rings are nearly lines, two eigenvalues of Horn's matrix are close, and each step of Newton's
+// method only halves the distance to them.
 TEST_P(FitRotations, AreTheBestForThinRings) {
   for (const double thickness : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     Mesh mesh = test::rough_sphere(2, 0.2, 22);
@@ -127,7 +114,7 @@ TEST_P(FitRotations, FindTheRotationOfARigidMotionAndLeaveNoEnergy) {
         for (std::size_t e = turned.rings.starts[r]; e < turned.rings.starts[r + 1]; ++e) {
           size += turned.rings.edges[e].squaredNorm();
         }
-        // Far from the origin the displacement itself is rounded.
+        // Far from the origin, the displacement itself is rounded.
         const double rounding = 1e-22 * bounds_of(sample.mesh.positions).max.squaredNorm();
         EXPECT_LE(fitted.energies[r], tolerance() * tolerance() * size + rounding)
             << sample.name << " row " << r;
@@ -174,7 +161,7 @@ TEST_P(FitRotations, SlightlyTurnedOnesLeaveNoLessEnergy) {
   }
 }
 
-// The least energy is one number, even where several rotations have it.
+// The least energy is unique, even if several rotations have it.
 TEST_P(FitRotations, LeaveTheEnergyThatTheCpuTwinFinds) {
   CpuKernels cpu;
   for (const Sample& sample : test::awkward_meshes()) {
@@ -189,20 +176,6 @@ TEST_P(FitRotations, LeaveTheEnergyThatTheCpuTwinFinds) {
             << sample.name << " row " << r << " mu " << mu;
       }
     }
-  }
-}
-
-TEST_P(FitRotations, ASimilarityOfThatScaleLeavesNoEnergy) {
-  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 5));
-  TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.5, 6);
-  for (std::size_t v = 0; v < turned.displacement.size(); ++v) {
-    turned.displacement[v] = 1.5 * sample.mesh.positions[turned.rings.vertices[v]];
-  }
-  const std::vector<Matrix3d> stretch(turned.rings.row_count(), 2.5 * Matrix3d::Identity());
-  const Fitted fitted = fit(*kernels, turned, stretch);
-  for (std::size_t r = 0; r < stretch.size(); ++r) {
-    EXPECT_LE((fitted.transforms[r] - 2.5 * Matrix3d::Identity()).norm(), 10.0 * tolerance());
-    EXPECT_LE(fitted.energies[r], tolerance() * tolerance());
   }
 }
 
@@ -224,12 +197,8 @@ TEST(FitRotationsInRanges, GiveTheSameBits) {
   const auto state = std::make_shared<VulkanState>(std::make_shared<gpu::Context>(), false);
   const auto run = [&](std::size_t most_entries) {
     VulkanRingRotations rotations(state, turned.rings, most_entries);
-    std::vector<double> numbers(turned.rings.row_count());
-    rotations.fit_rotations(turned.displacement, numbers);
-    std::vector<double> b(3 * turned.rings.unknown_rows.size());
-    rotations.energy_gradient(b);
-    numbers.insert(numbers.end(), b.begin(), b.end());
-    return numbers;
+    const Fitted fitted = fit(rotations, turned);
+    return std::pair(fitted.energies, fitted.gradient);
   };
   EXPECT_EQ(run(0), run(500));
   EXPECT_EQ(run(0), run(1));

@@ -16,20 +16,6 @@ namespace {
 using test::Sample;
 using test::TurnedRings;
 
-struct RingResults {
-  std::vector<double> energies;
-  std::vector<double> gradient;
-};
-
-RingResults results_by(InstructionSet set, const TurnedRings& turned) {
-  CpuRingRotations rotations(std::make_shared<RegionRings>(turned.rings), set);
-  RingResults results{std::vector<double>(turned.rings.row_count()),
-                      std::vector<double>(3 * turned.rings.unknown_rows.size())};
-  rotations.fit_rotations(turned.displacement, results.energies);
-  rotations.energy_gradient(results.gradient);
-  return results;
-}
-
 void expect_near(const std::vector<double>& actual, const std::vector<double>& expected) {
   double largest = 0.0;
   for (const double x : expected) largest = std::max(largest, std::abs(x));
@@ -38,14 +24,18 @@ void expect_near(const std::vector<double>& actual, const std::vector<double>& e
   }
 }
 
-// The fastest set is what all other tests of the kernels run by.
+// All other tests of the kernels use the fastest set.
 TEST(RingLoops, EveryInstructionSetLeavesTheEnergyAndGradientOfTheFastest) {
   const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 31));
   const TurnedRings turned = test::turned_rings(sample, 70, 0.4, 0.5, 32);
-  const RingResults fastest = results_by(available_instruction_sets().front(), turned);
+  const auto fit_by = [&](InstructionSet set) {
+    CpuRingRotations rotations(std::make_shared<RegionRings>(turned.rings), set);
+    return test::fit(rotations, turned);
+  };
+  const test::Fitted fastest = fit_by(available_instruction_sets().front());
   for (const InstructionSet set : available_instruction_sets()) {
     SCOPED_TRACE(instruction_set_name(set));
-    const RingResults results = results_by(set, turned);
+    const test::Fitted results = fit_by(set);
     expect_near(results.energies, fastest.energies);
     expect_near(results.gradient, fastest.gradient);
   }

@@ -19,7 +19,7 @@ using test::MappedSample;
 using test::Sample;
 using Transforms = std::vector<Matrix3d>;
 
-/// A positions-and-normals pair that owns its numbers.
+/// A FramedSurface that owns its numbers.
 struct Surface {
   FramedSurface view() const { return {positions, normals}; }
   Positions positions;
@@ -43,7 +43,7 @@ Matrix3d some_turn() {
   return AngleAxisd(2.1, Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
 }
 
-// The target is the source turned, 1.7 times as large, and every vertex moved at random.
+// The target is the source, rotated, 1.7 times as large, and with every vertex moved at random.
 Frames frames_of(const Sample& sample, unsigned seed, unsigned every_nowhere) {
   Frames frames{
       test::shaken_map(sample, seed, every_nowhere), surface_of(sample, sample.mesh.positions), {}};
@@ -78,7 +78,7 @@ class RotateFrames : public test::KernelTest {
   }
 };
 
-// R of s R.
+// Returns R of s R.
 Matrix3d turn_in(const Matrix3d& T) {
   return T / std::cbrt(T.determinant());
 }
@@ -88,8 +88,8 @@ Vector3d source_normal(const Frames& frames, std::size_t row) {
 }
 
 struct EdgePair {
-  Vector3d a;  // of the mapped ring
-  Vector3d b;  // of the target's
+  Vector3d a;  // edge of the mapped ring
+  Vector3d b;  // edge of the target's ring
 };
 std::vector<EdgePair> edges_of(const Frames& frames, std::size_t row) {
   const auto& [mapped, source, target] = frames;
@@ -110,7 +110,7 @@ double projected_error(const std::vector<EdgePair>& edges, const Matrix3d& R, co
   return sum;
 }
 
-// One row whose neighbours lie at `a` on the source and at `b` on the target.
+// Returns one row whose neighbours lie at `a` on the source and at `b` on the target.
 Frames ring_frames(const std::vector<EdgePair>& edges, const Vector3d& source_normal,
                    const Vector3d& target_normal) {
   Frames frames;
@@ -205,8 +205,8 @@ TEST_P(RotateFrames, AgreeWithTheCpuTwinFarFromTheOrigin) {
   }
 }
 
-// The frame of section 5.1: the normal, the edge projected onto the tangent plane, and what is
-// across both.
+// The frame of section 5.1: the normal, the edge projected onto the tangent plane, and their cross
+// product.
 TEST_P(RotateFrames, AreThoseOfThePaperForOneMappedEdge) {
   const auto frame = [](const Vector3d& normal, const Vector3d& edge) {
     Matrix3d F;
@@ -308,7 +308,7 @@ TEST_P(RotateFrames, AreTheIdentityWhereARowLiesNowhere) {
   EXPECT_EQ(rotate(frames)[0], Matrix3d::Identity());
 }
 
-// More rings than one submission takes on a device.
+// These are more rings than one submission to a device.
 TEST_P(RotateFrames, OfManyRingsAreAsThoseOfFew) {
   const Sample sample("sphere", test::rough_sphere(6, 1e-3, 48));
   const Frames frames = frames_of(sample, 49, 100);

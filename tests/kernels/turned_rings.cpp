@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include <Eigen/Geometry>
@@ -81,17 +82,36 @@ TurnedRings turned_rings(const Sample& sample, double degrees, double noise, dou
   return result;
 }
 
-std::vector<Eigen::Matrix3d> different_stretches(std::size_t count) {
-  std::vector<Eigen::Matrix3d> all;
+std::vector<Matrix3d> different_stretches(std::size_t count) {
+  std::vector<Matrix3d> all;
   for (std::size_t r = 0; r < count; ++r) {
     const auto k = static_cast<double>(r);
-    const Eigen::Matrix3d axes =
-        Eigen::AngleAxisd(0.7 * k, Eigen::Vector3d(1.0, std::sin(k), 2.0).normalized())
-            .toRotationMatrix();
-    const Eigen::Vector3d stretches(0.5 + 0.3 * std::fmod(k, 5.0), 1.1, 0.8);
+    const Matrix3d axes =
+        Eigen::AngleAxisd(0.7 * k, Vector3d(1.0, std::sin(k), 2.0).normalized()).toRotationMatrix();
+    const Vector3d stretches(0.5 + 0.3 * std::fmod(k, 5.0), 1.1, 0.8);
     all.emplace_back(axes * stretches.asDiagonal() * axes.transpose());
   }
   return all;
+}
+
+double Fitted::energy() const {
+  return std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
+Fitted fit(RingRotations& rotations, const TurnedRings& turned, std::span<const Matrix3d> stretch) {
+  Fitted result;
+  result.energies.resize(turned.rings.row_count());
+  result.gradient.resize(3 * turned.rings.unknown_rows.size());
+  rotations.set_rest_stretch(stretch);
+  rotations.fit_rotations(turned.displacement, result.energies);
+  rotations.energy_gradient(result.gradient);
+  result.transforms = rotations.transforms();
+  return result;
+}
+
+Fitted fit(Kernels& kernels, const TurnedRings& turned, std::span<const Matrix3d> stretch) {
+  return fit(*kernels.make_ring_rotations(std::make_shared<RegionRings>(turned.rings)), turned,
+             stretch);
 }
 
 }  // namespace lapwing::test

@@ -36,8 +36,8 @@ TEST_P(VertexNormalsKernel, AgreesWithTheCpuTwin) {
     const auto expected = normals_on(nullptr, sample);
     const auto normals = at_rest(sample);
     ASSERT_EQ(normals.size(), expected.size());
-    // Positions that the device rounds to 2^-24 of the mesh turn a normal by that over the edges'
-    // length.
+    // The device rounds positions to 2^-24 of the mesh's size, which rotates a normal by that size
+    // over the edge length.
     const double tolerance = 100 * surface_tolerance();
     for (std::size_t i = 0; i < normals.size(); ++i) {
       EXPECT_LE((normals[i] - expected[i]).norm(), tolerance) << sample.name << " vertex " << i;
@@ -62,7 +62,7 @@ TEST_P(VertexNormalsKernel, AreZeroWhereThereIsNoArea) {
   EXPECT_THAT(normals, ::testing::Each(Vector3d(0, 0, 0)));
 }
 
-// A vertex that moves takes the normals of its neighbours along, and no others.
+// A moving vertex changes its normal and those of its neighbours only.
 TEST_P(VertexNormalsKernel, FollowAMovingVertex) {
   const Sample sample("grid", grid(6, 6));
   const std::vector<Index> moving{24};
@@ -86,7 +86,14 @@ TEST_P(VertexNormalsKernel, FollowAMovingVertex) {
 
 LAPWING_ON_ALL_TWINS(VertexNormalsKernel);
 
-// The triangles around vertex i that a fan list stands for, each from its smallest corner.
+// Returns the fans with one normal per vertex.
+Adjacency fans_of(const Topology& topology) {
+  const Positions anywhere(topology.vertex_count(), Vector3d::Zero());
+  return build_fans(topology.triangles, topology.vertex_triangles,
+                    split_normals(anywhere, topology, 180.0));
+}
+
+// Returns the triangles of the fans around vertex i, each from its smallest corner.
 std::vector<Triangle> triangles_of(const Adjacency& fans, Index i) {
   std::vector<Triangle> list;
   const auto corners = fans[i];
@@ -100,14 +107,14 @@ std::vector<Triangle> triangles_of(const Adjacency& fans, Index i) {
 }
 
 TEST(Fans, ListEveryTriangleOnceWithItsOrientation) {
-  // Two fans meet in vertex 0 (a bow tie), edge 0-1 has three triangles, one of them turned round.
+  // Two fans meet in vertex 0 (a bow tie), edge 0-1 has three triangles, one of them reversed.
   Mesh mesh;
   mesh.positions.assign(9, Vector3d::Zero());
   const std::vector<Triangle> faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4},
                                     {5, 6, 0}, {6, 7, 0}, {1, 0, 8}};
   for (const Triangle& face : faces) mesh.add_face(face);
   const Topology& topology = mesh.topology();
-  const Adjacency fans = build_fans(topology.triangles, topology.vertex_triangles);
+  const Adjacency fans = fans_of(topology);
   for (Index i = 0; i < 9; ++i) {
     std::vector<Triangle> expected;
     for (const Index t : topology.vertex_triangles[i]) {
@@ -121,7 +128,7 @@ TEST(Fans, ListEveryTriangleOnceWithItsOrientation) {
 
 TEST(Fans, ManifoldVertexHasOne) {
   const Topology sphere = build_topology(icosphere(1));
-  const Adjacency fans = build_fans(sphere.triangles, sphere.vertex_triangles);
+  const Adjacency fans = fans_of(sphere);
   for (Index i = 0; i < sphere.vertex_count(); ++i) {
     EXPECT_EQ(fans.size(i), sphere.vertex_triangles.size(i) + 1);
   }
@@ -129,8 +136,7 @@ TEST(Fans, ManifoldVertexHasOne) {
   corner.positions.assign(3, Vector3d::Zero());
   corner.add_face(std::array<Index, 3>{0, 1, 2});
   const Topology& triangle = corner.topology();
-  EXPECT_THAT(build_fans(triangle.triangles, triangle.vertex_triangles)[1],
-              ElementsAre(2 | kFanBegins, 0));
+  EXPECT_THAT(fans_of(triangle)[1], ElementsAre(2 | kFanBegins, 0));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace lapwing {
 namespace {
 
-// L'L of a sheet: only what W holds makes it regular.
+// L'L of a sheet is regular only with the constraints W.
 class HeldSheet : public ::testing::Test {
  protected:
   BlockMatrix normal_matrix(LaplacianWeights scheme = LaplacianWeights::uniform) const {
@@ -25,6 +25,13 @@ class HeldSheet : public ::testing::Test {
     return W;
   }
 
+  ConstrainedFactor prepared(BlockMatrix A) const {
+    ConstrainedFactor factor(pattern_, 1);
+    factor.analyze();
+    factor.set_matrix(std::move(A));
+    return factor;
+  }
+
   std::vector<double> solution(const ConstrainedFactor& factor) const {
     std::vector<double> x(mesh_.vertex_count());
     std::iota(x.begin(), x.end(), -50.0);
@@ -33,9 +40,7 @@ class HeldSheet : public ::testing::Test {
   }
 
   std::vector<double> solution_from_scratch(BlockMatrix A, std::span<const double> W) const {
-    ConstrainedFactor factor(pattern_, 1);
-    factor.analyze();
-    factor.set_matrix(std::move(A));
+    ConstrainedFactor factor = prepared(std::move(A));
     factor.factorize(W);
     return solution(factor);
   }
@@ -53,50 +58,42 @@ class HeldSheet : public ::testing::Test {
 };
 
 TEST_F(HeldSheet, OtherHoldsGiveTheBitsOfAFactorizationFromScratch) {
-  ConstrainedFactor factor(pattern_, 1);
-  factor.analyze();
-  factor.set_matrix(normal_matrix());
+  ConstrainedFactor factor = prepared(normal_matrix());
   factor.factorize(held(std::array<Index, 3>{0, 40, 1680}, 1.0));
   for (const double weight : {1.0, 0.3, 1.0}) {
     const auto W = held(std::array<Index, 4>{0, 40, 41, 900}, weight);
     factor.factorize(W);
-    EXPECT_TRUE(factor.holds(W));
+    EXPECT_TRUE(factor.is_factorized_for(W));
     EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(), W));
   }
 }
 
 TEST_F(HeldSheet, AnotherMatrixIsFactoredUnderTheSameHolds) {
-  ConstrainedFactor factor(pattern_, 1);
-  factor.analyze();
-  factor.set_matrix(normal_matrix());
+  ConstrainedFactor factor = prepared(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
   factor.factorize(W);
   factor.set_matrix(normal_matrix(LaplacianWeights::cotangent));
-  EXPECT_FALSE(factor.holds(W));
+  EXPECT_FALSE(factor.is_factorized_for(W));
   factor.factorize(W);
   EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(LaplacianWeights::cotangent), W));
 }
 
 TEST_F(HeldSheet, RefusedHoldsLeaveItReadyForOthers) {
-  ConstrainedFactor factor(pattern_, 1);
-  factor.analyze();
-  factor.set_matrix(normal_matrix());
+  ConstrainedFactor factor = prepared(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
   factor.factorize(W);
   const std::vector<double> nothing(W.size(), 0.0);
   EXPECT_THROW(factor.factorize(nothing), NotPositiveDefinite);
-  EXPECT_FALSE(factor.holds(nothing));
+  EXPECT_FALSE(factor.is_factorized_for(nothing));
   factor.factorize(W);
   EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(), W));
 }
 
 TEST_F(HeldSheet, CancelledFactorizationIsNotTakenForDone) {
-  ConstrainedFactor factor(pattern_, 1);
-  factor.analyze();
-  factor.set_matrix(normal_matrix());
+  ConstrainedFactor factor = prepared(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
   EXPECT_THROW(factor.factorize(W, [](std::string_view, double) { return false; }), Cancelled);
-  EXPECT_FALSE(factor.holds(W));
+  EXPECT_FALSE(factor.is_factorized_for(W));
   factor.factorize(W);
   EXPECT_EQ(solution(factor), solution_from_scratch(normal_matrix(), W));
 }

@@ -47,19 +47,19 @@ Energies energies_of(const Mesh& mesh, const Field& field) {
   return sum;
 }
 
-// Of a field whose Laplacian is not 0 on a sphere.
+// A field whose Laplacian on a sphere is not 0.
 Vector3d wave(const Vector3d& p) {
   return {std::sin(2.0 * p.x()), std::cos(2.0 * p.y()), 0.0};
 }
 
-// Both terms are integrals, over the same number for every mesh of the surface.
+// Both sums approximate integrals, in the same ratio for every mesh of the surface.
 TEST(EnergyWeights, RefiningTheMeshKeepsTheRatioOfRowsAndEdges) {
   const Energies coarse = energies_of(icosphere(3), wave);
   const Energies fine = energies_of(icosphere(4), wave);
   EXPECT_NEAR(coarse.rows / coarse.edges, fine.rows / fine.edges, 0.05 * fine.rows / fine.edges);
 }
 
-// What lies far from the region does not count, whatever its shape.
+// Vertices far from the region do not count.
 TEST(EnergyWeights, AreThoseOfTheRegionAlone) {
   Mesh mesh = icosphere(3);
   const Topology& topology = mesh.topology();
@@ -99,8 +99,8 @@ TEST(EnergyWeights, StiffnessIsTheSameFromBothEndsAndPositive) {
   }
 }
 
-// Of where the vertices of a sphere of radius R are: the gradients' squares sum to 2 per area,
-// those of the Laplacian, 2 / R along the normal, to 4 / R^2.
+// For the positions on a sphere of radius R, the squared gradients sum to 2 per area, and the
+// squared Laplacians, 2 / R along the normal, to 4 / R^2.
 TEST(EnergyWeights, TheLengthIsAShareOfTheRadius) {
   for (const double radius : {1.0, 5.0}) {
     Mesh mesh = icosphere(4);

@@ -1,3 +1,5 @@
+#include "lapwing/laplacian/normal_matrix.h"
+
 #include <numeric>
 #include <random>
 
@@ -6,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/shapes.h"
 

@@ -76,5 +76,15 @@ TEST(NearestRotation, OfNothingIsTheIdentity) {
   EXPECT_EQ(nearest_rotation(Matrix3d::Constant(std::nan(""))), Matrix3d::Identity());
 }
 
+TEST(PolarStretch, IsTheSymmetricFactorWithoutTheRotation) {
+  const Eigen::AngleAxisd tilt(0.4, Eigen::Vector3d(3.0, 1.0, 2.0).normalized());
+  const Eigen::Matrix3d P = tilt * Eigen::Vector3d(2.0, 0.5, 1.0).asDiagonal() * tilt.inverse();
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(2.2, Eigen::Vector3d(1.0, 0.0, 1.0).normalized()).matrix();
+  EXPECT_LT((polar_stretch(R * P) - P).norm(), 1e-12);
+  EXPECT_LT((polar_stretch(-P) - P).norm(), 1e-12) << "of a mirror image";
+  EXPECT_GE(polar_stretch(Eigen::Matrix3d::Zero()).diagonal().minCoeff(), kLeastStretch);
+}
+
 }  // namespace
 }  // namespace lapwing

@@ -6,9 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/deform/deform.h"
+#include "lapwing/mesh/matrices.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/topology.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
@@ -99,6 +102,24 @@ TEST(MeshSharing, ResultOfADeformationSharesAllButItsPositions) {
   EXPECT_NE(raised.mesh.positions, mesh.positions);
   EXPECT_TRUE(raised.mesh.shares_faces_with(mesh));
   EXPECT_EQ(&raised.mesh.attributes(), &mesh.attributes());
+}
+
+TEST(Matrices, GiveTheMeshBack) {
+  const Mesh mesh = icosphere(2);
+  const Mesh again = mesh_of(vertex_matrix(mesh), triangle_matrix(mesh));
+  EXPECT_EQ(again.positions, mesh.positions);
+  EXPECT_EQ(again.face_vertices(), mesh.face_vertices());
+}
+
+TEST(Matrices, RefuseAVertexThatIsNotThere) {
+  const Mesh mesh = grid(1, 1);
+  Eigen::MatrixX3i F = triangle_matrix(mesh);
+  for (const int wrong : {-1, 4}) {
+    F(1, 2) = wrong;
+    EXPECT_THAT(
+        error_message<InputError>([&] { mesh_of(vertex_matrix(mesh), F); }),
+        ::testing::HasSubstr("row 1 has vertex " + std::to_string(wrong) + ", but V has 4 rows"));
+  }
 }
 
 }  // namespace

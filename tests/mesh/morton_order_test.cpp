@@ -11,8 +11,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-// The corners of a cube, each twice: those of one corner follow each other, and x changes sooner
-// than y, y sooner than z.
+// The corners of a cube, each twice. Equal corners follow each other. x changes fastest, z slowest.
 TEST(OrderInSpace, GoesAlongXThenYThenZ) {
   std::vector<Vector3f> points;
   for (int twice = 0; twice < 2; ++twice) {

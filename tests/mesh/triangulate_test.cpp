@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/mesh/ear_clipper.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -29,7 +28,11 @@ std::vector<Triangle> triangles_of(const Outline& outline) {
   return triangles;
 }
 
-// By looking for each ear at all that is left, again and again.
+double orient(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+// Ear clipping that tests all remaining corners for each ear.
 std::vector<Triangle> clipped_one_by_one(const Outline& outline) {
   std::vector<Index> left(outline.size());
   std::iota(left.begin(), left.end(), Index{0});
@@ -75,20 +78,20 @@ double area_of(const Outline& outline) {
 
 class Outlines {
  public:
-  // Cuts through itself again and again.
+  // Intersects itself many times.
   Outline strewn(std::size_t corners) {
     Outline outline;
     for (std::size_t i = 0; i < corners; ++i)
       outline.push_back({number_(random_), number_(random_)});
     return outline;
   }
-  // Corners fall on each other and on a line.
+  // Corners coincide, and lie on lines.
   Outline on_a_lattice(std::size_t corners) {
     Outline outline = strewn(corners);
     for (Vector2d& p : outline) p = (3.0 * p).array().round();
     return outline;
   }
-  // Does not cut through itself.
+  // Does not intersect itself.
   Outline star(std::size_t corners) {
     Outline outline;
     for (std::size_t i = 0; i < corners; ++i) {
@@ -127,7 +130,7 @@ TEST(TriangulatePolygon, CoversOneThatDoesNotCutThroughItself) {
   EXPECT_NEAR(area_of(outline, triangles), area_of(outline), 1e-12);
 }
 
-// Looking at all corners for every ear would take hours.
+// Testing all corners for every ear would take hours.
 TEST(TriangulatePolygon, EndsSoonForVeryManyCornersHoweverTheyLie) {
   constexpr std::size_t kMany = 50'000;
   Outlines outlines;

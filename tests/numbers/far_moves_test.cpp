@@ -1,5 +1,4 @@
-// Handles and targets that are asked to go farther than coordinates can hold, and weights at the
-// ends of their range.
+// Handles and targets that move too far for doubles, and weights at the ends of their range.
 #include <array>
 
 #include <gmock/gmock.h>

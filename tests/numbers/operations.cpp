@@ -1,9 +1,12 @@
 #include "numbers/operations.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "coating/coating_scenes.h"
 #include "lapwing/lapwing.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/topology.h"
 
@@ -12,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostEdited = 300;
 
-// Up to kMostEdited vertices around one of the largest component, breadth first.
+// Returns up to kMostEdited vertices around one vertex of the largest component, breadth first.
 std::vector<Index> around_the_middle(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
   const Components components = connected_components(topology.rings);
@@ -50,7 +53,7 @@ Mesh with_positions(const Mesh& mesh, Positions positions) {
   return result;
 }
 
-// The detail of sources is this share of the target's size.
+// Height of the sources' detail, relative to the size of the target.
 constexpr double kDetail = 0.02;
 
 // A bumpy square as large as the mesh.
@@ -135,7 +138,7 @@ Mesh run_mix(const Mesh& plain, const Placement& placement) {
   return with_positions(plain, placement.back(std::move(mixed.mesh.positions)));
 }
 
-// A dome of half the mesh's size in the place of a small disk.
+// Replaces a small disk by a dome of a third of the mesh's size.
 Mesh run_transplant(const Mesh& plain, const Placement& placement) {
   Mesh dome = uneven_relief(10, 1.0, 0.05, 3);
   for (Eigen::Vector3d& p : dome.positions) p *= 0.3 * size_of(plain);
@@ -159,6 +162,54 @@ std::vector<Operation> all_operations() {
           {"coat", run_coat},
           {"mix", run_mix},
           {"transplant", run_transplant}};
+}
+
+Outcome outcome_of(const Operation& operation, const Mesh& plain, const Placement& placement) {
+  try {
+    return {operation.run(plain, placement), ""};
+  } catch (const Error& error) {
+    return {{}, error.what()};
+  }
+}
+
+namespace {
+
+// Returns the largest distance of a vertex of `mesh` that a face uses from `surface`.
+double distance_from(const Mesh& surface, const Mesh& mesh) {
+  const Topology& topology = surface.topology();
+  Adjacency all;
+  all.starts = {0, static_cast<Index>(topology.triangles.size())};
+  all.values.resize(topology.triangles.size());
+  std::iota(all.values.begin(), all.values.end(), Index{0});
+  const ClosestPoint closest(topology.triangles, surface.positions, all);
+  double largest = 0.0;
+  for (const Index v : mesh.face_vertices()) {
+    const Eigen::Vector3d& p = mesh.positions[v];
+    largest = std::max(largest, (closest.find(0, p).position - p).norm());
+  }
+  return largest;
+}
+
+bool same_positions(const Mesh& a, const Mesh& b, double tolerance) {
+  for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+    // Vertices that are not finite agree, too.
+    if (a.positions[v] == b.positions[v] || !b.positions[v].allFinite()) continue;
+    if (!((a.positions[v] - b.positions[v]).norm() <= tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool agrees(const Mesh& result, const Mesh& expected, double diagonal) {
+  if (result.vertex_count() == expected.vertex_count() &&
+      result.face_vertices() == expected.face_vertices()) {
+    return same_positions(result, expected, kAgreement * diagonal);
+  }
+  const auto count = static_cast<double>(expected.vertex_count());
+  return std::abs(static_cast<double>(result.vertex_count()) - count) <= kSameCount * count &&
+         distance_from(result, expected) <= kSameSurface * diagonal &&
+         distance_from(expected, result) <= kSameSurface * diagonal;
 }
 
 }  // namespace lapwing::test

@@ -1,14 +1,15 @@
-// Every operation on meshes that lie far out, that are tiny and that are huge: what comes out is
-// what comes out of the plain mesh, placed there.
+// Every operation commutes with scaling a mesh and with moving it far from the origin.
+#include <cmath>
 #include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/io/mesh_file.h"
-#include "lapwing/remesh/quality.h"
-#include "numbers/agreement.h"
-#include "numbers/numbers_meshes.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/remesh/remesh.h"
+#include "numbers/operations.h"
 #include "support/models.h"
 
 namespace lapwing::test {
@@ -16,7 +17,49 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Of scans in maps' coordinates, in edges.
+// A ball whose edges all have different lengths, so that rounding decides nothing.
+Mesh bumpy_ball() {
+  Mesh ball = icosphere(3);
+  for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
+    ball.positions[v] *= 1.0 + 0.05 * std::sin(static_cast<double>(7 * v));
+  }
+  return ball;
+}
+
+// Every 40th face gets a vertex near the middle of an edge, at `height` times the height of the
+// face. The triangle between edge and vertex is a needle.
+Mesh ball_with_needles(double height) {
+  const Mesh whole = bumpy_ball();
+  Mesh mesh;
+  mesh.positions = whole.positions;
+  for (std::size_t f = 0; f < whole.face_count(); ++f) {
+    const auto face = whole.face(f);
+    if (f % 40 != 0) {
+      mesh.add_face(face);
+      continue;
+    }
+    const auto middle = static_cast<Index>(mesh.vertex_count());
+    const Eigen::Vector3d& a = whole.positions[face[0]];
+    const Eigen::Vector3d& b = whole.positions[face[1]];
+    const Eigen::Vector3d& c = whole.positions[face[2]];
+    mesh.positions.push_back(0.6 * a + 0.4 * b + height * (c - 0.6 * a - 0.4 * b));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index corners[] = {face[k], face[(k + 1) % 3], middle};
+      mesh.add_face(corners);
+    }
+  }
+  return mesh;
+}
+
+// Repeats every 40th face.
+Mesh ball_with_repeated_faces() {
+  const Mesh whole = bumpy_ball();
+  Mesh mesh = whole;
+  for (std::size_t f = 0; f < whole.face_count(); f += 40) mesh.add_face(whole.face(f));
+  return mesh;
+}
+
+// Distance from the origin in edge lengths, as for scans in map coordinates.
 constexpr double kFarOut = 1e7;
 
 double mean_edge(const Mesh& mesh) {
@@ -29,7 +72,7 @@ Placement far_out(const Mesh& mesh) {
   return {"far out", 1.0, kFarOut * mean_edge(mesh) * Eigen::Vector3d(1.0, -0.7, 0.3)};
 }
 
-// Which round coordinates.
+// Placements that round coordinates.
 std::vector<Placement> placements(const Mesh& mesh) {
   const Eigen::Vector3d far = far_out(mesh).offset;
   return {{"a hundredth of the least float", 1e-37},
@@ -42,7 +85,7 @@ std::vector<Placement> placements(const Mesh& mesh) {
           {"far out in micrometres", 1e6, 1e6 * far}};
 }
 
-// Which do not, so that nothing is decided otherwise, on symmetric meshes too.
+// Placements that do not round coordinates. Results must agree even on symmetric meshes.
 std::vector<Placement> exact_placements() {
   std::vector<Placement> all;
   for (const int exponent : {-110, -20, 10, 110}) {
@@ -51,7 +94,7 @@ std::vector<Placement> exact_placements() {
   return all;
 }
 
-// What does not come out alike, in words.
+// Describes each result that differs.
 std::vector<std::string> differences(const Mesh& mesh, const std::vector<Operation>& operations,
                                      const std::vector<Placement>& placements) {
   const double diagonal = bounds_of(mesh.positions).diagonal();
@@ -78,7 +121,7 @@ std::vector<std::string> differences(const Mesh& mesh) {
   return differences(mesh, all_operations(), all);
 }
 
-// Those that choose nothing by comparing lengths.
+// Operations that make no choices by comparing lengths.
 std::vector<Operation> without_choices() {
   std::vector<Operation> all = all_operations();
   std::erase_if(all, [](const Operation& o) { return o.name != "deform" && o.name != "peel"; });
@@ -93,8 +136,8 @@ TEST(Placements, MakeNoDifferenceWithNeedles) {
   EXPECT_THAT(differences(ball_with_needles(1e-4)), ::testing::IsEmpty());
 }
 
-// On which side of its edge the tip of a needle without height comes to lie is a matter of
-// rounding, and with it which triangles remeshing makes; nothing else is.
+// Rounding decides on which side of its edge the tip of a needle without height lies, and therefore
+// which triangles remeshing makes.
 TEST(Placements, MakeNoDifferenceWithNeedlesWithoutHeight) {
   const Mesh mesh = ball_with_needles(0.0);
   EXPECT_THAT(differences(mesh, all_operations(), exact_placements()), ::testing::IsEmpty());
@@ -116,7 +159,7 @@ TEST(Placements, BeyondFloatsAreRefusedByName) {
   }
 }
 
-// A few files in every run; all of them, by LAPWING_PLACED_MODELS=1000, by hand.
+// Tests a few files in every run, and all of them with LAPWING_PLACED_MODELS=1000.
 TEST(PlacementsOfModels, MakeNoDifference) {
   LAPWING_NEEDS_MODELS(cgal, "cgal");
   const char* const wanted = std::getenv("LAPWING_PLACED_MODELS");

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/parameterize/boundary.h"
+#include "lapwing/parameterize/domain_map.h"
 #include "parameterize/test_patches.h"
 #include "support/error_message.h"
 

@@ -2,9 +2,11 @@
 
 import inspect
 import os
+import re
 import signal
 import threading
 import time
+import typing
 
 import numpy as np
 import pytest
@@ -39,13 +41,35 @@ def test_regions_are_masks_lists_or_those_of_recipes(tube, ends):
         assert (other == results[0]).all()
 
 
-def test_targets_are_rows_or_a_dict(tube, ends):
+def test_targets_are_rows_a_dict_or_landmarks(tube, ends):
     place = tube.vertices[ends[1][0]] + [0.3, 0.0, 0.1]
     rows = np.array([[ends[1][0], *place]])
     by_rows = lapwing.deform(tube, belt=ends[0], targets=rows)
     by_dict = lapwing.deform(tube, belt=ends[0], targets={ends[1][0]: place})
+    by_pair = lapwing.deform(tube, belt=ends[0], landmarks=(ends[1][:1], [place]))
     assert (by_rows.vertices == by_dict.vertices).all()
+    assert (by_rows.vertices == by_pair.vertices).all()
+    edit = lapwing.Deformer(tube, belt=ends[0], landmarks=(ends[1][:1], [place]))
+    assert (edit.solve(np.zeros((0, 4, 4))).vertices == by_pair.vertices).all()
     assert by_rows.certificate.target_error < 0.3
+
+
+def test_a_landmarks_weight_of_a_tenth_averages_noise(scan):
+    # The figures of the module's page: noise of 0.5% of the diagonal.
+    move = {"translate": [-5, 13, 2], "rotate": {"axis": [0, 0, 1], "degrees": 35}}
+    true = lapwing.deform(scan, roi=ARM, handles=[(HAND, move)]).vertices
+    diagonal = np.linalg.norm(np.ptp(scan.vertices, axis=0))
+    ids = np.arange(0, scan.vertex_count, 100)
+    noise = np.random.default_rng(1).normal(scale=0.005 * diagonal / np.sqrt(3), size=(len(ids), 3))
+
+    def error(weight, places):
+        rows = np.column_stack([ids, places, np.full(len(ids), weight)])
+        found = lapwing.deform(scan, belt=[], targets=rows).vertices
+        return np.sqrt(np.square(found - true).sum(axis=1).mean())
+
+    noisy = [error(weight, true[ids] + noise) for weight in (1.0, 0.1, 0.01)]
+    assert noisy[1] < 0.8 * noisy[0] and noisy[1] < 0.8 * noisy[2]
+    assert error(1.0, true[ids]) < error(0.1, true[ids])
 
 
 def test_one_edit_has_the_same_bits_from_python_and_from_the_command_line(
@@ -72,13 +96,53 @@ def test_polygons_and_what_a_file_has_come_back(tmp_path):
     assert "vt 1 1" in (tmp_path / "b.obj").read_text()
 
 
+def rows_of(op):
+    """The keys of an operation with the values of each."""
+    rows = (line.split("|") for line in lapwing.keys(op).splitlines() if line.startswith("| `"))
+    return {row[1].strip(" `"): row[2] for row in rows}
+
+
 def test_every_key_of_an_operation_is_a_parameter():
-    for op in ("deform", "coat", "mix", "transplant", "peel"):
+    for op in _core.operations():
         parameters = inspect.signature(getattr(lapwing, op)).parameters
-        keys = {line.split("`")[1] for line in _core.key_table(op).splitlines() if "`" in line}
+        keys = rows_of(op).keys()
         for key in keys - {"carry"}:
             if "." not in key:
                 assert key in parameters, f"{op} has no parameter {key}"
+
+
+def test_every_parameter_is_in_the_docstring():
+    for name in ("deform", "coat", "mix", "transplant", "peel", "remesh", "parameterize", "run",
+                 "check", "fix", "render", "read", "write", "shape", "Deformer"):
+        function = getattr(lapwing, name)
+        told = set(re.findall(r"[A-Za-z_]\w*", function.__doc__))
+        for parameter in set(inspect.signature(function).parameters) - {"mesh", "faces", "path", "name"}:
+            assert parameter in told, f"{name}: {parameter}"
+
+
+def test_the_types_of_keywords_name_all_choices():
+    from lapwing import _types
+
+    types = {key: hint for key, hint in vars(_types).items() if typing.get_origin(hint) is typing.Literal}
+    names = {"weights": "Weights", "response": "LinearResponse", "loose": "Loose", "seams": "Seams",
+             "domain": "Domain", "sampling": "Sampling", "take": "Take", "profile": "Profile",
+             "remesh": "Remesh"}
+    seen = set()
+    for op in _core.operations():
+        for key, values in rows_of(op).items():
+            if key in names:
+                choices = set(re.findall(r'"(\w+)"', values))
+                assert set(typing.get_args(types[names[key]])) == choices, f"{op}: {key}"
+                seen.add(key)
+    assert seen == set(names)
+    assert set(typing.get_args(types["Operation"])) == set(_core.operations())
+
+
+def test_keys_of_all_operations_are_listed():
+    assert "`detail_length`" in lapwing.keys("deform") and "`snap`" not in lapwing.keys("deform")
+    assert all(lapwing.keys(op) in lapwing.keys() for op in _core.operations())
+    with pytest.raises(lapwing.InputError, match='unknown operation "bend"; choose one of deform, '):
+        lapwing.keys("bend")
 
 
 def test_progress_is_told_and_can_cancel(scan):

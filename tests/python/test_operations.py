@@ -88,6 +88,11 @@ def test_check_and_fix():
     assert fixed.vertex_sources.tolist() == [0, 1, 2, 5]
 
 
+def test_generated_meshes_are_listed():
+    assert "tube" in lapwing.shape_names()
+    assert all(lapwing.shape(name).face_count > 0 for name in lapwing.shape_names())
+
+
 def recipe_of(tube, ends):
     return {
         "lapwing": 1,
@@ -134,12 +139,16 @@ def test_recipes_that_cannot_be_name_the_place(tube, ends, tmp_path):
         lapwing.run(tmp_path / "nowhere.json")
 
 
-def test_pictures_are_arrays(tube):
+def test_pictures_are_arrays_and_files(tube, tmp_path):
     picture = lapwing.render(tube, size=(160, 120), up="z")
     assert picture.shape == (120, 160, 4) and picture.dtype == np.uint8
     assert (picture[0, 0] == 255).all() and (picture != 255).any()
     colored = lapwing.render(tube, values=tube.vertices[:, 2], legend="height", size=(160, 120))
     assert (colored != picture).any()
+    lapwing.render(tube, size=(160, 120), up="z", path=tmp_path / "tube.png")
+    assert (tmp_path / "tube.png").read_bytes().startswith(b"\x89PNG\r\n")
+    with pytest.raises(lapwing.InputError, match="ends in .png"):
+        lapwing.render(tube, path=tmp_path / "tube.jpg")
     for wrong in (dict(values=[1.0]), dict(view="inside"), dict(up="x"), dict(from_=[0, 1, 0])):
         with pytest.raises(lapwing.InputError):
             lapwing.render(tube, **wrong)

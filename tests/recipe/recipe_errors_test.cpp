@@ -137,8 +137,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "got 0"},
         Mistake{"HardAsText", with_option(R"("hard": "yes")"),
                 ": /steps/0/hard: expected true or false, got the text \"yes\""},
-        Mistake{"SettleAsText", with_option(R"("settle": "yes")"),
-                ": /steps/0/settle: expected true or false, got the text \"yes\""},
         Mistake{"SettleTolerance", with_option(R"("settle": {"tolerance": 0})"),
                 ": /steps/0/settle/tolerance: expected a number above 0, got 0"},
         Mistake{"SettleIterations", with_option(R"("settle": {"max_iterations": 1.5})"),
@@ -149,17 +147,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
                 ": /steps/0/commit_every: expected a number above 0 and at most 180 (beyond half a "
                 "turn the opposite direction is shorter), got 0"},
-        Mistake{"CommitsTooFarApart", with_option(R"("commit_every": 180.5)"),
-                ": /steps/0/commit_every: expected a number above 0 and at most 180 (beyond half a "
-                "turn the opposite direction is shorter), got 180.5"},
         Mistake{"MirrorInParts",
                 step(R"("roi": {"all": true}, "commit_every": 90, "handles": [{"region":
                 {"vertices": [1]}, "move": {"matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0]}}])"),
                 ": /steps/0/handles/0/move/matrix: a matrix that mirrors cannot be divided into "
-                "substeps; remove \"commit_every\""},
-        Mistake{"UnknownResponse", with_option(R"("response": "tangnt")"),
-                ": /steps/0/response: unknown response \"tangnt\"; did you mean \"tangent\"? Known "
-                "here: \"tangent\", \"rsi\""}),
+                "substeps; remove \"commit_every\""}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -175,8 +167,6 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/roi/all: expected true; use \"vertices\" to choose some vertices"},
         Mistake{"NegativeVertex", with_roi(R"({"vertices": [1, -1]})"),
                 ": /steps/0/roi/vertices/1: expected a vertex number (whole, from 0), got -1"},
-        Mistake{"FractionalVertex", with_roi(R"({"vertices": [1.5]})"),
-                ": /steps/0/roi/vertices/0: expected a vertex number (whole, from 0), got 1.5"},
         Mistake{"HugeVertex", with_roi(R"({"vertices": [4294967295]})"),
                 ": /steps/0/roi/vertices/0: expected a vertex number (whole, from 0), got "
                 "4294967295"},
@@ -273,9 +263,6 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/mirror: the key \"normal\" is missing; add it"},
         Mistake{"NormalWithoutLength", with_mirror(R"({"point": [0, 0, 0], "normal": [0, 0, 0]})"),
                 ": /steps/0/mirror/normal: the normal is zero; give a direction"},
-        Mistake{"NormalThatIsNoNumber",
-                with_mirror(R"({"point": [0, 0, 0], "normal": [0, null, 0]})"),
-                ": /steps/0/mirror/normal/1: expected a number, got null"},
         Mistake{"Number", with_mirror("3"), ": /steps/0/mirror: expected an object, got 3"}),
     kName);
 
@@ -295,8 +282,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"FieldAboveOne", with_falloff(R"("weight": {"field": [0, 1.5]})"),
                 ": /steps/0/handles/0/weight/field/1: expected a number from 0 to 1, the handle "
                 "weight of the vertex"},
-        Mistake{"FieldThatIsNoNumber", with_falloff(R"("weight": {"field": [null]})"),
-                ": /steps/0/handles/0/weight/field/0: expected a number, got null"},
         Mistake{"FieldAndFalloff",
                 with_falloff(R"("falloff": {"width": 2}, "weight": {"field": [1]})"),
                 ": /steps/0/handles/0/weight: a painted weight and \"falloff\" exclude each other; "
@@ -322,36 +307,11 @@ INSTANTIATE_TEST_SUITE_P(
                 std::string(": /steps/0/handles: unknown key; ") + kCoatKeys},
         Mistake{"NoSourcePatch", with_patches(R"("target_patch": {"all": true}, "detail_size": 1)"),
                 ": /steps/0: the key \"source_patch\" is missing; add it"},
-        Mistake{"NoTargetPatch", with_patches(R"("source_patch": {"all": true}, "detail_size": 1)"),
-                ": /steps/0: the key \"target_patch\" is missing; add it"},
-        Mistake{"PatchMisspelt",
-                with_patches(R"("source_patch": {"vertices": [-1]}, "detail_size": 1)"),
-                ": /steps/0/source_patch/vertices/0: expected a vertex number (whole, from 0), got "
-                "-1"},
-        Mistake{"NoDetailSize",
-                with_patches(R"("source_patch": {"all": true}, "target_patch": {"all": true})"),
-                ": /steps/0: the key \"detail_size\" is missing; add it"},
         Mistake{"DetailOfNoSize", with_patches(R"("source_patch": {"all": true},
                 "target_patch": {"all": true}, "detail_size": 0)"),
                 ": /steps/0/detail_size: expected a number above 0, got 0"},
-        Mistake{"DetailBelowZero", with_patches(R"("source_patch": {"all": true},
-                "target_patch": {"all": true}, "detail_size": -0.5)"),
-                ": /steps/0/detail_size: expected a number above 0, got -0.5"},
-        Mistake{"SourceNoName", with_coat(R"("source": 3)"),
-                ": /steps/0/source: expected a text in quotes, got 3"},
-        Mistake{"SourceEmpty", with_coat(R"("source": "")"),
-                ": /steps/0/source: expected the name of a file, got an empty text"},
         Mistake{"SmoothTargetBelowZero", with_coat(R"("smooth_target": -1)"),
                 ": /steps/0/smooth_target: expected 0 or more, got -1"},
-        Mistake{"UnknownWeights", with_coat(R"("weights": "cotan")"),
-                ": /steps/0/weights: unknown weights \"cotan\"; did you mean \"cotangent\"? Known "
-                "here: \"uniform\", \"cotangent\""},
-        Mistake{"UnknownDomain", with_coat(R"("domain": "disc")"),
-                ": /steps/0/domain: unknown domain \"disc\"; did you mean \"disk\"? Known here: "
-                "\"disk\", \"square\""},
-        Mistake{"UnknownSampling", with_coat(R"("sampling": "linaer")"),
-                ": /steps/0/sampling: unknown sampling \"linaer\"; did you mean \"linear\"? Known "
-                "here: \"one_ring\", \"linear\""},
         Mistake{"UnknownRemesh", with_coat(R"("remesh": "non")"),
                 ": /steps/0/remesh: unknown remesh \"non\"; did you mean \"none\"? Known here: "
                 "\"auto\", \"none\""},
@@ -369,12 +329,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfOne", with_coat(R"("boundary_pairs": [[3]])"),
                 ": /steps/0/boundary_pairs/0: expected two vertices, one of the source and one of "
                 "the target, got 1"},
-        Mistake{"OfThree", with_coat(R"("inner_pairs": [[3, 4], [5, 6, 7]])"),
-                ": /steps/0/inner_pairs/1: expected two vertices, one of the source and one of the "
-                "target, got 3"},
-        Mistake{"OfTexts", with_coat(R"("inner_pairs": [["nose", 4]])"),
-                ": /steps/0/inner_pairs/0/0: expected a vertex number (whole, from 0), got the "
-                "text \"nose\""},
         Mistake{"TwoForTheDisk", with_coat(R"("boundary_pairs": [[3, 4], [5, 6]])"),
                 ": /steps/0/boundary_pairs: the disk needs one pair of boundary vertices, got 2"},
         Mistake{"OneForTheSquare", with_coat(R"("domain": "square", "boundary_pairs": [[3, 4]])"),
@@ -389,19 +343,12 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/scale: unknown scale \"automatic\"; Known here: \"auto\""},
         Mistake{"ScaleOfNothing", with_coat(R"("scale": 0)"),
                 ": /steps/0/scale: expected a number above 0, got 0"},
-        Mistake{"ScaleAsList", with_coat(R"("scale": [1])"),
-                ": /steps/0/scale: expected a number above 0, got a list of 1"},
         Mistake{"AmplitudeAsText", with_coat(R"("amplitude": "high")"),
                 ": /steps/0/amplitude: expected a number, got the text \"high\""},
-        Mistake{"TransitionAsNumber", with_coat(R"("transition": 0.5)"),
-                ": /steps/0/transition: expected an object, got 0.5"},
         Mistake{"TransitionWithoutWidth", with_coat(R"("transition": {"profile": "linear"})"),
                 ": /steps/0/transition: the key \"width\" is missing; add it"},
         Mistake{"TransitionBelowZero", with_coat(R"("transition": {"width": -1})"),
-                ": /steps/0/transition/width: expected 0 or more, got -1"},
-        Mistake{"UnknownProfile", with_coat(R"("transition": {"width": 1, "profile": "smoth"})"),
-                ": /steps/0/transition/profile: unknown profile \"smoth\"; did you mean "
-                "\"smooth\"? Known here: \"smooth\", \"linear\""}),
+                ": /steps/0/transition/width: expected 0 or more, got -1"}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -416,8 +363,6 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/sources/0/pach: unknown key; did you mean \"patch\"? Known here: "
                 "\"mesh\", \"patch\", \"detail_size\", \"boundary_pairs\", "
                 "\"inner_pairs\", \"sampling\", \"scale\", \"amplitude\""},
-        Mistake{"NoSources", with_mix(R"("weight": {"field": []})"),
-                ": /steps/0: the key \"sources\" is missing; add it"},
         Mistake{"OneSource", with_mix("\"sources\": [" + kSource + "]"),
                 ": /steps/0/sources: expected two sources, got 1; {\"op\": \"coat\"} takes one"},
         Mistake{"ThreeSources",
@@ -432,15 +377,7 @@ INSTANTIATE_TEST_SUITE_P(
                                "boundary_pairs": [[3, 4]]}],
                          "weight": {"domain_v": [0, 1]})"),
                 ": /steps/0/sources/1/boundary_pairs: the square needs four pairs of boundary "
-                "vertices in order around it, got 1"},
-        Mistake{"NoWeight", with_mix(kSources),
-                ": /steps/0: the key \"weight\" is missing; add it"},
-        Mistake{"UnknownTake", with_mix(kSources + R"(, "take": "shapes")"),
-                ": /steps/0/take: unknown take \"shapes\"; did you mean \"shape\"? Known here: "
-                "\"coating\", \"shape\""},
-        Mistake{"HandleWithoutAMove", with_mix(kSources + R"(, "weight": {"field": [1]},
-                                       "handles": [{"region": {"vertices": [1]}}])"),
-                ": /steps/0/handles/0: the key \"move\" is missing; add it"}),
+                "vertices in order around it, got 1"}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -451,8 +388,6 @@ INSTANTIATE_TEST_SUITE_P(
                 "here: \"domain_v\", \"distance_to\", \"width\", \"field\""},
         Mistake{"DistanceWithoutAWidth", with_weight(R"({"distance_to": {"all": true}})"),
                 ": /steps/0/weight: the key \"width\" is missing; add it"},
-        Mistake{"WidthBelowZero", with_weight(R"({"distance_to": {"all": true}, "width": -1})"),
-                ": /steps/0/weight/width: expected 0 or more, got -1"},
         Mistake{"WidthOfAField", with_weight(R"({"field": [1], "width": 1})"),
                 ": /steps/0/weight/width: \"width\" goes with \"distance_to\" only; remove it"},
         Mistake{"OneEnd", with_weight(R"({"domain_v": [1]})"),
@@ -485,10 +420,6 @@ TEST(RecipeSyntax, EndsTooEarlyOrTooLate) {
   EXPECT_THAT(error_of(""), HasSubstr("bend.json:1:1: syntax error"));
   EXPECT_THAT(error_of("{\n"), HasSubstr("bend.json:2:1: syntax error"));
   EXPECT_THAT(error_of("{} {}"), HasSubstr("bend.json:1:4: syntax error"));
-}
-
-TEST(RecipeSyntax, NumberTooLargeForDoubleIsRefused) {
-  EXPECT_THAT(error_of(with_move(R"({"scale": 1e999})")), HasSubstr("1e999"));
 }
 
 TEST(RecipeSyntax, BytesThatAreNotUtf8AreRefused) {

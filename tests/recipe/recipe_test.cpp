@@ -162,11 +162,11 @@ TEST(Recipe, ReadsHowFirmlyAHandleHolds) {
         .falloff;
   };
   EXPECT_EQ(falloff_of(""), Falloff{});
-  EXPECT_EQ(falloff_of(R"(, "falloff": {"width": 2})"), (Falloff{1.0, Transition{2.0}}));
+  EXPECT_EQ(falloff_of(R"(, "falloff": {"width": 2})"), (Falloff{{}, Transition{2.0}}));
   EXPECT_EQ(falloff_of(R"(, "weight": 3, "falloff": {"width": 2, "profile": "linear"})"),
             (Falloff{3.0, Transition{2.0, Transition::Profile::linear}}));
   EXPECT_EQ(falloff_of(R"(, "weight": {"field": [0, 0.5, 1]})"),
-            (Falloff{1.0, {}, {0.0, 0.5, 1.0}}));
+            (Falloff{{}, {}, {0.0, 0.5, 1.0}}));
 }
 
 TEST(Recipe, RegionsKnowWhereTheyWereWritten) {

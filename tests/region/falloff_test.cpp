@@ -10,6 +10,8 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/region/geodesic.h"
+#include "lapwing/region/transition.h"
 #include "support/error_message.h"
 
 namespace lapwing {
@@ -167,6 +169,30 @@ TEST_F(AGradedSheet, ThatCannotBeIsAnErrorWithItsPlace) {
     handles_[0].falloff = falloff(wrong);
     EXPECT_THAT(error(), HasSubstr("handle: expected a falloff width of 0 or more, got ")) << wrong;
   }
+}
+
+TEST(Transition, GoesFromNothingToAllOverItsWidth) {
+  for (const auto profile : {Transition::Profile::smooth, Transition::Profile::linear}) {
+    const Transition transition{2.0, profile};
+    EXPECT_EQ(fade(transition, 0.0), 0.0);
+    EXPECT_EQ(fade(transition, 1.0), 0.5);
+    EXPECT_EQ(fade(transition, 2.0), 1.0);
+    EXPECT_EQ(fade(transition, kNoLimit), 1.0);
+    for (double x = 0.0; x < 2.0; x += 0.1) {
+      EXPECT_LT(fade(transition, x), fade(transition, x + 0.1));
+    }
+  }
+}
+
+TEST(Transition, SmoothHasNoKinkAndLinearIsStraight) {
+  const Transition smooth{1.0, Transition::Profile::smooth};
+  EXPECT_LT(fade(smooth, 0.01) / 0.01, 0.04);
+  EXPECT_LT((1.0 - fade(smooth, 0.99)) / 0.01, 0.04);
+  EXPECT_DOUBLE_EQ(fade({1.0, Transition::Profile::linear}, 0.3), 0.3);
+}
+
+TEST(Transition, WithoutAWidthIsAllThereEverywhere) {
+  EXPECT_EQ(fade({}, 0.0), 1.0);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/region/edge_path.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
@@ -218,18 +218,8 @@ TEST(Geodesic, VerticesThatAreNotFiniteAreNotReached) {
 }
 
 TEST(Geodesic, MissingSourceIsRefusedByNumber) {
-  EXPECT_THROW(
-      {
-        try {
-          distances_from(grid(2, 2), 9);
-        } catch (const InputError& error) {
-          EXPECT_STREQ(error.what(),
-                       "vertex 9 cannot be a source of distances: the mesh has 9 vertices "
-                       "(numbered from 0)");
-          throw;
-        }
-      },
-      InputError);
+  EXPECT_EQ(error_message<InputError>([] { distances_from(grid(2, 2), 9); }),
+            "vertex 9 cannot be a source of distances: the mesh has 9 vertices (numbered from 0)");
 }
 
 TEST(EdgePath, FollowsTheShortestEdges) {

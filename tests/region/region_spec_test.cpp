@@ -83,13 +83,27 @@ TEST(Region, DiskOfALooseVertexIsThatVertex) {
   EXPECT_THAT(resolve_on(mesh, spec(GeodesicDisk{Index{9}, 100.0})), ElementsAre(9));
 }
 
-TEST(Region, DiskNeedsAVertexOrATriangleNearby) {
+TEST(Region, DiskNeedsAVertexOfTheMeshOrAFinitePoint) {
   EXPECT_THAT(error_on(grid(2, 2), spec(GeodesicDisk{Index{9}, 1.0})),
               HasSubstr("/steps/0/roi/disk/center: vertex 9 is not in the mesh"));
-  Mesh points;
-  points.positions = {{0, 0, 0}};
-  EXPECT_THAT(error_on(points, spec(GeodesicDisk{Vector3d(0, 0, 0), 1.0})),
-              HasSubstr("/steps/0/roi/disk/near: the mesh has no triangle"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error_on(grid(2, 2), spec(GeodesicDisk{Vector3d(0, nan, 0), 1.0})),
+              HasSubstr("/steps/0/roi/disk/near: the point is not finite"));
+}
+
+TEST(Region, NeedsASurface) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (const RegionSpec& region :
+       {spec(AllVertices{}), spec(ListedVertices{{0}}), spec(GeodesicDisk{Index{0}, 1.0}),
+        spec(Box{{0, 0, 0}, {1, 1, 1}})}) {
+    EXPECT_EQ(error_on(mesh, region),
+              "bend.json: /steps/0/roi: the mesh has no surface to edit: it has 3 vertices and no "
+              "faces; export it with its faces, or reconstruct the surface of the points first");
+  }
+  mesh.add_face(std::array<Index, 3>{0, 1, 1});
+  EXPECT_THAT(error_on(mesh, spec(AllVertices{})),
+              HasSubstr("none of its faces has three different, finite vertices"));
 }
 
 TEST(Region, BoxHoldsItsFaces) {

@@ -1,4 +1,4 @@
-#include "lapwing/closest/closest_point.h"
+#include "lapwing/mesh/closest_point.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,7 +5,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/remesh/quality.h"
+#include "lapwing/remesh/remesh.h"
 #include "remesh/remesh_checks.h"
 
 namespace lapwing {

@@ -7,7 +7,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/remesh/quality.h"
+#include "lapwing/remesh/remesh.h"
 #include "remesh/remesh_checks.h"
 
 namespace lapwing {

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/edges.h"
-#include "lapwing/mesh/fans.h"
 #include "lapwing/remesh/isotropic.h"
 
 namespace lapwing::test {

@@ -12,7 +12,7 @@ namespace {
 
 using test::Subject;
 
-// Neither the clay nor the background is.
+// Counts the pixels in the colour of attachments. Neither clay nor background is greenish.
 std::size_t greenish(const Image& image) {
   std::size_t count = 0;
   for (std::uint32_t y = 0; y < image.height; ++y) {
@@ -29,7 +29,7 @@ class CarriedDrawings : public ::testing::Test {
   void SetUp() override {
     LAPWING_NEEDS_GPU();
     sphere_.emplace(icosphere(3));
-    // With room for what is around it.
+    // Leave room for objects around the sphere.
     fit_depth(sphere_->camera, {{-2.0, -2.0, -2.0}, {2.0, 2.0, 2.0}});
   }
   std::size_t shown(const CarriedDrawing& drawing) {

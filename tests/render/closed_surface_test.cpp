@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/transform.h"
+#include "support/joined_meshes.h"
 
 namespace lapwing {
 namespace {
@@ -21,18 +23,10 @@ Mesh turned_inside_out(Mesh mesh) {
   return mesh;
 }
 
-// Beside each other, far from the origin.
-Mesh both(const Mesh& a, const Mesh& b) {
-  Mesh mesh = a;
-  for (const Eigen::Vector3d& p : b.positions) {
-    mesh.positions.push_back(p + Eigen::Vector3d(1e6, 0.0, 0.0));
-  }
-  for (std::size_t f = 0; f < b.face_count(); ++f) {
-    std::vector<Index> face(b.face(f).begin(), b.face(f).end());
-    for (Index& v : face) v += static_cast<Index>(a.vertex_count());
-    mesh.add_face(face);
-  }
-  return mesh;
+// Returns both meshes in one, the second far from the origin.
+Mesh both(const Mesh& a, Mesh b) {
+  transform(b, Eigen::Affine3d(Eigen::Translation3d(1e6, 0.0, 0.0)));
+  return test::joined(a, b);
 }
 
 TEST(ClosedSurface, ClosedShapesAre) {

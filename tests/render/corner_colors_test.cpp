@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/mesh/joined_surface.h"
+#include "lapwing/mesh/seams.h"
 #include "lapwing/mesh/topology.h"
 #include "render/textured_square.h"
 
@@ -24,7 +24,7 @@ constexpr std::uint32_t kRed = kColor | 0x0000FFU;
 constexpr std::uint32_t kGreen = kColor | 0x00FF00U;
 constexpr std::uint32_t kBlue = kColor | 0xFF0000U;
 
-// One image, and the colour red for where it does not show.
+// Returns a material with an image, and with the colour red for triangles that cannot show it.
 FileColors skin() {
   FileColors colors;
   colors.images.push_back({1, 1, {1, 2, 3, 255}});
@@ -32,9 +32,13 @@ FileColors skin() {
   return colors;
 }
 
+CornerColors corners_of(const Mesh& mesh, const FileColors& colors) {
+  return corner_colors(mesh, mesh, colors);
+}
+
 TEST(CornerColors, PolygonsKeepTheTextureCoordinatesOfTheirCorners) {
   const Mesh mesh = textured_square();
-  const CornerColors corners = corner_colors(mesh, skin());
+  const CornerColors corners = corners_of(mesh, skin());
   EXPECT_THAT(corners.sources, ElementsAre(kImage, kImage, kImage, kImage, kImage, kImage));
   ASSERT_THAT(corners.places, SizeIs(6));
   for (std::size_t c = 0; c < 6; ++c) {
@@ -56,7 +60,7 @@ TEST(CornerColors, SeamsNeedNoVerticesOfTheirOwn) {
   a.materials = {"skin"};
   a.face_materials = {0, 0};
   std::vector<float> across;
-  for (const auto& place : corner_colors(mesh, skin()).places) across.push_back(place[0]);
+  for (const auto& place : corners_of(mesh, skin()).places) across.push_back(place[0]);
   EXPECT_THAT(across, ElementsAre(0, 0.25F, 0.5F, 0.75F, 0.5F, 0.25F));
 }
 
@@ -66,7 +70,7 @@ TEST(CornerColors, ImagesAreScaledMovedAndBroughtNearZero) {
   FileColors colors = skin();
   colors.materials[0].uv_scale = {2, 1};
   colors.materials[0].uv_offset = {0.25, 0};
-  for (const auto& [x, y] : corner_colors(mesh, colors).places) {
+  for (const auto& [x, y] : corners_of(mesh, colors).places) {
     EXPECT_TRUE(x == 0.25F || x == 2.25F) << x;
     EXPECT_TRUE(y == 0.0F || y == 1.0F) << y;
   }
@@ -77,16 +81,16 @@ TEST(CornerColors, TheFirstThingThatATriangleHasColorsIt) {
   mesh.edit_attributes().vertex_colors.assign(4, {0, 1, 0, 1});
   mesh.edit_attributes().face_colors.assign(1, {0, 0, 1, 1});
   FileColors colors = skin();
-  EXPECT_THAT(corner_colors(mesh, colors).sources, Each(kImage));
+  EXPECT_THAT(corners_of(mesh, colors).sources, Each(kImage));
   colors.materials[0].image = kNoIndex;
-  EXPECT_THAT(corner_colors(mesh, colors).sources, Each(kGreen));
-  EXPECT_THAT(corner_colors(mesh, colors).places, IsEmpty());
+  EXPECT_THAT(corners_of(mesh, colors).sources, Each(kGreen));
+  EXPECT_THAT(corners_of(mesh, colors).places, IsEmpty());
   mesh.edit_attributes().vertex_colors.clear();
-  EXPECT_THAT(corner_colors(mesh, colors).sources, Each(kBlue));
+  EXPECT_THAT(corners_of(mesh, colors).sources, Each(kBlue));
   mesh.edit_attributes().face_colors.clear();
-  EXPECT_THAT(corner_colors(mesh, colors).sources, Each(kRed));
+  EXPECT_THAT(corners_of(mesh, colors).sources, Each(kRed));
   colors.materials[0].color.reset();
-  EXPECT_THAT(corner_colors(mesh, colors).sources, IsEmpty());
+  EXPECT_THAT(corners_of(mesh, colors).sources, IsEmpty());
 }
 
 TEST(CornerColors, TrianglesWithoutAPlaceHaveTheColorOfTheirMaterial) {
@@ -96,24 +100,24 @@ TEST(CornerColors, TrianglesWithoutAPlaceHaveTheColorOfTheirMaterial) {
   const auto has_vertex_3 = [&](std::size_t t) {
     return std::ranges::count(mesh.topology().triangles[t], Index{3}) > 0;
   };
-  const CornerColors corners = corner_colors(mesh, skin());
+  const CornerColors corners = corners_of(mesh, skin());
   ASSERT_NE(has_vertex_3(0), has_vertex_3(1));
   for (std::size_t c = 0; c < 6; ++c) {
     EXPECT_EQ(corners.sources[c], has_vertex_3(c / 3) ? kRed : kImage);
   }
   mesh.edit_attributes().corner_uvs.clear();
-  EXPECT_THAT(corner_colors(mesh, skin()).sources, Each(kRed));
+  EXPECT_THAT(corners_of(mesh, skin()).sources, Each(kRed));
 }
 
 TEST(CornerColors, NamesThatAMeshHasFromElsewhereAreNoMaterials) {
   Mesh mesh = textured_square();
   mesh.edit_attributes().materials[0] = "of another file";
-  EXPECT_THAT(corner_colors(mesh, skin()).sources, IsEmpty());
-  EXPECT_THAT(corner_colors(mesh, {}).sources, IsEmpty());
+  EXPECT_THAT(corners_of(mesh, skin()).sources, IsEmpty());
+  EXPECT_THAT(corners_of(mesh, {}).sources, IsEmpty());
 }
 
 TEST(CornerColors, JoinedSeamsKeepWhatEachSideHas) {
-  // Two triangles that meet along an edge, with vertices and colours of their own.
+  // Two triangles that meet along an edge, with separate vertices and colours.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});

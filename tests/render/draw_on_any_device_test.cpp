@@ -30,7 +30,7 @@ class DrawOnAnyDevice : public ::testing::TestWithParam<DriverFault> {
   struct Drawn {
     Image image;
     std::string said;
-    int begun = 0;  ///< pictures
+    int begun = 0;  ///< number of calls of `draw`
   };
   Drawn drawn(const std::shared_ptr<gpu::Context>& first) const {
     Drawn result;
@@ -45,8 +45,8 @@ class DrawOnAnyDevice : public ::testing::TestWithParam<DriverFault> {
   const Mesh mesh = icosphere(1);
 };
 
-// Every call fails once, and every eighth time the picture is drawn again, for which a device is to
-// be opened anew.
+// Every call fails once. Every eighth time, draw_on_any_device draws again on a new context; the
+// other times, only the failure is checked, because opening a device is slow.
 TEST_P(DrawOnAnyDevice, ThePictureIsTheSameWhereverADeviceFails) {
   const Drawn undisturbed = drawn(nullptr);
   EXPECT_EQ(undisturbed.said, "");
@@ -73,8 +73,8 @@ TEST_P(DrawOnAnyDevice, ThePictureIsTheSameWhereverADeviceFails) {
     }
   };
   const long calls = test::for_every_call(driver, GetParam(), prepare, act);
-  // What is waited for when all is done comes too late to lose anything; where memory is not mapped
-  // there is more of it.
+  // The last waits come after the picture, so a loss there does no harm. Unmapped memory needs more
+  // of them.
   constexpr long kWaitsAtTheEnd = 4;
   EXPECT_GT(failures, 2);
   EXPECT_GE(failures, calls - (GetParam() == DriverFault::loss ? kWaitsAtTheEnd : 0));

@@ -1,13 +1,15 @@
-// Surfaces in the colours of their file, against an evaluation of the same images on the processor.
+// Surfaces in the colours of their file, compared with the same images sampled on the CPU.
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/render/file_paint.h"
+#include "lapwing/render/mip_levels.h"
 #include "render/picture.h"
+#include "render/texture_sampling.h"
 #include "render/textured_square.h"
 #include "support/gpu.h"
 #include "support/keep_picture.h"
@@ -17,94 +19,24 @@ namespace {
 
 using Eigen::Array3d;
 using Eigen::Vector2d;
+using test::light_image;
+using test::light_of;
+using test::LightImage;
 using test::Subject;
 using test::textured_square;
+using test::trilinear;
 
 constexpr double kPixelsPerUnit = (1.0 - 2.0 * Subject::kMargin) * Subject::kSize;
-// Of light: a step of a byte where sRGB is coarsest, in the picture and in the two that say how
-// bright white and black are.
+// Tolerance in linear light: the largest step of a byte in sRGB, in the picture and in the pictures
+// of white and of black.
 constexpr double kStep = 0.015;
-
-double light_of(double byte) {
-  const double c = byte / 255.0;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
-Array3d light_of(const std::array<std::uint8_t, 4>& pixel) {
-  return {light_of(pixel[0]), light_of(pixel[1]), light_of(pixel[2])};
-}
-
-// An image in linear light, the first row at the top.
-struct LightImage {
-  int width = 0;
-  int height = 0;
-  std::vector<Array3d> pixels;
-
-  const Array3d& at(int x, int y) const {  // repeated
-    const auto wrap = [](int i, int n) { return (i % n + n) % n; };
-    return pixels[static_cast<std::size_t>(wrap(y, height) * width + wrap(x, width))];
-  }
-};
-
-LightImage light_image(const Image& image) {
-  LightImage light{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::uint32_t x = 0; x < image.width; ++x)
-      light.pixels.push_back(light_of(image.pixel(x, y)));
-  }
-  return light;
-}
-
-// Of an image whose sides are powers of two.
-LightImage next_level(const LightImage& fine) {
-  LightImage half{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
-  const int columns = fine.width / half.width;
-  const int rows = fine.height / half.height;
-  for (int y = 0; y < half.height; ++y) {
-    for (int x = 0; x < half.width; ++x) {
-      Array3d sum = Array3d::Zero();
-      for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) sum += fine.at(columns * x + i, rows * y + j);
-      }
-      half.pixels.emplace_back(sum / (rows * columns));
-    }
-  }
-  return half;
-}
-
-// `place` to the right and downwards, 1 being all of the image.
-Array3d bilinear(const LightImage& image, const Vector2d& place) {
-  const double x = place.x() * image.width - 0.5;
-  const double y = place.y() * image.height - 0.5;
-  const int left = static_cast<int>(std::floor(x));
-  const int top = static_cast<int>(std::floor(y));
-  const double right_share = x - left;
-  const double lower_share = y - top;
-  return (1 - lower_share) *
-             ((1 - right_share) * image.at(left, top) + right_share * image.at(left + 1, top)) +
-         lower_share * ((1 - right_share) * image.at(left, top + 1) +
-                        right_share * image.at(left + 1, top + 1));
-}
-
-// Where a pixel holds `texels` pixels of the image.
-Array3d trilinear(LightImage image, const Vector2d& place, double texels) {
-  double level = std::max(0.0, std::log2(texels));
-  while (level >= 1.0 && image.pixels.size() > 1) {
-    image = next_level(image);
-    level -= 1.0;
-  }
-  if (image.pixels.size() == 1) level = 0.0;
-  const Array3d fine = bilinear(image, place);
-  return level == 0.0 ? fine : (1 - level) * fine + level * bilinear(next_level(image), place);
-}
 
 Image noise(std::uint32_t width, std::uint32_t height) {
   std::mt19937 random(7);
   Image image{width, height, {}};
   for (std::uint32_t p = 0; p < width * height; ++p) {
     for (int c = 0; c < 3; ++c) image.rgba.push_back(static_cast<std::uint8_t>(random() % 256));
-    image.rgba.push_back(
-        static_cast<std::uint8_t>(p % 2 == 0 ? 0 : 255));  // opacity counts nothing
+    image.rgba.push_back(static_cast<std::uint8_t>(p % 2 == 0 ? 0 : 255));  // opacity is ignored
   }
   return image;
 }
@@ -113,8 +45,8 @@ Image of_one_color(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
   return {1, 1, {r, g, b, 255}};
 }
 
-// A picture in the colours of a file, and the colours themselves in linear light: the lights of the
-// renderer are taken off by what they make of white and of black.
+// Draws a mesh in the colours of a file, and recovers these colours in linear light. Pictures of a
+// white and a black image tell how the renderer lights each pixel.
 class InFileColors {
  public:
   explicit InFileColors(const Mesh& mesh) : subject(mesh) {
@@ -146,14 +78,14 @@ class InFileColors {
   Image black_;
 };
 
-// Of the unit square, under the middle of a pixel.
+// Returns the place on the unit square under the middle of a pixel.
 Vector2d place_under(std::uint32_t x, std::uint32_t y) {
   const Vector2d pixel(x + 0.5, y + 0.5);
   const Vector2d across = (pixel.array() - 0.5 * Subject::kSize) / kPixelsPerUnit;
   return {0.5 + across.x(), 0.5 - across.y()};
 }
 
-// The largest that `difference_at` is where all of a pixel and its neighbours is inside the square.
+// Returns the largest difference over all pixels that lie inside the square with their neighbours.
 template <class Difference>
 double largest_inside(const Difference& difference_at) {
   const auto first = static_cast<std::uint32_t>(Subject::kMargin * Subject::kSize) + 2;
@@ -170,8 +102,8 @@ struct Mapping {
   std::string name;
   std::uint32_t width;
   std::uint32_t height;
-  double repeats;  // of the image along a side
-  double degrees;  // by which it is turned
+  double repeats;  // number of images along a side
+  double degrees;  // rotation of the image
 };
 
 void PrintTo(const Mapping& mapping, std::ostream* out) {
@@ -191,7 +123,7 @@ TEST_P(FilteredImage, AgreesWithTheProcessors) {
   const LightImage light = light_image(image);
   const Image shown = picture.with_image(image);
   test::keep_picture(shown, "file-color-" + m.name);
-  // The larger of what a step to the right and one downwards go in the image, in its pixels.
+  // A step of one pixel to the right or downwards, whichever is longer, in pixels of the image.
   const Eigen::Matrix2d steps =
       Vector2d(m.width, m.height).asDiagonal() * uv_of_place / kPixelsPerUnit;
   const double texels = std::max(steps.col(0).norm(), steps.col(1).norm());
@@ -218,7 +150,7 @@ TEST(FileColor, CheckerboardFromAfarIsItsMeanInLightWithoutMoire) {
     const std::uint8_t value = (p / 64 + p) % 2 == 0 ? 0 : 255;
     board.rgba.insert(board.rgba.end(), {value, value, value, 255});
   }
-  // Between 2 and 40 pixels of the image in one of the picture.
+  // One pixel of the picture covers between 2 and 40 pixels of the image.
   for (const double repeats : {3.3, 10.1, 64.7}) {
     InFileColors picture(
         textured_square([&](const Vector2d& p) -> Vector2d { return repeats * p; }));
@@ -232,7 +164,8 @@ TEST(FileColor, CheckerboardFromAfarIsItsMeanInLightWithoutMoire) {
 
 TEST(FileColor, SeamIsSharp) {
   LAPWING_NEEDS_GPU();
-  // Left of the diagonal all corners are in the left half of the image, right of it in the other.
+  // The corners left of the diagonal lie in the left half of the image, the others in the right
+  // half.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   mesh.add_face(std::array<Index, 3>{0, 2, 3});
@@ -312,7 +245,7 @@ TEST(FileColor, RegionsTintItButForWhatIsOutside) {
   const Image yellow = picture.subject.render();
   double beyond = 0.0;
   const double shows_through = largest_inside([&](std::uint32_t x, std::uint32_t y) {
-    // As light as the image, and of no other hue than the class.
+    // The colour has the luminance of the image and the hue of the class.
     const Array3d image_light =
         Array3d::Constant((light_of(bare.pixel(x, y)) * Array3d(0.2126, 0.7152, 0.0722)).sum());
     const Array3d class_light = light_of(yellow.pixel(x, y));

@@ -8,6 +8,7 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
+#include "support/error_message.h"
 #include "support/stand_in_ffmpeg.h"
 
 namespace lapwing {
@@ -24,7 +25,7 @@ using Color = std::array<std::uint8_t, 4>;
 constexpr Color kRedFrame{220, 30, 40, 255};
 constexpr Color kBlueFrame{40, 60, 210, 255};
 
-// Enough bytes that none of the buffers on the way holds them.
+// Returns an image with more bytes than any buffer on the way holds.
 Image image_of(const Color& color, std::uint32_t width = 640, std::uint32_t height = 480) {
   Image image{width, height, {}};
   for (std::uint32_t k = 0; k < width * height; ++k) {
@@ -50,15 +51,6 @@ std::size_t files_in(const fs::path& folder) {
 
 constexpr FrameSequence kTwo{.count = 2, .width = 640, .height = 480, .per_second = 24.0};
 
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(FrameFile, IsNumberedSoThatAllSortInTheirOrder) {
   EXPECT_EQ(frame_file("a/hand.png", 1, 120), "a/hand-0001.png");
   EXPECT_EQ(frame_file("hand.v2.png", 120, 120), "hand.v2-0120.png");
@@ -77,7 +69,7 @@ TEST(OpenFrames, WritesNumberedPictures) {
 }
 
 TEST(OpenFrames, RefusesOtherEndings) {
-  EXPECT_THAT(message_of([] { open_frames("a.avi", kTwo); }),
+  EXPECT_THAT(error_message<Error>([] { open_frames("a.avi", kTwo); }),
               AllOf(HasSubstr("a.avi"), HasSubstr(".mp4"), HasSubstr(".png")));
 }
 
@@ -86,7 +78,7 @@ TEST(OpenFrames, RefusesMorePicturesThanAllowedBeforeTheFirst) {
   FrameSequence many = kTwo;
   many.count = 100'001;
   EXPECT_THAT(
-      message_of([&] { open_frames(folder / "a.png", many); }),
+      error_message<Error>([&] { open_frames(folder / "a.png", many); }),
       HasSubstr("the turntable would have 100,001 pictures, more than the limit of 100,000"));
   const Environment raised("LAPWING_MOST_FRAMES", "1e6");
   EXPECT_NO_THROW(open_frames(folder / "a.png", many));
@@ -96,7 +88,7 @@ class AVideo : public ::testing::TestWithParam<const char*> {
  protected:
   fs::path video() const { return videos_ / (std::string("a") + GetParam()); }
 
-  TemporaryFolder folder_;  // of the stand-in
+  TemporaryFolder folder_;  // holds the stand-in
   TemporaryFolder videos_;
 };
 INSTANTIATE_TEST_SUITE_P(Formats, AVideo, ::testing::Values(".mp4", ".webm", ".gif", ".MP4"),
@@ -132,12 +124,12 @@ TEST_P(AVideo, ThatIsGivenUpLeavesWhatWasThere) {
 
 TEST_P(AVideo, ThatFfmpegCannotWriteSaysWhy) {
   std::ofstream(video()) << "old";
-  // At once, or with the last picture.
+  // ffmpeg fails at once, or with the last picture.
   for (const char* reads : {"", "cat > /dev/null; "}) {
     const StandInFfmpeg ffmpeg(folder_.path(), std::string(reads) +
                                                    "echo first >&2; echo Unknown encoder >&2; "
                                                    "exit 1");
-    const std::string message = message_of([&] {
+    const std::string message = error_message<Error>([&] {
       const auto writer = open_frames(video(), kTwo);
       writer->write(image_of(kRedFrame));
       writer->write(image_of(kBlueFrame));
@@ -153,7 +145,7 @@ TEST_P(AVideo, ThatFfmpegCannotWriteSaysWhy) {
 TEST_P(AVideo, WithoutFfmpegSaysWhatToInstall) {
   const Environment path("PATH", folder_.path().string());
   EXPECT_FALSE(can_write_videos());
-  EXPECT_THAT(message_of([&] { open_frames(video(), kTwo); }),
+  EXPECT_THAT(error_message<Error>([&] { open_frames(video(), kTwo); }),
               AllOf(HasSubstr("install the package ffmpeg"), HasSubstr(".png")));
   EXPECT_EQ(files_in(videos_.path()), 0U);
 }
@@ -177,7 +169,7 @@ TEST(Mp4, ByFfmpegItselfHasThePicturesAndTheirColors) {
                              "' -f rawvideo -pix_fmt rgb24 '" + (folder / "raw").string() + "'";
   ASSERT_EQ(std::system(decode.c_str()), 0);
   const std::string raw = text_of(folder / "raw");
-  constexpr std::size_t kFrame = 64UL * 48 * 3;  // of even size
+  constexpr std::size_t kFrame = 64UL * 48 * 3;  // sizes are cropped to even ones
   ASSERT_EQ(raw.size(), 6 * kFrame);
   for (std::size_t c = 0; c < 3; ++c) {
     const auto channel = [&](std::size_t frame) {

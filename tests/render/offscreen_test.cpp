@@ -1,7 +1,5 @@
 #include "lapwing/render/offscreen.h"
 
-#include <string>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,12 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string message_for_size(gpu::Context& context, std::uint32_t width, std::uint32_t height) {
-  try {
-    const OffscreenTarget target(context, width, height);
-    return "accepted";
-  } catch (const GpuError& error) {
-    return error.what();
-  }
+  return error_message<GpuError>([&] { const OffscreenTarget target(context, width, height); });
 }
 
 TEST(OffscreenTarget, RefusesSizesBeyondTheDeviceAndNamesTheLimit) {

@@ -12,8 +12,8 @@
 
 namespace lapwing::test {
 
-/// A mesh on the device, ready to be drawn: seen from the front without perspective, so that what
-/// lies where in the picture is easily told.
+/// A mesh on the device, ready to be drawn. It is seen from the front in parallel projection, so
+/// that places in the picture are easy to compute.
 class Subject {
  public:
   explicit Subject(const Mesh& subject_mesh)
@@ -28,7 +28,7 @@ class Subject {
 
   Image render() { return render_image(surface, paint, camera, options); }
 
-  /// Along x, from where the mesh is.
+  /// Moves the mesh from its rest place along x.
   void move_by(double distance) {
     Positions moved = mesh.positions;
     for (Eigen::Vector3d& p : moved) p.x() += distance;
@@ -46,14 +46,14 @@ class Subject {
   RenderOptions options;
 };
 
-/// Fraction of the picture that is not transparent.
+/// Returns the fraction of the picture that is not transparent.
 inline double coverage(const Image& image) {
   double sum = 0.0;
   for (std::size_t at = 3; at < image.rgba.size(); at += 4) sum += image.rgba[at];
   return sum / (255.0 * image.width * image.height);
 }
 
-/// Mean difference of the channels of two pictures of one size, of 255.
+/// Returns the mean difference of the channels of two pictures of one size, from 0 to 255.
 inline double mean_difference(const Image& a, const Image& b) {
   double sum = 0.0;
   for (std::size_t at = 0; at < a.rgba.size(); ++at) sum += std::abs(a.rgba[at] - b.rgba[at]);

@@ -37,7 +37,7 @@ Mesh quads(Index columns, Index rows) {
   return mesh;
 }
 
-// Column of the picture at which the unit square's x lies.
+// Returns the column of the picture that shows x of the unit square.
 std::uint32_t column(double x) {
   return static_cast<std::uint32_t>((0.5 + (x - 0.5) * kPartShown) * Subject::kSize);
 }
@@ -69,7 +69,7 @@ TEST(RenderImage, SphereIsALitDiscOnTheBackground) {
   }
 }
 
-// With several samples the shaders of a software device encode colours, without, the device does.
+// With several samples, the shaders of a software device encode colours; with one, the device does.
 TEST(RenderImage, ColoursAreThoseWithoutAntialiasing) {
   LAPWING_NEEDS_GPU();
   Subject square(grid(1, 1));
@@ -83,7 +83,7 @@ TEST(RenderImage, ColoursAreThoseWithoutAntialiasing) {
   for (std::size_t at = 0; at < with.rgba.size(); ++at) {
     if (std::abs(with.rgba[at] - without.rgba[at]) <= 1) ++alike;
   }
-  // All but what lies on an edge.
+  // Only pixels on edges may differ.
   EXPECT_GT(static_cast<double>(alike), 0.97 * static_cast<double>(with.rgba.size()));
 }
 
@@ -109,7 +109,7 @@ TEST(RenderImage, WhiteBackgroundIsWhite) {
 
 TEST(RenderImage, NearerSurfaceHidesTheFartherOne) {
   LAPWING_NEEDS_GPU();
-  // Two unit squares, the second one behind the first.
+  // Two unit squares, one behind the other.
   Mesh mesh = grid(1, 1);
   const Mesh behind = mesh;
   for (const Eigen::Vector3d& p : behind.positions) {

@@ -1,5 +1,6 @@
 #include "lapwing/render/surface.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -12,8 +13,7 @@
 namespace lapwing {
 namespace {
 
-// With memory that the host sees, where the processor moves the surface, and without, where the
-// device does.
+// With mapped memory, the CPU moves the surface on a software device; otherwise, the device does.
 class SurfaceUploads : public ::testing::TestWithParam<bool> {
  protected:
   void SetUp() override {
@@ -24,7 +24,8 @@ class SurfaceUploads : public ::testing::TestWithParam<bool> {
   }
 
   std::uint64_t uploaded() const { return context->transfers().uploaded; }
-  // What one vertex that moves takes: place, number, and the numbers of those with new normals.
+  // Returns the bytes of moving vertices: their positions and numbers, and the numbers of vertices
+  // with new normals.
   std::uint64_t moving_bytes(std::span<const Index> moving) const {
     const std::size_t affected = with_ring_neighbours(moving, topology.rings).size();
     constexpr std::uint64_t kNoParameters = 16;
@@ -42,8 +43,8 @@ TEST_P(SurfaceUploads, MeshOnceAndNothingForAStillSurface) {
   const std::uint64_t opened = uploaded();
   const std::uint64_t vertices = mesh.vertex_count();
   const std::uint64_t corners = topology.vertex_triangles.values.size();
-  // Places, triangles, and the triangles around each vertex: a fan has one corner more, its begin,
-  // and the last an end. All vertices get normals, for which the processor needs no list.
+  // Positions, triangles, and the fans around the vertices: each fan has one corner more than
+  // triangles, and a start, and the last one an end. The CPU needs no list of all vertices.
   const bool is_mapped = !gpu::Buffer(*context, "probe", 16).mapped().empty();
   const std::uint64_t list = is_mapped ? 0 : vertices * sizeof(Index);
   EXPECT_EQ(opened, vertices * sizeof(Vec4) + topology.triangles.size() * sizeof(Triangle) +
@@ -82,7 +83,6 @@ TEST_P(SurfaceUploads, OnlyMovingVerticesWhereADragBegins) {
   EXPECT_LT(uploaded() - before, 64U) << "the parameter";
 }
 
-// What a drag has moved is where it was, to the bit.
 TEST_P(SurfaceUploads, ComesBackFromADrag) {
   const std::vector<Index> moving{5, 6, 7};
   const std::vector<double> column(9, 1.0);
@@ -97,7 +97,41 @@ TEST_P(SurfaceUploads, ComesBackFromADrag) {
   EXPECT_EQ(surface.normals(), normals);
 }
 
-// A drag by one response after a drag by another: what only the first moves is at rest.
+// Returns the outward normals of the faces at each corner of a bar, in any order.
+std::vector<Eigen::Vector3d> face_normals(const Mesh& mesh) {
+  std::vector<Eigen::Vector3d> normals;
+  for (const auto& [a, b, c] : mesh.topology().triangles) {
+    const Eigen::Vector3d& from = mesh.positions[a];
+    const Eigen::Vector3d normal = (mesh.positions[b] - from).cross(mesh.positions[c] - from);
+    normals.push_back(normal.normalized());
+  }
+  return normals;
+}
+
+double distance_to_nearest(const Eigen::Vector3d& v, const std::vector<Eigen::Vector3d>& others) {
+  double least = 2.0;
+  for (const Eigen::Vector3d& other : others) least = std::min(least, (v - other).norm());
+  return least;
+}
+
+// Every normal of a bar is that of a face, at rest and after it was sheared.
+TEST_P(SurfaceUploads, HardEdgesStayHardWhenTheSurfaceMoves) {
+  Mesh box = bar(2, 3, 1.0, 2.0);
+  Surface surface(context, box.positions, box.topology());
+  for (const double shear : {0.0, 0.3}) {
+    for (Eigen::Vector3d& p : box.positions) p.x() += shear * p.z();
+    surface.place(box.positions);
+    const std::vector<Eigen::Vector3d> normals = surface.normals();
+    EXPECT_GT(normals.size(), box.vertex_count());
+    for (const Eigen::Vector3d& normal : normals) {
+      EXPECT_LT(distance_to_nearest(normal, face_normals(box)), 1e-5) << shear;
+    }
+  }
+  Surface round(context, box.positions, box.topology(), 180.0);
+  EXPECT_EQ(round.normals().size(), box.vertex_count());
+}
+
+// Vertices that only the first response moves return to rest.
 TEST_P(SurfaceUploads, DragByAnotherResponseBeginsAtRest) {
   const auto blend_of = [&](const std::vector<Index>& moving) {
     const std::vector<double> column(3 * moving.size(), 1.0);

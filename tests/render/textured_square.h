@@ -6,8 +6,8 @@
 
 namespace lapwing::test {
 
-/// The unit square, one polygon of material "skin", with the texture coordinates `uv_of` its
-/// corners.
+/// Returns the unit square, one polygon of the material "skin". `uv_of` maps corners to texture
+/// coordinates.
 template <class UvOf>
 Mesh textured_square(const UvOf& uv_of) {
   Mesh mesh;
@@ -21,7 +21,7 @@ Mesh textured_square(const UvOf& uv_of) {
   return mesh;
 }
 
-/// With x and y of its corners.
+/// The texture coordinates are x and y.
 inline Mesh textured_square() {
   return textured_square([](const Eigen::Vector2d& p) -> Eigen::Vector2d { return p; });
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMegabyte = (std::size_t{1} << 20) / sizeof(double);
 
-// How often memory is asked for, of `count` numbers.
+// Returns how often an arena of `count` numbers allocates.
 long calls_to_reserve(std::size_t count) {
   const test::FailingNew counter(-1);
   Arena<double> arena;
@@ -72,12 +72,6 @@ TEST_F(SpareMemory, IsBounded) {
 TEST_F(SpareMemory, OfSmallArenasIsNotKept) {
   EXPECT_EQ(calls_to_reserve(1000), 1);
   EXPECT_EQ(calls_to_reserve(1000), 1);
-}
-
-TEST_F(SpareMemory, GoesWhenItIsFreed) {
-  EXPECT_EQ(calls_to_reserve(10 * kMegabyte), 1);
-  free_spare_memory();
-  EXPECT_EQ(calls_to_reserve(10 * kMegabyte), 1);
 }
 
 }  // namespace

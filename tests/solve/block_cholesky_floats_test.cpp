@@ -2,12 +2,14 @@
 // (block_cholesky_test).
 
 #include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/solve/block_cholesky/block_cholesky.h"
+#include "lapwing/solve/block_cholesky/denormals.h"
 #include "solve/test_matrices.h"
 
 namespace lapwing {
@@ -91,6 +93,30 @@ TEST(BlockCholeskyInFloats, RefactorsToTheSameBits) {
   solver.solve(b, x, 1);
   BlockCholesky anew(in_floats());
   EXPECT_EQ(x, solve_with(anew, A.matrix, b));
+}
+
+// A product that compilers leave to the processor.
+float product(float a, float b) {
+  volatile float factor = a;
+  return factor * b;
+}
+
+TEST(Denormals, AreZeroInFloatsForAsLongAsThatIsWanted) {
+  const float least = std::numeric_limits<float>::min();
+  EXPECT_GT(product(least, 0.25F), 0.0F);
+  {
+    [[maybe_unused]] const cholesky::DenormalsFor<float> flushed;
+    EXPECT_EQ(product(least, 0.25F), 0.0F);
+    EXPECT_EQ(product(std::numeric_limits<float>::denorm_min(), 1e30F), 0.0F);
+    EXPECT_EQ(product(least, 4.0F), 4.0F * least);
+  }
+  EXPECT_GT(product(least, 0.25F), 0.0F);
+}
+
+TEST(Denormals, AreKeptInDoubles) {
+  [[maybe_unused]] const cholesky::DenormalsFor<double> kept;
+  volatile double factor = std::numeric_limits<double>::min();
+  EXPECT_GT(factor * 0.25, 0.0);
 }
 
 }  // namespace

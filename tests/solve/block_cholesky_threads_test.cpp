@@ -1,4 +1,4 @@
-// What must not depend on the number of threads, and what may happen while they run.
+// Results that must not depend on the number of threads, and events while threads run.
 
 #include <atomic>
 #include <random>
@@ -24,8 +24,8 @@ BlockCholeskyOptions with_threads(unsigned threads) {
   return options;
 }
 
-// How often what hangs on chance is tried. ThreadSanitizer makes runs slow, but sees a race between
-// accesses that did not collide; what differs by order alone is left to the other builds.
+// Number of runs of tests that depend on timing. ThreadSanitizer is slow, but sees races without a
+// collision.
 #ifdef LAPWING_THREAD_SANITIZER
 constexpr int kRuns = 10;
 #else

@@ -3,13 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/solve/scalar_lower.h"
+#include "lapwing/solve/ordering.h"
 #include "solve/test_matrices.h"
+#include "solvers/scalar_lower.h"
 
 namespace lapwing {
 namespace {
 
 using namespace test;
+using namespace bench;
 using ::testing::ElementsAre;
 
 // The whole matrix, from its entries one by one.

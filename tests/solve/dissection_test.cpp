@@ -16,6 +16,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/solve/block_solver.h"
 #include "lapwing/solve/dissection/bisection.h"
+#include "lapwing/solve/dissection/cut_score.h"
 #include "lapwing/solve/dissection/leaf_order.h"
 #include "lapwing/solve/dissection/mesh_dissection.h"
 #include "lapwing/solve/dissection/part.h"
@@ -33,7 +34,7 @@ std::vector<Index> all_vertices(const Mesh& mesh) {
   return all;
 }
 
-// Of a whole mesh, all but every `held`-th vertex unknown.
+// The system of a whole mesh, in which every `held`-th vertex is no unknown.
 struct System {
   Unknowns unknowns;
   CouplingGraph graph;
@@ -212,29 +213,15 @@ TEST(Part, KnowsTheBorderThatItsSeparatorLeaves) {
       const int node = half.nodes[v];
       const bool is_unknown = half.graph.weights[v] > 0;
       unknowns += is_unknown ? 1 : 0;
-      // What is held is no border; what was an unknown and is none here, is.
+      // Held vertices are no border; unknowns of the separator are.
       const bool is_later = !is_unknown && node < system.graph.unknowns;
       EXPECT_EQ(half.graph.borders[v], is_later ? 2 : 0);
     }
     EXPECT_EQ(half.unknowns, unknowns);
-    // What borders stays border in the parts of this part.
+    // A border stays a border in the parts of this part.
     const ThickSeparator none(half.graph, Sides(half.nodes.size(), 0));
     EXPECT_EQ(side_of(half, none, 0).graph.borders, half.graph.borders);
   }
-}
-
-TEST(Bisection, CutsALongTubeAcross) {
-  const System system(cylinder(16, 200, 0.5, 20.0));
-  const WeightedGraph graph = weighted(system.graph);
-  const Bisection bisection(graph);
-  const Sides sides = bisection.refine(bisection.attempt(0));
-  const auto ones = static_cast<int>(std::count(sides.begin(), sides.end(), 1));
-  EXPECT_GT(3 * ones, graph.size());
-  EXPECT_LT(3 * ones, 2 * graph.size());
-  ThickSeparator separator(graph, sides);
-  separator.smooth(2);
-  // Two rings of sixteen.
-  EXPECT_LE(separator.value(), 34);
 }
 
 TEST(ThickSeparator, PartsWhatIsCoupled) {
@@ -277,18 +264,6 @@ TEST(ThickSeparator, GainIsWhatAMoveSaves) {
   }
 }
 
-TEST(ThickSeparator, SmoothingNeverMakesItLarger) {
-  const System system(grid(30, 30));
-  const WeightedGraph graph = weighted(system.graph);
-  Sides sides(graph.weights.size());
-  // A ragged border.
-  for (std::size_t v = 0; v < sides.size(); ++v) sides[v] = v % 30 < 15 + (v / 30 % 2) * 4 ? 0 : 1;
-  ThickSeparator separator(graph, sides);
-  const int before = separator.value();
-  separator.smooth(2);
-  EXPECT_LT(3 * separator.value(), 2 * before);
-}
-
 TEST(WeightedGraph, ContractingCountsEdgesAndNodesAtBorders) {
   const System system(grid(17, 13), 7);
   WeightedGraph graph = weighted(system.graph);
@@ -328,7 +303,7 @@ TEST(WeightedGraph, ContractingCountsEdgesAndNodesAtBorders) {
   }
 }
 
-// Each unknown has the least degree of those that are left, by elimination as it is defined.
+// Each unknown has the least degree of the remaining ones, by explicit elimination.
 TEST(LeafOrder, TakesTheLeastDegreeAndCountsWhatIsAround) {
   const System system(grid(20, 20), 9);
   std::vector<int> leaf;
@@ -361,6 +336,31 @@ TEST(LeafOrder, OrdersASetThatIsTooLargeForItsMethod) {
   std::iota(order.begin(), order.end(), 0);
   LeafOrder(system.graph).sort(order);
   expect_permutation(order, order.size());
+}
+
+// Sums over the fronts, by the definition.
+double operations_of_halving(double separator, double border) {
+  double sum = 0;
+  double count = 1;
+  for (int level = 0; level < 60; ++level, count *= 2) {
+    sum += count * front_operations(separator, border);
+    border = border / 2 + separator;
+    separator /= std::numbers::sqrt2;
+  }
+  return sum;
+}
+
+TEST(CutScore, EstimatesTheSumOfAllFronts) {
+  for (const double n : {100.0, 5'000.0}) {
+    for (const double border : {0.0, 40.0, 300.0}) {
+      const double expected = operations_of_halving(3.0 * std::sqrt(n), border);
+      EXPECT_NEAR(patch_operations(n, border), expected, 1e-3 * expected);
+    }
+  }
+  // Minus what is left without its first s pivots, by the definition of a dense factorization.
+  double pivots = 0;
+  for (int left = 2'000; left > 1'500; --left) pivots += double(left) * left;
+  EXPECT_NEAR(front_operations(500, 1'500), pivots, 1e-3 * pivots);
 }
 
 }  // namespace

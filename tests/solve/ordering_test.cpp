@@ -64,11 +64,11 @@ INSTANTIATE_TEST_SUITE_P(Each, EveryOrdering,
                          });
 
 // Counted from what AMD says of its order, and from the columns of the factor.
-TEST(MinimumDegreeOrder, KnowsItsOperations) {
+TEST(EliminationOrder, KnowsItsOperations) {
   for (const OwnedMatrix& A :
        {laplacian_matrix(grid(59, 40), 1.0, 10), random_matrix(60, 1, 0.0, 0.1, 1),
         random_matrix(1, 1, 0.0, 0.1, 1)}) {
-    const MinimumDegreeOrder found = minimum_degree_order(*A.pattern);
+    const EliminationOrder found = minimum_degree_order(*A.pattern);
     const auto solver = make_solver();
     solver->analyze(*A.pattern, 1, found.order);
     EXPECT_NEAR(found.operations, solver->statistics().flops, 1e-9 * found.operations);

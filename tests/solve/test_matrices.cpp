@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/solve/ordering.h"
 

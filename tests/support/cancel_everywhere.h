@@ -9,10 +9,9 @@
 
 namespace lapwing::test {
 
-/// Calls `run(progress)` again and again, cancelled at another point of it each time, and then lets
-/// it end: every check in a loop is a point here. The first sixteen are all taken, farther on every
-/// sixteenth part of the way, so that some hundred runs see all stages however many points there
-/// are. Returns how many there were before the end.
+/// Calls `run(progress)` repeatedly and cancels it at a later check point each time, until it ends.
+/// It stops at each of the first sixteen points, and then at points that are each a sixteenth
+/// farther, so that some hundred runs reach all stages. Returns the number of points.
 template <class Run>
 std::size_t cancel_everywhere(const Run& run) {
   const AskAtEveryCheck asking;
@@ -25,7 +24,7 @@ std::size_t cancel_everywhere(const Run& run) {
       EXPECT_GE(asked, point);
       continue;
     }
-    // What is asked on the way out of a helper's work may come after the last point.
+    // A helper thread may still check after the last point.
     EXPECT_LT(asked, point) << "was told to stop and went on";
     return asked;
   }

@@ -7,7 +7,8 @@
 
 namespace lapwing::test {
 
-// What of a head is above `height`, `away` from it on the side that does not look to `inside`.
+/// Returns the part of `head` above `height`, moved outwards by `away`. `inside` is a point inside
+/// the head.
 inline Mesh cap_of(const Mesh& head, double height, double away, const Eigen::Vector3d& inside) {
   using Eigen::Vector3d;
   std::vector<Vector3d> normals(head.vertex_count(), Vector3d::Zero());

@@ -7,7 +7,7 @@
 
 namespace lapwing::test {
 
-/// Where a drag takes the mesh, on the processor.
+/// Returns the positions of one drag frame, computed on the CPU.
 inline Positions dragged(const std::shared_ptr<const DragResponse>& response,
                          std::span<const Eigen::Affine3d> motions,
                          const std::shared_ptr<const DragState>& from = nullptr) {

@@ -4,8 +4,8 @@
 
 namespace lapwing {
 
-/// What the `Error` thrown by `act` says; an empty string, which no test expects, when it throws
-/// none.
+/// Returns the message of the `Error` that `act` throws, or an empty string, which no test expects,
+/// if it throws none.
 template <class Error, class Act>
 std::string error_message(Act&& act) {
   try {

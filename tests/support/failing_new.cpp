@@ -16,7 +16,7 @@ std::atomic<long> failing_call{kOff};
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
   if (allocation_fails()) throw std::bad_alloc();
-  // aligned_alloc wants a multiple of the alignment.
+  // aligned_alloc requires a multiple of the alignment.
   void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
   if (memory == nullptr && bytes > 0) throw std::bad_alloc();
   return memory;
@@ -44,7 +44,7 @@ long FailingNew::calls() {
 
 }  // namespace lapwing::test
 
-// Every form, so that none of them is a sanitizer's, which would not know memory of the others.
+// Replaces every form, because a sanitizer's forms do not know the memory of these.
 namespace {
 
 void* new_or_null(std::size_t bytes, std::size_t alignment) noexcept {

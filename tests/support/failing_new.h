@@ -14,7 +14,7 @@ class FailingNew {
   static long calls();
 };
 
-/// Whether this call is the one that fails, for what else gives memory. Counts it.
+/// Counts a call of another allocator and returns whether this call is the one that fails.
 bool allocation_fails();
 
 }  // namespace lapwing::test

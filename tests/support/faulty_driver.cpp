@@ -18,7 +18,7 @@ const char* FaultyDriver::loader() {
   return elsewhere != nullptr ? elsewhere : LAPWING_FAULTY_LOADER;
 }
 
-// Never closed, as the real one.
+// The library is never closed, like the real loader.
 FaultyDriver::FaultyDriver()
     : environment_("LAPWING_VULKAN_LOADER", loader()), library_(dlopen(loader(), RTLD_NOW)) {
   EXPECT_NE(library_, nullptr) << dlerror();

@@ -9,23 +9,23 @@
 
 namespace lapwing::test {
 
-/// While alive, contexts are made on the machine's Vulkan by way of faulty_loader.cpp, which has
-/// one call fail.
+/// While alive, contexts use the machine's Vulkan through faulty_loader.cpp, which lets one call
+/// fail.
 class FaultyDriver {
  public:
   FaultyDriver();
   ~FaultyDriver();
 
-  /// From here on call `number` of those that `fault` counts fails, from 0; `ever_after`, so do all
-  /// that follow.
+  /// Lets call `number`, from 0 and from now on, of those that `fault` counts fail; with
+  /// `ever_after`, all later ones too.
   void fail(DriverFault fault, long number, bool ever_after = false) const;
   void work() const { fail(DriverFault::none, 0); }
-  /// Whether it has, since.
+  /// Returns whether a call has failed since.
   bool has_failed() const;
 
-  /// The loader, as LAPWING_VULKAN_LOADER; a program that it is given to reads what is to fail from
-  /// LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after". LAPWING_TEST_FAULTY_LOADER
-  /// says where it is, if not where it was built.
+  /// Returns the file of the loader, for LAPWING_VULKAN_LOADER. Another program that uses it reads
+  /// the fault from LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after".
+  /// LAPWING_TEST_FAULTY_LOADER names the file if it is not where it was built.
   static const char* loader();
 
  private:
@@ -33,9 +33,9 @@ class FaultyDriver {
   void* library_;
 };
 
-/// Calls `act` with the first call that `fault` counts failing, then the second, until it makes no
-/// more of them, each time after `prepare`, for which the driver works. Returns how many there
-/// were.
+/// Calls `act` repeatedly: first the first call that `fault` counts fails, then the second, until
+/// `act` makes no more of them. Calls `prepare` before each, while the driver works. Returns the
+/// number of calls.
 long for_every_call(const FaultyDriver& driver, DriverFault fault,
                     const std::function<void()>& prepare, const std::function<void()>& act);
 

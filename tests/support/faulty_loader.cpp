@@ -1,5 +1,5 @@
-// A Vulkan loader for tests (LAPWING_VULKAN_LOADER): the machine's own, but for one call to the
-// driver that fails. See faulty_driver.h.
+// A Vulkan loader for tests (LAPWING_VULKAN_LOADER): the machine's own, except that one call to the
+// driver fails (faulty_driver.h).
 #include "support/faulty_loader.h"
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ struct Plan {
   bool ever_after = false;
 };
 
-// LAPWING_DRIVER_FAULT, for programs that cannot ask: "loss 3", "memory 5", "memory 5 ever after".
+// Reads LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after".
 Plan plan_of_environment() {
   const char* text = std::getenv("LAPWING_DRIVER_FAULT");
   if (text == nullptr) return {};
@@ -33,7 +33,7 @@ Plan plan_of_environment() {
           std::strtol(text + space, nullptr, 10), words.ends_with("ever after")};
 }
 
-std::mutex mutex;  // of all that follows
+std::mutex mutex;  // guards all variables below
 Plan plan = plan_of_environment();
 long calls = 0;  // of the planned kind
 bool has_failed = false;
@@ -50,7 +50,7 @@ Function real(const char* name) {
   return reinterpret_cast<Function>(real_function(name));
 }
 
-// Under the mutex.
+// Call it under the mutex.
 bool is_due(DriverFault fault) {
   if (plan.fault != fault) return false;
   const long number = calls++;
@@ -59,7 +59,7 @@ bool is_due(DriverFault fault) {
   return due;
 }
 
-// A device that is lost has nothing left to do, and stays lost.
+// A lost device is idle and stays lost.
 bool is_lost(VkDevice device) {
   const std::lock_guard lock(mutex);
   if (lost.contains(device)) return true;
@@ -114,7 +114,7 @@ void VKAPI_PTR get_queue(VkDevice device, std::uint32_t family, std::uint32_t in
 void VKAPI_PTR destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks) {
   {
     const std::lock_guard lock(mutex);
-    lost.erase(device);  // the next one may have its number
+    lost.erase(device);  // the next device may have the same handle
   }
   real<PFN_vkDestroyDevice>("vkDestroyDevice")(device, callbacks);
 }

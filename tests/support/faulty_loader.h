@@ -2,11 +2,11 @@
 
 namespace lapwing::test {
 
-/// Which calls to a Vulkan driver are counted, so that one of them fails.
+/// The calls to a Vulkan driver that are counted, so that one of them fails.
 enum class DriverFault {
   none,
-  loss,    ///< submissions and waits: the device is lost from there on
-  memory,  ///< what makes an object or takes memory: it says that there is none
+  loss,    ///< submissions and waits; the device is then lost
+  memory,  ///< creations and allocations, which then report that there is no memory
 };
 
 }  // namespace lapwing::test

@@ -7,8 +7,8 @@
 namespace lapwing::test {
 namespace {
 
-// The layers' messages are no exceptions: they fail the program when its tests are done, those
-// about objects that a context left behind included.
+// Fails the program after its tests if the validation layers printed messages, also about objects
+// that outlived their context.
 class NoValidationMessages : public ::testing::Environment {
  public:
   void TearDown() override {

@@ -6,8 +6,8 @@
 
 namespace lapwing::test {
 
-/// Whether there is a Vulkan device to test on. Without one a test may only skip, and where the
-/// build was configured with LAPWING_REQUIRE_GPU_TESTS it fails instead.
+/// Returns whether there is a Vulkan device. Without one, tests skip. If the build was configured
+/// with LAPWING_REQUIRE_GPU_TESTS, they fail instead.
 bool has_gpu();
 
 }  // namespace lapwing::test

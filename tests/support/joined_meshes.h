@@ -6,7 +6,7 @@
 
 namespace lapwing::test {
 
-// Both in one, the vertices and faces of `other` after those of `mesh`.
+/// Returns both in one mesh: the vertices and faces of `mesh`, then those of `other`.
 inline Mesh joined(Mesh mesh, const Mesh& other) {
   const auto first = static_cast<Index>(mesh.vertex_count());
   mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());

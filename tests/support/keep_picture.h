@@ -8,8 +8,7 @@
 
 namespace lapwing::test {
 
-/// Keeps `picture` as NAME.png in the folder $LAPWING_KEEP_PICTURES, for somebody to look at;
-/// without that does nothing.
+/// Saves `picture` as NAME.png in the folder $LAPWING_KEEP_PICTURES, if that is set.
 inline void keep_picture(const Image& picture, const std::string& name) {
   const char* folder = std::getenv("LAPWING_KEEP_PICTURES");
   if (folder != nullptr) write_png(std::filesystem::path(folder) / (name + ".png"), picture);

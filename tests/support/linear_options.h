@@ -4,17 +4,18 @@
 
 namespace lapwing::test {
 
-/// The energy's tangent alone, as it is.
+/// Returns the options for the linear response alone, without settling.
 inline DeformOptions linear_options() {
   DeformOptions options;
   options.settle.reset();
   return options;
 }
 
-/// The paper's system, equation 10, alone.
+/// Returns the options for the paper's system (eq. 10) alone.
 inline DeformOptions rsi_options() {
   DeformOptions options = linear_options();
   options.response = LinearResponse::rsi;
+  options.constraint_weight = 1.0;
   options.weights = LaplacianWeights::uniform;
   return options;
 }

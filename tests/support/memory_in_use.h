@@ -6,13 +6,13 @@
 #include "support/sanitizers.h"
 
 #ifdef LAPWING_ADDRESS_SANITIZER
-// The compilers have the function; GCC has no header for it.
+// GCC has no header for this function.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
 namespace lapwing::test {
 
-/// The bytes that the program has taken and not given back.
+/// Returns the bytes that the program has allocated and not freed.
 inline std::size_t memory_in_use() {
 #ifdef LAPWING_ADDRESS_SANITIZER
   return __sanitizer_get_current_allocated_bytes();

@@ -9,11 +9,12 @@
 
 namespace lapwing::test {
 
-/// Where tools/setup/fetch-models put Debian's meshes; LAPWING_TEST_MODELS names another folder.
+/// Returns the folder of Debian's meshes (tools/setup/fetch-models). LAPWING_TEST_MODELS names
+/// another one.
 std::filesystem::path models_folder();
 
-/// The OBJ, OFF, PLY and STL files of one package there ("cgal", "assimp"), by name; none where
-/// nothing was fetched.
+/// Returns the OBJ, OFF, PLY and STL files of one package in that folder ("cgal", "assimp"), sorted
+/// by name. Empty if nothing was fetched.
 std::vector<std::filesystem::path> model_files(const std::string& package);
 
 }  // namespace lapwing::test

@@ -23,7 +23,8 @@ inline EditRegion ends_of_cylinder(const Mesh& mesh, double low = 0.6, double hi
   return region;
 }
 
-/// Turns by `degrees` about an axis through the middle of the handle, then moves.
+/// Returns a rotation by `degrees` about an axis through the middle of the handle, then a
+/// translation.
 inline Eigen::Affine3d turn_and_move(double degrees, const Eigen::Vector3d& axis,
                                      const Eigen::Vector3d& move) {
   const Eigen::Vector3d pivot(0.0, 0.0, 5.7);

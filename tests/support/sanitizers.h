@@ -1,7 +1,6 @@
 #pragma once
 
-// LAPWING_ADDRESS_SANITIZER and LAPWING_THREAD_SANITIZER, where tests are compiled with one. GCC
-// defines names for them, clang has features.
+// Defines LAPWING_ADDRESS_SANITIZER or LAPWING_THREAD_SANITIZER if tests are compiled with one.
 
 #if defined(__SANITIZE_ADDRESS__)
 #define LAPWING_ADDRESS_SANITIZER

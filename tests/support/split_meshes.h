@@ -6,13 +6,13 @@
 
 namespace lapwing::test {
 
-// A mesh some of whose vertices have copies.
+/// A mesh in which some vertices have copies.
 struct SplitMesh {
   Mesh mesh;
-  std::vector<Index> sources;  // per vertex: the one that it is a copy of
+  std::vector<Index> sources;  ///< per vertex: its original
 };
 
-// Every polygon with vertices of its own.
+/// Returns the mesh with separate vertices for each polygon.
 inline SplitMesh soup(const Mesh& mesh) {
   SplitMesh split;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -27,8 +27,8 @@ inline SplitMesh soup(const Mesh& mesh) {
   return split;
 }
 
-// The polygons for which `is_beyond` have copies of the vertices that others have, too, behind all
-// the rest: as one with two charts of texture coordinates is written.
+/// Returns the mesh with copies of the vertices that polygons with and without `is_beyond` share,
+/// as files with two texture charts have them. The copies follow the other vertices.
 template <class IsBeyond>
 SplitMesh split_where(const Mesh& mesh, const IsBeyond& is_beyond) {
   SplitMesh split;
@@ -57,7 +57,7 @@ SplitMesh split_where(const Mesh& mesh, const IsBeyond& is_beyond) {
   return split;
 }
 
-// Its first half of the polygons, and the rest.
+/// Splits the mesh between the first half of its polygons and the rest.
 inline SplitMesh halves(const Mesh& mesh) {
   return split_where(mesh, [&](std::size_t f) { return 2 * f >= mesh.face_count(); });
 }

@@ -9,14 +9,14 @@
 
 namespace lapwing::test {
 
-/// A program called ffmpeg that goes before any other, until this goes: it writes its arguments,
-/// one a line, to `arguments` of `folder`, and what it reads, as it is, to the file it is to make.
+/// While alive, a stand-in for the program ffmpeg on $PATH. It writes its arguments, one per line,
+/// to the file `arguments` in `folder`, and copies its input to its output file.
 class StandInFfmpeg {
  public:
   explicit StandInFfmpeg(const std::filesystem::path& folder)
       : StandInFfmpeg(folder, "printf '%s\\n' \"$@\" > '" + (folder / "arguments").string() +
                                   "'\nfor file; do :; done\ncat > \"${file#file:}\"\n") {}
-  /// Or one that does what `script` says.
+  /// A stand-in that runs `script`.
   StandInFfmpeg(const std::filesystem::path& folder, const std::string& script)
       : path_("PATH", (folder / "bin").string() + ":" + std::getenv("PATH")) {
     namespace fs = std::filesystem;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/transplant/loop_curve.h"
 
@@ -45,6 +47,20 @@ inline std::vector<Eigen::Vector3d> circle_points(std::size_t count, double phas
 /// The largest of an entry.
 inline double difference(const Eigen::Affine3d& a, const Eigen::Affine3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
+}
+
+/// The mesh without the faces with a corner less than `radius` from a point.
+inline Mesh with_hole(const Mesh& mesh, const Eigen::Vector3d& center, double radius) {
+  Mesh result;
+  result.positions = mesh.positions;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (std::all_of(face.begin(), face.end(),
+                    [&](Index v) { return (mesh.positions[v] - center).norm() >= radius; })) {
+      result.add_face(face);
+    }
+  }
+  return result;
 }
 
 }  // namespace lapwing::test

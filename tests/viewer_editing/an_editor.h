@@ -1,9 +1,7 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <semaphore>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -33,7 +31,7 @@ class AnEditor : public ::testing::Test {
  protected:
   void SetUp() override {
     LAPWING_NEEDS_GPU();
-    const AppState state = chosen_tube();
+    const AppState state = start();
     view_.camera = fit(state.rest->positions, {-Vector3d::UnitY(), Vector3d::UnitZ()},
                        kWindow.x() / kWindow.y());
     view_.size = kWindow;
@@ -54,8 +52,12 @@ class AnEditor : public ::testing::Test {
     wait_until_ready();
   }
   void TearDown() override { let_worker_go(); }
+  virtual AppState start() { return chosen_tube(); }
 
   void send(const InputEvent& event) { editor_->handle(event, view_); }
+  void drag_mouse(const Vector2d& from, const Vector2d& to) {
+    for (const InputEvent& event : {press(from), move_to(to), release(to)}) send(event);
+  }
   // By the mouse alone, from the middle of the window.
   void begin_drag(const Vector2d& by) {
     const Vector2d middle = 0.5 * kWindow;
@@ -66,28 +68,30 @@ class AnEditor : public ::testing::Test {
   }
   // What was ready when it looked is on the screen afterwards.
   void wait_until_ready() {
-    for (bool ready = false; !ready;) {
-      ready = editor_->session().preparation().status().phase == Phase::ready;
+    wait_until([&] {
+      const bool ready = editor_->session().preparation().status().phase == Phase::ready;
       editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+      return ready;
+    });
+  }
+  void update_until(const std::function<bool()>& happened) {
+    wait_until([&] {
+      editor_->update();
+      return happened();
+    });
   }
   // Until the handle in hand has columns.
   void wait_for_columns() {
-    do {
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (editor_->session().preparation().drag_response().response->handles() !=
-             std::vector<std::size_t>{editor_->handle()});
+    update_until([&] {
+      return editor_->session().preparation().drag_response().response->handles() ==
+             std::vector<std::size_t>{editor_->handle()};
+    });
   }
   Vector2d shown_pixel(Index v) const { return *view_.projection().to_pixel(rest()[v]); }
 
   // Until a settled result of the drag is on the screen.
   void wait_for_live_result() {
-    do {
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (!editor_->shows_live_result());
+    update_until([&] { return editor_->shows_live_result(); });
   }
 
   // The worker prepares anew and is held where the preview is ready, and nothing more.

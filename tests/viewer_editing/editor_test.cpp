@@ -3,71 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "editing/editor_actions.h"
-#include "lapwing/deform/shape_measures.h"
 #include "viewer_editing/an_editor.h"
 
 namespace lapwing::viewer::test {
 namespace {
-
-TEST_F(AnEditor, DragThatIsGivenUpLeavesNothing) {
-  for (const InputEvent& end :
-       {key(kEscape), at(InputKind::press, 0.5 * kWindow, MouseButton::right)}) {
-    begin_drag(kRight);
-    editor_->update();
-    EXPECT_GT(head_moved(), 0.2);
-    send(end);
-    editor_->update();
-    EXPECT_FALSE(editor_->is_dragging());
-    EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-    EXPECT_FALSE(is_moved(editor_->state()));
-    EXPECT_EQ(editor_->session().history().done(), 0U);
-  }
-}
-
-TEST_F(AnEditor, WhatSettledOfADragThatIsGivenUpNeverShows) {
-  begin_drag(kRight);
-  wait_for_live_result();
-  EXPECT_GT(head_moved(), 0.2);
-  send(move_to(0.5 * kWindow + 1.1 * kRight));
-  editor_->update();
-  send(key(kEscape));
-  editor_->update();
-  EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-  wait_until_ready();
-  EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-  EXPECT_FALSE(editor_->session().take_live_result().has_value());
-  begin_drag(kLeft);
-  editor_->update();
-  EXPECT_LT(head_moved(), -0.2) << "of this drag";
-}
-
-TEST_F(AnEditor, DragThatIsGivenUpLeavesTheResultBefore) {
-  begin_drag(kRight);
-  send(key(kEnter));
-  wait_until_ready();
-  const Positions before = on_screen();
-  const auto settled = editor_->state().settled;
-  ASSERT_NE(settled, nullptr);
-  begin_drag(kLeft);
-  editor_->update();
-  EXPECT_GT(largest_distance(on_screen(), before), 0.2);
-  send(key(kEscape));
-  editor_->update();
-  EXPECT_EQ(on_screen(), before);
-  EXPECT_EQ(editor_->state().settled, settled);
-}
-
-TEST_F(AnEditor, ResultOnItsWayComesThoughAnotherDragWasGivenUp) {
-  begin_drag(kRight);
-  send(key(kEnter));
-  EXPECT_TRUE(needs_settling(editor_->state()));
-  begin_drag(kLeft);
-  editor_->update();
-  send(key(kEscape));
-  wait_until_ready();
-  EXPECT_FALSE(needs_settling(editor_->state()));
-  EXPECT_GT(head_moved(), 0.2);
-}
 
 TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
   ASSERT_TRUE(editor_->take(Action::take_pin));
@@ -100,19 +39,21 @@ TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
             std::string("press on a pin and drag it, or pin another vertex"));
 }
 
-TEST_F(AnEditor, ADragIsUndoneAndRedoneWithItsResultAsOneStep) {
-  begin_drag(kRight);
-  send(key(kEnter));
-  wait_until_ready();
+TEST_F(AnEditor, AnotherFeatureAngleKeepsTheSurfaceAndTheDrag) {
+  const auto normals = [&] { return editor_->surface().shown().normals().size(); };
+  turn_and_settle(30.0);
   const Positions settled = on_screen();
-  ASSERT_FALSE(needs_settling(editor_->state()));
-  editor_->undo();
+  editor_->set_feature_angle(0.5);
+  EXPECT_GT(normals(), rest().size()) << "each triangle has its own";
+  EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
+  editor_->set_feature_angle(180.0);
+  EXPECT_EQ(normals(), rest().size());
+  wait_until_ready();
+  begin_drag(kRight);
+  editor_->set_feature_angle(0.5);
+  EXPECT_EQ(normals(), rest().size()) << "not during a drag";
   editor_->update();
-  EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-  editor_->redo();
-  editor_->update();
-  EXPECT_EQ(on_screen(), settled);
-  EXPECT_EQ(editor_->session().history().done(), 1U);
+  EXPECT_GT(largest_distance(on_screen(), settled), kVisible);
 }
 
 TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
@@ -133,9 +74,7 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   EXPECT_EQ(done(), 2U) << "and what is clicked is sized as one step";
   for (int notch = 0; notch < 5; ++notch) send(scrolled(middle, -1.0, kSizes));
   EXPECT_EQ(roi(), clicked);
-  send(press(middle));
-  send(move_to(middle + Vector2d(0.0, 60.0)));
-  send(release(middle + Vector2d(0.0, 60.0)));
+  drag_mouse(middle, middle + Vector2d(0.0, 60.0));
   ASSERT_EQ(done(), 3U);
   editor_->take(Action::take_disk);
   const std::size_t dragged = roi();
@@ -157,9 +96,8 @@ TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
   editor_->take(Action::take_disk);
   const Vector2d middle = 0.5 * kWindow + Vector2d(0.0, 60.0);
   const Vector2d rim = middle + Vector2d(0.0, 70.0);
-  for (const InputEvent& event : {press(middle), move_to(rim), release(rim), move_to(middle)}) {
-    send(event);
-  }
+  drag_mouse(middle, rim);
+  send(move_to(middle));
   ASSERT_EQ(editor_->part().role, Part::Role::handle);
   const std::size_t done = editor_->session().history().done();
   const std::size_t before = editor_->state().selection.roi.vertices.size();
@@ -169,7 +107,7 @@ TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
     if (grip.faces_eye(view_.projection()) && pixel.y() > lowest.y()) lowest = pixel;
   }
   const Vector2d wider = lowest + Vector2d(0.0, 40.0);
-  for (const InputEvent& event : {press(lowest), move_to(wider), release(wider)}) send(event);
+  drag_mouse(lowest, wider);
   EXPECT_GT(editor_->state().selection.roi.vertices.size(), before);
   EXPECT_EQ(editor_->session().history().done(), done + 1);
   EXPECT_EQ(editor_->part().role, Part::Role::handle) << "the handle still comes next";
@@ -262,9 +200,7 @@ TEST_F(AnEditor, ADiskElsewhereBeginsANewEditWithANote) {
   ASSERT_EQ(editor_->part().role, Part::Role::handle);
   editor_->take(Action::take_disk);
   const Vector2d elsewhere = 0.5 * kWindow + Vector2d(0.0, 80.0);
-  send(press(elsewhere));
-  send(move_to(elsewhere + Vector2d(0.0, 80.0)));
-  send(release(elsewhere + Vector2d(0.0, 80.0)));
+  drag_mouse(elsewhere, elsewhere + Vector2d(0.0, 80.0));
   EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_EQ(editor_->state().steps.size(), 1U) << "the first stays";
@@ -272,9 +208,7 @@ TEST_F(AnEditor, ADiskElsewhereBeginsANewEditWithANote) {
   EXPECT_TRUE(editor_->has_in_hand(editor_->tool()) && !editor_->has_gizmo());
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
-  send(press(elsewhere));
-  send(move_to(elsewhere + Vector2d(0.0, 25.0)));
-  send(release(elsewhere + Vector2d(0.0, 25.0)));
+  drag_mouse(elsewhere, elsewhere + Vector2d(0.0, 25.0));
   ASSERT_EQ(editor_->state().selection.handles.size(), 1U);
   wait_until_ready();
   editor_->perform(MoveHandle{0, bent()});
@@ -293,9 +227,7 @@ TEST_F(AnEditor, AStrokeElsewhereBeginsANewEditOnceTheLastHasMoved) {
   editor_->choose(kRoi);
   const std::size_t done = editor_->session().history().done();
   const Vector2d corner = 0.5 * kWindow + Vector2d(-60.0, 60.0);
-  send(press(corner));
-  send(move_to(corner + Vector2d(120.0, 60.0)));
-  send(release(corner + Vector2d(120.0, 60.0)));
+  drag_mouse(corner, corner + Vector2d(120.0, 60.0));
   EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_EQ(editor_->session().history().done(), done + 1) << "one stroke, one step";
@@ -308,10 +240,7 @@ TEST_F(AnEditor, ANewEditBeginsOnceTheDragHasSettled) {
   begin_drag(kRight);
   send(key(kEnter));
   editor_->new_edit();
-  while (!editor_->state().selection.roi.vertices.empty()) {
-    editor_->update();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  update_until([&] { return editor_->state().selection.roi.vertices.empty(); });
   EXPECT_EQ(editor_->state().steps.size(), 1U);
   EXPECT_EQ(editor_->part(), kRoi);
   EXPECT_FALSE(editor_->has_gizmo());
@@ -328,164 +257,6 @@ TEST_F(AnEditor, TheWheelAloneIsTheCameras) {
     }
   }
   EXPECT_EQ(editor_->session().history().done(), 1U);
-}
-
-TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs) {
-  editor_->perform(Choose{kSecondHandle, box(1.4, 1.7)});
-  wait_until_ready();
-  editor_->choose({Part::Role::handle, 0});
-  editor_->perform(MoveHandle{0, bent()});
-  wait_until_ready();
-  const Positions before = on_screen();
-  editor_->choose({Part::Role::handle, 1});
-  editor_->take(Action::take_move);
-  wait_for_columns();
-  begin_drag(kRight);
-  editor_->update();
-  const Index v = editor_->state().selection.handles[1].vertices.front();
-  EXPECT_GT(on_screen()[v].x() - before[v].x(), 0.1);
-  const Index head = editor_->state().selection.handles[0].vertices.front();
-  EXPECT_LT((on_screen()[head] - before[head]).norm(), 0.05) << "the first stays where it is";
-  send(key(kEscape));
-  editor_->update();
-  EXPECT_EQ(on_screen(), before);
-}
-
-TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
-  // That of the editor has the worker's uploads, too.
-  const auto context = std::make_shared<gpu::Context>();
-  const auto uploaded = [&] { return context->transfers().uploaded; };
-  ShownSurface shown(editor_->state().rest);
-  shown.take(editor_->state());
-  shown.use_device(context);
-  const std::uint64_t opened = uploaded();
-  shown.show_still();
-  EXPECT_EQ(uploaded(), opened);
-
-  turn_and_settle(60.0);
-  shown.take(editor_->state());
-  shown.show_still();
-  const std::vector<Index>& moved = editor_->state().settled->vertices;
-  const std::size_t affected =
-      with_ring_neighbours(moved, editor_->state().rest->topology().rings).size();
-  ASSERT_LT(affected, rest().size());
-  constexpr std::uint64_t kNoParameters = 2 * 16;
-  EXPECT_LE(uploaded() - opened, moved.size() * (16 + 4) + affected * 4 + kNoParameters);
-  EXPECT_GT(uploaded(), opened);
-}
-
-TEST_F(AnEditor, ASettledHandleTakenHoldOfAgainMovesNothing) {
-  turn_and_settle(80.0);
-  const Positions before = on_screen();
-  for (const bool live : {true, false}) {
-    editor_->set_settles_while_dragging(live);
-    for (const char mode : {'G', 'R', 'S'}) {
-      send(move_to(0.5 * kWindow));
-      send(key(mode));
-      editor_->update();
-      EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal()) << mode;
-      wait_until_ready();
-      EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal()) << mode;
-      send(key(kEnter));
-      editor_->update();
-      EXPECT_EQ(on_screen(), before) << mode;
-    }
-  }
-}
-
-TEST_F(AnEditor, NorDoesItInThePreview) {
-  turn_and_settle(80.0);
-  const Positions before = on_screen();
-  prepare_the_preview_alone();
-  begin_drag({0.0, 0.0});
-  editor_->update();
-  EXPECT_EQ(editor_->surface().source(), SurfaceSource::preview);
-  EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal());
-  send(move_to(0.5 * kWindow + 0.1 * kRight));
-  editor_->update();
-  const double moved = largest_distance(on_screen(), before);
-  EXPECT_GT(moved, 0.01);
-  EXPECT_LT(moved, 0.2) << "from there on";
-}
-
-TEST_F(AnEditor, WhatADragShowsIsWhatItComesTo) {
-  turn_and_settle(60.0);
-  begin_drag(0.3 * kRight);
-  for (const double share : {0.5, 0.8, 1.0}) {
-    editor_->update();
-    send(move_to(0.5 * kWindow + share * kRight));
-  }
-  wait_until_drag_is_settled();
-  EXPECT_TRUE(editor_->shows_live_result());
-  const Positions seen = on_screen();
-  hold_worker();
-  send(key(kEnter));
-  editor_->update();
-  EXPECT_LT(largest_distance(on_screen(), seen), kNothing * diagonal()) << "until it comes";
-  let_worker_go();
-  wait_until_ready();
-  EXPECT_EQ(editor_->surface().source(), SurfaceSource::still);
-  EXPECT_LT(largest_distance(on_screen(), seen), kSettled * diagonal());
-  EXPECT_EQ(editor_->session().history().done(), 2U) << "two moves, each with its result";
-}
-
-TEST_F(AnEditor, ATypedMoveGoesOnFromTheSurfaceAsItStands) {
-  turn_and_settle(80.0);
-  const Positions before = on_screen();
-  prepare_the_preview_alone();
-  editor_->perform(MoveHandle{0, twisted(81.0)});
-  editor_->update();
-  EXPECT_LT(largest_distance(on_screen(), before), 0.05);
-}
-
-TEST_F(AnEditor, ADragNeverShowsAWorseSurfaceThanWhatItComesTo) {
-  const auto stretch = [&] {
-    const Topology& topology = editor_->state().rest->topology();
-    return edge_stretch(editor_->state().selection.roi.vertices, topology, rest(), on_screen());
-  };
-  begin_drag({0.0, 0.0});
-  for (const InputEvent& event : {key('R'), key('Z'), typed('1'), typed('5'), typed('0')}) {
-    send(event);
-  }
-  // Nothing settles yet, as on a machine that is slow.
-  hold_worker();
-  editor_->update();
-  double worst = stretch();
-  send(key(kEnter));
-  editor_->update();
-  worst = std::max(worst, stretch());
-  let_worker_go();
-  while (needs_settling(editor_->state())) {
-    editor_->update();
-    worst = std::max(worst, stretch());
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  EXPECT_LT(worst, 1.1 * stretch());
-}
-
-// The camera's near and far planes hold the bounds: what is outside would be cut off.
-TEST_F(AnEditor, TheBoundsHoldWhatADragShows) {
-  begin_drag({0.0, 0.0});
-  for (const InputEvent& event : {key('Z'), typed('-'), typed('1')}) send(event);
-  wait_until_drag_is_settled();
-  const Bounds shown = bounds_of(on_screen());
-  const Bounds held = editor_->bounds();
-  EXPECT_GT((bounds_of(rest()).min - shown.min).head<2>().maxCoeff(), 0.1) << "the tube bulges";
-  EXPECT_LT((united(held, shown).max - held.max).norm(), kVisible);
-  EXPECT_LT((united(held, shown).min - held.min).norm(), kVisible);
-}
-
-TEST_F(AnEditor, WithoutSettlingADragIsTheLinearResponse) {
-  editor_->perform(SetParameters{{{.settle = std::nullopt}}});
-  wait_until_ready();
-  EXPECT_FALSE(editor_->settles_while_dragging());
-  begin_drag(kRight);
-  editor_->update();
-  EXPECT_EQ(editor_->surface().source(), SurfaceSource::exact);
-  const Positions seen = on_screen();
-  send(key(kEnter));
-  wait_until_ready();
-  EXPECT_LT(largest_distance(on_screen(), seen), kVisible);
 }
 
 }  // namespace

@@ -31,10 +31,8 @@ class WhileItSettles : public AnEditor {
   // Until nothing is left to do; of a new edit nothing may be prepared yet.
   void finish() {
     const auto phase = [&] { return editor_->session().preparation().status().phase; };
-    do {
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (editor_->waits() || (phase() != Phase::ready && phase() != Phase::idle));
+    update_until(
+        [&] { return !editor_->waits() && (phase() == Phase::ready || phase() == Phase::idle); });
   }
 
   // The head is turned, and then this is done.
@@ -183,29 +181,11 @@ TEST_F(WhileItSettles, AStrokeUnderWayGoesOnOverTheResult) {
   const Vector2d rim = elsewhere_ + Vector2d(0.0, 80.0);
   send_in_frames({press(elsewhere_), move_to(0.5 * (elsewhere_ + rim))});
   let_worker_go();
-  while (needs_settling(editor_->state())) {
-    editor_->update();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  update_until([&] { return !needs_settling(editor_->state()); });
   send_in_frames({move_to(rim), release(rim)});
   EXPECT_EQ(editor_->state().steps.size(), 1U);
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_FALSE(editor_->state().selection.roi.vertices.empty());
-}
-
-TEST_F(AnEditor, PickingInADragAsksNothingOfTheDevice) {
-  begin_drag(kRight);
-  wait_until_drag_is_settled();
-  const Vector2d somewhere = *view_.projection().to_pixel({0.0, 0.0, 1.5});
-  const Vector2d middle = somewhere.array().floor() + 0.5;
-  const std::uint64_t completed = context_->completed();
-  const auto seen = editor_->shown().pick(view_, middle);
-  EXPECT_EQ(context_->completed(), completed);
-  const auto expected = pick_surface(editor_->shown().topology(), on_screen(),
-                                     view_.projection().ray_through(middle));
-  ASSERT_TRUE(seen && expected);
-  EXPECT_EQ(seen->triangle, expected->triangle);
-  EXPECT_LT((seen->position - expected->position).norm(), 1e-3);
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 #include "files/folder_listing.h"
 
-#include <chrono>
-#include <thread>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.h"
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/errors.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -59,33 +58,16 @@ TEST_F(Listing, ShowsHiddenAndOtherFilesWhereThatIsWanted) {
               ElementsAre("Animals", "link", "zoo"));
 }
 
+TEST_F(Listing, IsCancelledAtAnEntry) {
+  const ProgressScope cancelled([](std::string_view, double) { return false; });
+  const AskAtEveryCheck every;
+  EXPECT_THROW(list_folder(folder_.path(), meshes()), Cancelled);
+}
+
 TEST_F(Listing, SaysWhyAFolderCannotBeRead) {
   const FolderListing listing = list_folder(folder_ / "nowhere", meshes());
   EXPECT_THAT(listing.trouble, HasSubstr("nowhere cannot be read: No such file"));
   EXPECT_THAT(listing.entries, IsEmpty());
-}
-
-TEST_F(Listing, IsGivenUpWhenNobodyWantsItAnyMore) {
-  int asked = 0;
-  const auto listing = list_folder(folder_.path(), meshes(), [&] { return ++asked < 3; });
-  EXPECT_EQ(asked, 3);
-  EXPECT_LT(listing.entries.size(), 3U);
-}
-
-TEST_F(Listing, IsReadBesideTheWindowAndTheLastOneAskedForWins) {
-  for (int k = 0; k < 2000; ++k) folder_.file("zoo/" + std::to_string(k) + ".off", "");
-  FolderReader reader;
-  reader.read(folder_ / "zoo", meshes());
-  reader.read(folder_.path(), meshes());
-  std::optional<FolderListing> listing;
-  for (int k = 0; k < 1000 && !listing; ++k) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    listing = reader.take();
-  }
-  ASSERT_TRUE(listing);
-  EXPECT_EQ(listing->folder, folder_.path());
-  EXPECT_FALSE(reader.is_reading());
-  EXPECT_FALSE(reader.take()) << "once";
 }
 
 TEST(ComesBefore, IsAStrictOrder) {

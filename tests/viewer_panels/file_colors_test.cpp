@@ -7,7 +7,8 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
-#include "session/transplant_runs.h"
+#include "run/transplant_runs.h"
+#include "support/environment.h"
 #include "support/gpu.h"
 #include "support/keep_picture.h"
 #include "viewer_panels/shown_viewer.h"
@@ -103,14 +104,11 @@ TEST_F(TexturedSheet, KeepsItsImageBesideAPartThatHasNone) {
 }
 
 TEST_F(TexturedSheet, KeepsItsImageWhileAPartIsInHand) {
-  const auto parts = viewer_->folder() / "data" / "lapwing" / "parts";
-  setenv("XDG_DATA_HOME", (viewer_->folder() / "data").c_str(), 1);
-  std::filesystem::create_directories(parts);
-  write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
+  const lapwing::test::Environment data("XDG_DATA_HOME", viewer_->folder() / "data");
+  add_finger(viewer_->folder());
   viewer_->open(file("sheet.obj"));
   viewer_->key('N');
   viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
-  unsetenv("XDG_DATA_HOME");
   const double alone = red("textured-sheet");
   viewer_->app().handle({.kind = InputKind::move, .position = {850.0, 400.0}});
   const double beside = red("textured-sheet-and-part");

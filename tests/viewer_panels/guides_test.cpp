@@ -5,7 +5,6 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
-#include "session/transplant_runs.h"
 #include "support/environment.h"
 #include "support/gpu.h"
 #include "viewer_panels/shown_viewer.h"
@@ -19,9 +18,7 @@ class Guides : public ::testing::Test {
  protected:
   void SetUp() override {
     LAPWING_NEEDS_GPU();
-    const std::filesystem::path parts = folder_ / "data" / "lapwing" / "parts";
-    std::filesystem::create_directories(parts);
-    write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
+    add_finger(folder_.path());
     write_mesh(rippled_cylinder(24, 41), folder_ / "tube.obj");
     viewer_ =
         std::make_unique<ShownViewer>(std::make_shared<gpu::Context>(), Look{}, folder_.path());
@@ -41,6 +38,14 @@ class Guides : public ::testing::Test {
     viewer_->key('I');
     drag_disk(60.0);
     ASSERT_FALSE(roi().vertices.empty());
+  }
+  // Until it has settled.
+  void move_handle() {
+    viewer_->key('G');
+    viewer_->type(U'1');
+    viewer_->key(kEnter);
+    const Editor& editor = viewer_->app().document()->editor;
+    viewer_->wait_for([&] { return editor.state().settled && !editor.waits(); }, "it settles");
   }
   const ChosenRegion& roi() const {
     return viewer_->app().document()->editor.state().selection.roi;
@@ -89,10 +94,7 @@ TEST_F(Guides, NameTheKeysOfAnEdit) {
   expect_at("Move", "key M");
   viewer_->key('M');
   expect_says("G");
-  viewer_->key('G');
-  viewer_->type(U'1');
-  viewer_->key(kEnter);
-  viewer_->wait_for([&] { return !viewer_->app().document()->editor.waits(); }, "it settles");
+  move_handle();
   expect_says("Ctrl+N begins another edit");
   expect_at("Undo", "Ctrl+Z");
   expect_at("Redo", "Ctrl+Shift+Z");
@@ -122,11 +124,7 @@ TEST_F(Guides, LeadFromADragToACoatOfWhatWasMoved) {
   choose_roi();
   viewer_->key('H');
   drag_disk(20.0);
-  viewer_->key('G');
-  viewer_->type(U'1');
-  viewer_->key(kEnter);
-  const Editor& editor = viewer_->app().document()->editor;
-  viewer_->wait_for([&] { return editor.state().settled && !editor.waits(); }, "it settles");
+  move_handle();
   viewer_->key('K', kControl);
   viewer_->wait_for([&] { return viewer_->says("source: "); }, "the coat begins");
   viewer_->click("the whole source");

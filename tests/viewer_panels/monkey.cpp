@@ -64,6 +64,12 @@ void Monkey::send(InputKind kind, const Vector2d& at, MouseButton button, const 
   viewer_->send({.kind = kind, .position = at, .button = button, .modifiers = held});
 }
 
+void Monkey::click_at(const Vector2d& at, MouseButton button, const Modifiers& held) {
+  send(InputKind::move, at, MouseButton::none, held);
+  send(InputKind::press, at, button, held);
+  send(InputKind::release, at, button, held);
+}
+
 void Monkey::press_key(int key, const Modifiers& held) {
   // On most keyboards a '?' is on another key, with Shift.
   const bool is_shifted = key == '?';
@@ -106,9 +112,7 @@ std::string Monkey::click() {
   const MouseButton button = below(6) == 0 ? MouseButton::right : MouseButton::left;
   const Modifiers held = modifiers();
   const Vector2d at = place();
-  send(InputKind::move, at, MouseButton::none, held);
-  send(InputKind::press, at, button, held);
-  send(InputKind::release, at, button, held);
+  click_at(at, button, held);
   return "click " + words_of(held) + words_of(at);
 }
 
@@ -118,9 +122,7 @@ std::string Monkey::click_on_text() {
   const ShownText text = one_of(texts);
   const Vector2d at(text.middle().x, text.middle().y);
   const Modifiers held = below(8) == 0 ? kControl : Modifiers{};
-  send(InputKind::move, at, MouseButton::none, held);
-  send(InputKind::press, at, MouseButton::left, held);
-  send(InputKind::release, at, MouseButton::left, held);
+  click_at(at, MouseButton::left, held);
   return "click on \"" + text.words + "\" " + words_of(held);
 }
 
@@ -198,9 +200,7 @@ std::string Monkey::transplant() {
   press_key('N');
   wait();
   const Vector2d at = place_on_mesh();
-  send(InputKind::move, at, MouseButton::none, {});
-  send(InputKind::press, at, MouseButton::left, {});
-  send(InputKind::release, at, MouseButton::left, {});
+  click_at(at, MouseButton::left, {});
   press_key(kEnter);
   return "transplant to " + words_of(at);
 }

@@ -39,6 +39,7 @@ class Monkey {
   Eigen::Vector2d place_on_mesh();
   Modifiers modifiers();
   void send(InputKind kind, const Eigen::Vector2d& at, MouseButton button, const Modifiers& held);
+  void click_at(const Eigen::Vector2d& at, MouseButton button, const Modifiers& held);
   void drag_along(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
   void press_key(int key, const Modifiers& held = {});
   void type(std::string_view text);

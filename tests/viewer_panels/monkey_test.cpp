@@ -8,11 +8,9 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
-#include "session/transplant_runs.h"
 #include "state/journal.h"
 #include "support/environment.h"
 #include "support/gpu.h"
-#include "support/how_often.h"
 #include "support/keep_picture.h"
 
 namespace lapwing::viewer::test {
@@ -46,9 +44,7 @@ class MonkeyTest : public ::testing::TestWithParam<std::uint64_t> {
     write_mesh(rippled_cylinder(24, 31), folder_ / "tube.obj");
     write_mesh(icosphere(3), folder_ / "ball.ply");
     write_mesh(rippled_cylinder(12, 21), folder_ / "other.obj");
-    const fs::path parts = folder_ / "data" / "lapwing" / "parts";
-    fs::create_directories(parts);
-    write_mesh(lapwing::test::finger(12, 8, 0.2, 0.6), parts / "finger.ply");
+    add_finger(folder_.path(), 12, 8);
     start();
   }
 

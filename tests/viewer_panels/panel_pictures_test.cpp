@@ -9,17 +9,16 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
-#include "session/transplant_runs.h"
 #include "support/environment.h"
 #include "support/gpu.h"
 #include "support/keep_picture.h"
+#include "viewer_panels/bent_tube.h"
 #include "viewer_panels/shown_viewer.h"
 
 namespace lapwing::viewer::test {
 namespace {
 
 using Eigen::Vector2d;
-using ::testing::IsEmpty;
 
 // WCAG 2.1, 1.4.3.
 constexpr double kLeastContrast = 4.5;
@@ -28,29 +27,15 @@ class Panels : public ::testing::TestWithParam<Look> {
  protected:
   void SetUp() override {
     LAPWING_NEEDS_GPU();
-    context_ = std::make_shared<gpu::Context>();
-    viewer_ = std::make_unique<ShownViewer>(context_, GetParam());
-    const std::filesystem::path parts = viewer_->folder() / "data" / "lapwing" / "parts";
-    setenv("XDG_DATA_HOME", (viewer_->folder() / "data").c_str(), 1);
-    std::filesystem::create_directories(parts);
-    write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
+    viewer_ = std::make_unique<ShownViewer>(std::make_shared<gpu::Context>(), GetParam());
+    data_.emplace("XDG_DATA_HOME", viewer_->folder() / "data");
+    add_finger(viewer_->folder());
     write_mesh(rippled_cylinder(24, 41), viewer_->folder() / "tube.obj");
   }
-  void TearDown() override { unsetenv("XDG_DATA_HOME"); }
 
   // The tube with a handle that was moved; far, and the certificate has much to say.
-  std::filesystem::path bent(int by) const {
-    const auto file = viewer_->folder() / "bend.json";
-    std::ofstream(file) << R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
-      {"op": "deform", "roi": {"all": true},
-       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.6]}},
-       "handles": [{"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
-                    "move": {"translate": [)"
-                        << by << ", 0, 0]}}]}]}";
-    return file;
-  }
   void open_bent(int by = 9) {
-    viewer_->open(bent(by));
+    viewer_->open(write_bent_tube(viewer_->folder(), by));
     viewer_->wait_for([&] { return viewer_->says("ready: settles as it is dragged"); },
                       "the edit is prepared");
   }
@@ -81,8 +66,8 @@ class Panels : public ::testing::TestWithParam<Look> {
     viewer_->click(menu);
   }
 
-  std::shared_ptr<gpu::Context> context_;
   std::unique_ptr<ShownViewer> viewer_;
+  std::optional<lapwing::test::Environment> data_;
 };
 
 TEST_P(Panels, OfTheStartAreWhole) {

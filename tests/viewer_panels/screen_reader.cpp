@@ -175,25 +175,24 @@ class Reader {
     }
   }
 
-  // Whether the font's picture has a letter there, or a part of one.
-  bool is_letter_place(const ImVec2& from, const ImVec2& to) const {
-    if (letters_.beginning_at(from) || letters_.ending_at(to)) return true;
+  // Returns the letter of which the font's picture has a part there; null for none.
+  static const ImFontGlyph* letter_around(const ImVec2& from, const ImVec2& to) {
     for (const ImFontGlyph& glyph : ImGui::GetIO().Fonts->Fonts[0]->Glyphs) {
       const bool inside = glyph.Visible && from.x >= glyph.U0 && to.x <= glyph.U1 &&
                           from.y >= glyph.V0 && to.y <= glyph.V1;
-      if (inside) return true;
+      if (inside) return &glyph;
     }
-    return false;
+    return nullptr;
+  }
+
+  bool is_letter_place(const ImVec2& from, const ImVec2& to) const {
+    return letters_.beginning_at(from) || letters_.ending_at(to) || letter_around(from, to);
   }
 
   // Whether it is narrower than the letter that it is a part of.
   static bool is_cut_across(const ImDrawVert& from, const ImDrawVert& to) {
-    for (const ImFontGlyph& glyph : ImGui::GetIO().Fonts->Fonts[0]->Glyphs) {
-      const bool inside = glyph.Visible && from.uv.x >= glyph.U0 && to.uv.x <= glyph.U1 &&
-                          from.uv.y >= glyph.V0 && to.uv.y <= glyph.V1;
-      if (inside) return to.pos.x - from.pos.x < glyph.X1 - glyph.X0 - 1.0F;
-    }
-    return true;
+    const ImFontGlyph* whole = letter_around(from.uv, to.uv);
+    return whole == nullptr || to.pos.x - from.pos.x < whole->X1 - whole->X0 - 1.0F;
   }
 
   // Where the pen stood that wrote the letter.

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lapwing/io/mesh_file.h"
+#include "run/transplant_runs.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer::test {
@@ -58,6 +60,12 @@ std::optional<int> button_of(MouseButton button) {
 }
 
 }  // namespace
+
+void add_finger(const std::filesystem::path& folder, int sides, int rings) {
+  const std::filesystem::path parts = folder / "data" / "lapwing" / "parts";
+  std::filesystem::create_directories(parts);
+  write_mesh(lapwing::test::finger(sides, rings, 0.2, 0.6), parts / "finger.ply");
+}
 
 ShownViewer::ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look,
                          std::filesystem::path folder)

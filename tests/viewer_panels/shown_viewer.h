@@ -12,12 +12,15 @@
 #include "viewer_panels/screen_reader.h"
 #include "window/frame_painter.h"
 #include "window/offscreen_screen.h"
-#include "window/picture_input.h"
+#include "window/panel_input.h"
 
 namespace lapwing::viewer::test {
 
 inline constexpr Modifiers kControl{.control = true};
 inline constexpr Modifiers kControlShift{.shift = true, .control = true};
+
+/// Puts a finger among the parts of a viewer that keeps its data in `folder`/data.
+void add_finger(const std::filesystem::path& folder, int sides = 24, int rings = 12);
 
 /// What the desktop and the person say of how the viewer looks.
 struct Look {

@@ -1,7 +1,6 @@
 #include "preferences/preferences.h"
 
 #include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,11 +14,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 class PreferencesTest : public ::testing::Test {
  protected:
@@ -79,7 +73,7 @@ TEST_F(PreferencesTest, AValueThatCannotBeIsSaidByItsNameAndTheRestIsTaken) {
 TEST_F(PreferencesTest, WhatAnotherVersionKeepsStaysInTheFile) {
   read(R"({"a_later_one": [1, 2], "theme": "light"})");
   write_preferences({}, file_);
-  EXPECT_THAT(text_of(file_), HasSubstr("a_later_one"));
+  EXPECT_THAT(content_of(file_), HasSubstr("a_later_one"));
   EXPECT_EQ(read_preferences(file_).preferences, Preferences());
 }
 

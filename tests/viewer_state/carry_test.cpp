@@ -1,7 +1,5 @@
 // Files that follow the surface in the viewer: undone, redone, restored, replayed and saved.
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,12 +10,12 @@
 #include "lapwing/io/point_table.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/transform.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "support/error_message.h"
 #include "support/split_meshes.h"
 #include "viewer_state/tube_edit.h"
+#include "work/crash_recovery.h"
 #include "work/edit_session.h"
-#include "work/settled_result.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -41,21 +39,21 @@ class CarriedInAWindow : public ::testing::Test {
   void open(const Mesh& mesh) {
     write_mesh(mesh, tube_);
     session_.emplace(History(open_state(read_mesh(tube_))), stamp_of(tube_), folder_ / "cache",
-                     [] { return std::make_unique<CpuKernels>(); });
+                     cpu_kernels);
     session_->perform(Choose{kRoi, box(0.3, 4.0)});
     session_->perform(Choose{kHandle, box(2.8, 4.0)});
-  }
-  void wait_until(const std::function<bool()>& there) {
-    while (!there()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   void carry(const std::vector<fs::path>& files) {
     session_->carry_along(files);
     wait_until([&] { return session_->take_step().has_value(); });
-    if (needs_settling(state())) wait_until([&] { return session_->take_result(); });
+    if (needs_settling(state())) wait_for_result();
+  }
+  void wait_for_result() {
+    test::wait_until([&] { return session_->take_result(); });
   }
   void drag(const Move& move) {
     session_->perform(MoveHandle{0, move});
-    wait_until([&] { return session_->take_result(); });
+    wait_for_result();
   }
   const AppState& state() const { return session_->state(); }
   Positions places(std::size_t object = 0) const {
@@ -132,11 +130,11 @@ TEST_F(CarriedInAWindow, OfAScaledATurnedFarAndAMirroredEditIsWhatARunMakesOfIt)
   EditParameters in_parts;
   in_parts.commit_every = 60.0;
   session_->perform(SetParameters{in_parts});
-  wait_until([&] { return session_->take_result(); });
+  wait_for_result();
   drag(twisted(150.0));
   expect_same_as(*run_headless());
   session_->perform(SetParameters{});
-  wait_until([&] { return session_->take_result(); });
+  wait_for_result();
   session_->perform(SetMirror{MirrorPlane{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
   wait_until([&] { return session_->take_result() || !needs_settling(state()); });
   expect_same_as(*run_headless());
@@ -171,7 +169,7 @@ TEST_F(CarriedInAWindow, TakenOffTheListStaysWhereStepsHaveTakenIt) {
   EXPECT_EQ(places(), left);
   expect_same_as(*run_headless());
   session_->perform(CarryAlong{open_carried(hat_)});
-  wait_until([&] { return session_->take_result(); });
+  wait_for_result();
   EXPECT_GT(largest_distance(places(), left), 0.05);
   expect_same_as(*run_headless());
 }
@@ -185,8 +183,7 @@ TEST_F(CarriedInAWindow, IsRestoredAfterACrash) {
   session_.reset();
   const auto edits = find_interrupted(folder_ / "cache");
   ASSERT_EQ(edits.size(), 1U);
-  const History history =
-      restore(open_state(read_mesh(tube_)), edits[0].draft, carry_out_again(edits[0], kernels_));
+  const History history = restore_after_crash(open_state(read_mesh(tube_)), edits[0], kernels_);
   EXPECT_LT(largest_distance(carried_of(history.state()).at(0)->positions(), before), 1e-9);
 }
 

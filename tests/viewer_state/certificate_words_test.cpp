@@ -81,7 +81,7 @@ TEST_F(CertificateWords, EdgeLongerThanThreeTimesNamesItsEnds) {
 
 TEST_F(CertificateWords, HandleIsJudgedByTheSizeOfTheMesh) {
   certificate_.rest_diagonal = 2.0;
-  certificate_.asked_motion = 1.0;
+  certificate_.prescribed_motion = 1.0;
   certificate_.handle_error = 0.015;
   EXPECT_THAT(warnings(), IsEmpty());
   certificate_.handle_error = 0.05;

@@ -141,22 +141,17 @@ TEST_P(AHand, TakesARimsDotFromAFewPointsAside) {
   EXPECT_FALSE(is_at_grip(8.5));
 }
 
-TEST_P(AHand, DragsADiskFromAFewPointsOn) {
-  for (const double way : {3.5, 4.5}) {
-    DiskTool tool;
-    send(tool, press(sphere_.pixel_of(front_)));
-    send(tool, move_to(beside(front_, way)));
-    send(tool, release(beside(front_, way)));
-    EXPECT_EQ(tool.may_change_choice(), way < 4.0) << "clicked, not dragged";
-  }
-}
-
-TEST_P(AHand, DrawsARulerFromAFewPointsOn) {
+TEST_P(AHand, DragsADiskOrARulerFromAFewPointsOn) {
   for (const double way : {3.5, 40.0}) {
-    RulerTool tool;
-    send(tool, press(sphere_.pixel_of(front_)));
-    send(tool, release(beside(front_, way)));
-    EXPECT_EQ(tool.has_both_ends(), way > 4.0);
+    DiskTool disk;
+    RulerTool ruler;
+    for (SceneTool* tool : {static_cast<SceneTool*>(&disk), static_cast<SceneTool*>(&ruler)}) {
+      send(*tool, press(sphere_.pixel_of(front_)));
+      send(*tool, move_to(beside(front_, way)));
+      send(*tool, release(beside(front_, way)));
+    }
+    EXPECT_EQ(disk.may_change_choice(), way < 4.0) << "clicked, not dragged";
+    EXPECT_EQ(ruler.has_both_ends(), way > 4.0);
   }
 }
 

@@ -46,19 +46,12 @@ TEST_F(Selecting, StrokesDoNotPileUp) {
   EXPECT_EQ(spec_of(region, "region"), before.made);
 }
 
-TEST_F(Selecting, NothingLeftIsAnEmptyList) {
-  const ChosenRegion region = repainted(disk(0.3), {});
-  EXPECT_EQ(spec_of(region, "region"), RegionSpec{ListedVertices{}});
-}
-
 TEST_F(Selecting, ListsAreWrittenAsTheyAre) {
+  EXPECT_EQ(spec_of(repainted(disk(0.3), {}), "region"), RegionSpec{ListedVertices{}});
+  EXPECT_EQ(spec_of(disk(0.0), "region"), (RegionSpec{ListedVertices{{40}}})) << "without radius";
   ChosenRegion region = choose({ListedVertices{{5, 3}}}, mesh_);
   region = repainted(region, unite(region.vertices, {4}));
   EXPECT_EQ(spec_of(region, "region"), (RegionSpec{ListedVertices{{3, 4, 5}}}));
-}
-
-TEST_F(Selecting, DiskWithoutRadiusIsAList) {
-  EXPECT_EQ(spec_of(disk(0.0), "region"), (RegionSpec{ListedVertices{{40}}}));
 }
 
 TEST_F(Selecting, DiskThatStillHoldsTheSameVerticesIsCarriedOver) {

@@ -48,10 +48,6 @@ class AJournal : public ::testing::Test {
   AJournal() { write_mesh(bumpy_tube(), mesh_); }
 
   static AppState moved(const AppState& state) { return apply(state, MoveHandle{0, bent()}); }
-  static AppState settled_tube() {
-    const AppState state = moved(chosen_tube());
-    return apply(state, Settle{handles_alone(state)});
-  }
   std::vector<InterruptedEdit> interrupted() const { return find_interrupted(cache_); }
   MeshStamp stamp() const { return stamp_of(mesh_); }
 
@@ -250,12 +246,6 @@ TEST_F(AJournal, CountsTheEditsAndSaysWhenTheLastWas) {
   EXPECT_EQ(left_at(moved_on), 2U);
 }
 
-TEST_F(AJournal, DiscardedIsGone) {
-  { Journal(cache_, stamp()).record(chosen_tube()); }
-  discard(interrupted().at(0));
-  EXPECT_TRUE(interrupted().empty());
-}
-
 TEST_F(AJournal, IsNotWrittenWithoutNews) {
   Journal journal(cache_, stamp());
   journal.record(chosen_tube());
@@ -264,10 +254,11 @@ TEST_F(AJournal, IsNotWrittenWithoutNews) {
   EXPECT_EQ(std::filesystem::file_size(journal.path()), size);
 }
 
-TEST_F(AJournal, OfAMeshWhoseNameIsNoUtf8IsRefusedAndLeavesNothing) {
+TEST_F(AJournal, ThatCannotBeWrittenLeavesNothing) {
+  EXPECT_THROW(Journal(mesh_ / "inside", stamp()), IoError);
   const std::filesystem::path latin = folder_ / "m\xF6we.obj";
   std::filesystem::copy_file(mesh_, latin);
-  EXPECT_THROW(Journal(cache_, stamp_of(latin)), InputError);
+  EXPECT_THROW(Journal(cache_, stamp_of(latin)), InputError) << "the name is not UTF-8";
   EXPECT_TRUE(interrupted().empty());
   EXPECT_FALSE(std::filesystem::exists(cache_));
 }
@@ -287,10 +278,6 @@ TEST_F(AJournal, HoldsNoMoreHandlesThanItLists) {
   const auto edit = read_journal(journal);
   ASSERT_TRUE(edit.has_value());
   EXPECT_EQ(edit->draft.open.handles.size(), 1U);
-}
-
-TEST_F(AJournal, FolderThatCannotBeMadeIsSaid) {
-  EXPECT_THROW(Journal(mesh_ / "inside", stamp()), IoError);
 }
 
 // A child edits and tells through a pipe how many steps are committed; the parent kills it.

@@ -25,16 +25,16 @@ class ALoop : public ::testing::Test {
 
 TEST_F(ALoop, ClickOnTheFirstCornerClosesIt) {
   go_around();
-  EXPECT_FALSE(tool_.is_closed());
+  EXPECT_FALSE(tool_.marks().line_is_done);
   send(press(sphere_.pixel_of(tool_.corners().front()) + Vector2d(4, 3)));
-  EXPECT_TRUE(tool_.is_closed());
-  EXPECT_EQ(tool_.line().front(), tool_.line().back());
+  EXPECT_TRUE(tool_.marks().line_is_done);
+  EXPECT_EQ(tool_.marks().line.front(), tool_.marks().line.back());
 }
 
 TEST_F(ALoop, LineRunsAlongTheMesh) {
   go_around();
   send(key(kEnter));
-  const auto line = tool_.line();
+  const auto line = tool_.marks().line;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const auto ring = sphere_.state.rest->topology().rings[line[k]];
     EXPECT_TRUE(std::binary_search(ring.begin(), ring.end(), line[k + 1]));
@@ -45,7 +45,7 @@ TEST_F(ALoop, NextClickSaysWhichSide) {
   const std::size_t all = sphere_.state.rest->vertex_count();
   go_around();
   send(key(kEnter));
-  const std::size_t loop = tool_.line().size() - 1;
+  const std::size_t loop = tool_.marks().line.size() - 1;
   sphere_.perform(click({0, 0, 1}));
   const std::size_t inside = sphere_.roi().size();
   EXPECT_TRUE(tool_.corners().empty()) << "ready for another loop";
@@ -59,7 +59,7 @@ TEST_F(ALoop, NextClickSaysWhichSide) {
 TEST_F(ALoop, FollowsTheCursorBetweenClicks) {
   click(kCorners[0]);
   send(move_to(sphere_.pixel_of(kCorners[1])));
-  const auto line = tool_.line();
+  const auto line = tool_.marks().line;
   EXPECT_EQ(line.back(), sphere_.vertex_near(kCorners[1]));
   EXPECT_GT(line.size(), 3U);
 }
@@ -68,17 +68,17 @@ TEST_F(ALoop, BackspaceTakesTheLastClickBack) {
   go_around();
   send(key(kEnter));
   send(key(kBackspace));
-  EXPECT_FALSE(tool_.is_closed());
+  EXPECT_FALSE(tool_.marks().line_is_done);
   for (int k = 0; k < 4; ++k) send(key(kBackspace));
   EXPECT_TRUE(tool_.corners().empty());
   EXPECT_FALSE(send(key(kBackspace)).taken);
-}
-
-TEST_F(ALoop, TooFewCornersAreSaid) {
+  go_around();
+  send(key(kEscape));
+  EXPECT_TRUE(tool_.marks().line.empty()) << "Escape takes all back";
   click(kCorners[0]);
   click(kCorners[1]);
-  EXPECT_FALSE(send(key(kEnter)).message.empty());
-  EXPECT_FALSE(tool_.is_closed());
+  EXPECT_FALSE(send(key(kEnter)).message.empty()) << "too few corners";
+  EXPECT_FALSE(tool_.marks().line_is_done);
 }
 
 TEST_F(ALoop, ThatDoesNotSeparateIsSaidAndCanBeTakenBack) {
@@ -90,12 +90,6 @@ TEST_F(ALoop, ThatDoesNotSeparateIsSaidAndCanBeTakenBack) {
   EXPECT_FALSE(answer.command.has_value());
   EXPECT_FALSE(answer.message.empty());
   EXPECT_FALSE(tool_.corners().empty());
-}
-
-TEST_F(ALoop, EscapeTakesAllBack) {
-  go_around();
-  send(key(kEscape));
-  EXPECT_TRUE(tool_.line().empty());
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "doctor/broken_meshes.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/transform.h"
+#include "support/joined_meshes.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -44,6 +46,12 @@ TEST(MeshRepair, FindsTheVerticesOfEachProblem) {
   EXPECT_GT(places.size(), 1U) << "the neighbours of the one that is nowhere";
 }
 
+TEST(MeshRepair, ShowsAVertexOfEachInsideOutPart) {
+  Mesh ball = icosphere(1);
+  turn_inside_out(ball);
+  EXPECT_THAT(faulty_vertices(ball, check(ball)).others, ElementsAre(0));
+}
+
 TEST(MeshRepair, FindsTheSideFromWhichPlacesShow) {
   Mesh ball = icosphere(3);
   std::vector<Index> cap;
@@ -61,15 +69,9 @@ TEST(MeshRepair, FindsTheSideFromWhichPlacesShow) {
 
 TEST(MeshRepair, ASoundMeshHasNoFaultyVertices) {
   // Two components are worth knowing, and no fault.
-  Mesh mesh = icosphere(1);
-  const Mesh other = icosphere(1);
-  const auto first = static_cast<Index>(mesh.vertex_count());
-  for (const auto& p : other.positions) mesh.positions.push_back(p + Eigen::Vector3d(5, 0, 0));
-  for (Index f = 0; f < other.face_count(); ++f) {
-    std::vector<Index> corners(other.face(f).begin(), other.face(f).end());
-    for (Index& v : corners) v += first;
-    mesh.add_face(corners);
-  }
+  Mesh other = icosphere(1);
+  transform(other, Eigen::Affine3d(Eigen::Translation3d(5, 0, 0)));
+  const Mesh mesh = lapwing::test::joined(icosphere(1), other);
   const FaultyVertices faulty = faulty_vertices(mesh, check(mesh));
   EXPECT_THAT(faulty.hindering, IsEmpty());
   EXPECT_THAT(faulty.others, IsEmpty());

@@ -2,7 +2,7 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/io/mesh_file.h"
-#include "session/transplant_runs.h"
+#include "run/transplant_runs.h"
 #include "tools/place_tool.h"
 #include "viewer_state/sphere_scene.h"
 

@@ -1,7 +1,6 @@
 #include "work/preparation.h"
 
 #include <atomic>
-#include <chrono>
 #include <semaphore>
 
 #include <gmock/gmock.h>
@@ -49,20 +48,21 @@ class Gate {
 };
 
 PreparationStatus wait_for(const Preparation& preparation, Phase phase) {
-  PreparationStatus status = preparation.status();
-  while (status.phase != phase) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    status = preparation.status();
-  }
-  return status;
+  wait_until([&] { return preparation.status().phase == phase; });
+  return preparation.status();
 }
 
 SettledResult wait_for_result(Preparation& preparation) {
-  for (;;) {
-    if (auto result = preparation.take_result()) return *std::move(result);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  return awaited([&] { return preparation.take_result(); });
 }
+
+// A Preparation that is ready for `state`.
+struct ReadyFor : Preparation {
+  explicit ReadyFor(const AppState& state) : Preparation(cpu_kernels) {
+    follow(state);
+    wait_for(*this, Phase::ready);
+  }
+};
 
 using Pose = std::shared_ptr<const DragState>;
 
@@ -82,12 +82,6 @@ Pose follow_to_the_end(Preparation& preparation, const AppState& dragged, Pose f
     if (result.is_done) return result.pose;
     from = result.pose;
   }
-}
-
-Positions positions_at(const AppState& state, const DragState& pose) {
-  Positions positions = state.rest->positions;
-  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
-  return positions;
 }
 
 Positions solved(const AppState& state) {
@@ -147,16 +141,12 @@ TEST(Preparation, PreviewIsDraggedWhileTheExactOneIsMade) {
 TEST(Preparation, AnotherHandleTakenInHandGetsColumnsOfItsOwn) {
   AppState state = apply(chosen_tube(), Choose{kSecondHandle, box(1.4, 1.7)});
   state.parameters.settle.reset();
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
+  ReadyFor preparation(state);
   const auto exact = preparation.exact();
   EXPECT_EQ(preparation.drag_response().response->handles(), std::vector<std::size_t>{0});
 
   preparation.drag_by(std::array<std::size_t, 1>{1});
-  while (preparation.drag_response().response->handles().front() != 1) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  wait_until([&] { return preparation.drag_response().response->handles().front() == 1; });
   EXPECT_EQ(preparation.exact(), exact) << "nothing else is prepared anew";
   EXPECT_TRUE(preparation.drag_response().is_exact);
   state = apply(std::move(state), MoveHandle{1, bent()});
@@ -174,23 +164,14 @@ AppState chosen_large_tube() {
 
 TEST(Preparation, DragsThatSettleGoByThePreviewAndComeToTheSame) {
   AppState state = chosen_large_tube();
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
+  ReadyFor preparation(state);
   EXPECT_FALSE(preparation.drag_response().is_exact);
   EXPECT_EQ(preparation.drag_response().response, preparation.preview()->response());
   state = apply(std::move(state), MoveHandle{0, bent()});
   const Pose pose = follow_to_the_end(preparation, state);
   EXPECT_LT(largest_distance(positions_at(state, *pose), solved(state)), kSettled);
-}
-
-TEST(Preparation, WithoutSettlingALargeRegionIsDraggedByTheExactResponse) {
-  AppState state = chosen_large_tube();
   state.parameters.settle.reset();
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
-  EXPECT_TRUE(preparation.drag_response().is_exact);
+  EXPECT_TRUE(ReadyFor(state).drag_response().is_exact) << "without settling";
 }
 
 TEST(Preparation, SettlesAsADeformerMadeAtOnceDoes) {
@@ -222,22 +203,12 @@ TEST(Preparation, CommitsOnTheWayWhereTheParametersSaySo) {
   EXPECT_EQ(result.moved->certificate->settle_iterations, expected->certificate->settle_iterations);
 }
 
-TEST(Preparation, AMoveAloneStartsNothingAnew) {
-  Preparation preparation(cpu_kernels);
+TEST(Preparation, AnotherSelectionStartsAnewAndAMoveDoesNot) {
   const AppState state = chosen_tube();
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
-  const auto exact = preparation.exact();
-  preparation.follow(apply(state, MoveHandle{0, bent()}));
-  EXPECT_EQ(preparation.exact(), exact);
-}
-
-TEST(Preparation, AnotherSelectionStartsAnew) {
-  Preparation preparation(cpu_kernels);
-  const AppState state = chosen_tube();
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
+  ReadyFor preparation(state);
   const auto before = preparation.exact();
+  preparation.follow(apply(state, MoveHandle{0, bent()}));
+  EXPECT_EQ(preparation.exact(), before);
   preparation.follow(apply(state, Choose{kHandle, box(2.5, 4.0)}));
   EXPECT_NE(preparation.exact(), before);
   wait_for(preparation, Phase::ready);
@@ -293,23 +264,13 @@ TEST(Preparation, SettlingCanBeCancelledAndAskedForAgain) {
   AppState state =
       apply(chosen_tube(), SetParameters{{{.settle = SettleOptions{.tolerance = 1e-9}}}});
   state = apply(state, MoveHandle{0, twisted(170.0)});
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
+  ReadyFor preparation(state);
   preparation.settle(state);
   preparation.cancel_settling();
   wait_for(preparation, Phase::ready);
   EXPECT_FALSE(preparation.take_result().has_value());
+  const AppState last = apply(state, MoveHandle{0, bent()});
   preparation.settle(state);
-  EXPECT_EQ(wait_for_result(preparation).moves, state.moves);
-}
-
-TEST(Preparation, TheLastResultAskedForComes) {
-  const AppState first = apply(chosen_tube(), MoveHandle{0, twisted(170.0)});
-  const AppState last = apply(first, MoveHandle{0, bent()});
-  Preparation preparation(cpu_kernels);
-  preparation.follow(first);
-  preparation.settle(first);
   preparation.settle(last);
   EXPECT_EQ(wait_for_result(preparation).moves, last.moves);
 }
@@ -391,24 +352,16 @@ TEST(Preparation, LiveResultIsWoundTheWayTheHandleWent) {
   EXPECT_LT(largest_distance(positions_at(dragged, *pose), solved(dragged)), kSettled);
 }
 
-TEST(Preparation, LiveResultWithoutSettlingIsTheLinearOne) {
-  AppState state = apply(chosen_tube(), SetParameters{{{.settle = std::nullopt}}});
-  state = apply(state, MoveHandle{0, bent()});
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  const LiveResult result = follow(preparation, state, {});
-  EXPECT_TRUE(result.is_done);
-  EXPECT_LT(largest_distance(positions_at(state, *result.pose), solved(state)), 1e-12);
-}
-
-TEST(Preparation, LiveResultCommitsOnTheWayToo) {
-  AppState state = apply(chosen_tube(), SetParameters{{.commit_every = 60.0}});
-  state = apply(state, MoveHandle{0, twisted(100.0)});
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  const LiveResult result = follow(preparation, state, {});
-  EXPECT_TRUE(result.is_done);
-  EXPECT_LT(largest_distance(positions_at(state, *result.pose), solved(state)), 1e-12);
+TEST(Preparation, LiveResultWithoutSettlingOrWithCommitsIsThatOfARun) {
+  for (const EditParameters& parameters :
+       {EditParameters{{.settle = std::nullopt}}, EditParameters{.commit_every = 60.0}}) {
+    AppState state = apply(chosen_tube(), SetParameters{parameters});
+    state = apply(state, MoveHandle{0, parameters.settle ? twisted(100.0) : bent()});
+    ReadyFor preparation(state);
+    const LiveResult result = follow(preparation, state, {});
+    EXPECT_TRUE(result.is_done);
+    EXPECT_LT(largest_distance(positions_at(state, *result.pose), solved(state)), 1e-12);
+  }
 }
 
 TEST(Preparation, LiveResultIsNotAskedForWhileAnythingElseIs) {
@@ -428,9 +381,7 @@ TEST(Preparation, LiveResultIsNotAskedForWhileAnythingElseIs) {
 TEST(Preparation, SettlingTakesThePlaceOfALiveResult) {
   AppState state =
       apply(chosen_tube(), SetParameters{{{.settle = SettleOptions{.tolerance = 1e-9}}}});
-  Preparation preparation(cpu_kernels);
-  preparation.follow(state);
-  wait_for(preparation, Phase::ready);
+  ReadyFor preparation(state);
   EXPECT_TRUE(preparation.settle_live(apply(state, MoveHandle{0, twisted(170.0)}), {}));
   state = apply(state, MoveHandle{0, bent()});
   preparation.settle(state);
@@ -438,20 +389,13 @@ TEST(Preparation, SettlingTakesThePlaceOfALiveResult) {
   EXPECT_FALSE(preparation.take_live_result().has_value());
 }
 
-TEST(Preparation, NothingChosenIsNothingToPrepare) {
-  Preparation preparation(cpu_kernels);
-  preparation.follow(open_state(bumpy_tube()));
-  EXPECT_EQ(preparation.status().phase, Phase::idle);
-}
-
 TEST(Preparation, FailureSaysWhy) {
   Preparation preparation(cpu_kernels);
+  preparation.follow(open_state(bumpy_tube()));
+  EXPECT_EQ(preparation.status().phase, Phase::idle) << "nothing to prepare";
   preparation.follow(apply(chosen_tube(), Paint{kHandle, {0}, {}}));
   EXPECT_THAT(wait_for(preparation, Phase::failed).message, HasSubstr("extends beyond the ROI"));
-}
-
-TEST(Preparation, DeviceThatFailsIsAFailureToo) {
-  Preparation preparation([]() -> std::unique_ptr<Kernels> { throw GpuError("device lost"); });
+  preparation.use_kernels([]() -> std::unique_ptr<Kernels> { throw GpuError("device lost"); });
   preparation.follow(chosen_tube());
   EXPECT_EQ(wait_for(preparation, Phase::failed).message, "device lost");
 }

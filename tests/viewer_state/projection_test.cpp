@@ -30,10 +30,7 @@ TEST(Projection, TargetShowsInTheMiddleAndUpIsUp) {
   EXPECT_LT((*view.to_pixel({0, 0, 0}) - 0.5 * kWindow).norm(), 1e-9);
   EXPECT_LT(view.to_pixel({0, 1, 0})->y(), 300.0);
   EXPECT_GT(view.to_pixel({1, 0, 0})->x(), 400.0);
-}
-
-TEST(Projection, WhatIsBehindTheEyeShowsNowhere) {
-  EXPECT_FALSE(perspective({0, 0, 5}, {0, 0, 0}).to_pixel({0, 0, 6}).has_value());
+  EXPECT_FALSE(view.to_pixel({0, 0, 6}).has_value()) << "behind the eye";
 }
 
 TEST(Projection, LengthOfAPixelShowsAsOne) {
@@ -49,6 +46,7 @@ TEST(PickSurface, FindsTheFirstTriangleAndItsNearestCorner) {
   const Mesh mesh = icosphere(3);
   const Topology& topology = mesh.topology();
   const Projection view = perspective({0, 0, 5}, {0, 0, 0});
+  EXPECT_FALSE(pick_surface(topology, mesh.positions, view.ray_through({5, 5})).has_value());
   for (const Index v : {Index{3}, Index{100}, Index{500}}) {
     if (mesh.positions[v].z() < 0.3) continue;
     const auto pick =
@@ -57,12 +55,6 @@ TEST(PickSurface, FindsTheFirstTriangleAndItsNearestCorner) {
     EXPECT_EQ(pick->vertex, v);
     EXPECT_LT((pick->position - mesh.positions[v]).norm(), 1e-9);
   }
-}
-
-TEST(PickSurface, MissesBesideTheSurface) {
-  const Mesh mesh = icosphere(2);
-  const Projection view = perspective({0, 0, 5}, {0, 0, 0});
-  EXPECT_FALSE(pick_surface(mesh.topology(), mesh.positions, view.ray_through({5, 5})).has_value());
 }
 
 }  // namespace

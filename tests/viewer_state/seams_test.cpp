@@ -1,7 +1,4 @@
 // A mesh whose vertices are split along seams, edited by hand as the surface that it is.
-#include <chrono>
-#include <thread>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,11 +52,8 @@ TEST_F(SeamState, SettlesToWhatItsRecipeSays) {
   Preparation preparation(cpu_kernels, [] {});
   preparation.follow(dragged);
   preparation.settle(dragged);
-  std::optional<SettledResult> result;
-  while (!(result = preparation.take_result())) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  const AppState state = apply(dragged, Settle{result->moved});
+  const SettledResult result = awaited([&] { return preparation.take_result(); });
+  const AppState state = apply(dragged, Settle{result.moved});
   EXPECT_TRUE(is_closed(positions_of(state)));
   EXPECT_EQ(*state.settled, *settled().settled);
 }

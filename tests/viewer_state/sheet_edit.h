@@ -5,7 +5,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "state/draft.h"
 
 namespace lapwing::viewer::test {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "lapwing/mesh/shapes.h"
-#include "tools/tool_answer.h"
-#include "tools/tool_scene.h"
+#include "tools/scene_tool.h"
 #include "viewer_state/test_view.h"
 
 namespace lapwing::viewer::test {

@@ -1,6 +1,5 @@
 // Steps carried out beside the window.
-#include <chrono>
-#include <thread>
+#include <atomic>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +8,8 @@
 #include "support/error_message.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_state/tube_edit.h"
+#include "work/crash_recovery.h"
 #include "work/edit_session.h"
-#include "work/settled_result.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -18,20 +17,14 @@ namespace {
 using lapwing::test::largest_distance;
 using ::testing::HasSubstr;
 
-void wait_a_little() {
-  std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 TEST(Job, HasTheResultOnce) {
-  Job<int> job([] { return std::make_unique<CpuKernels>(); });
+  Job<int> job(cpu_kernels);
   EXPECT_FALSE(job.take());
   job.start([](const auto& kernels, const Progress& progress) {
     report_progress(progress, "count", 0.5);
     return kernels != nullptr ? 7 : 0;
   });
-  std::optional<int> result;
-  while (!(result = job.take())) wait_a_little();
-  EXPECT_EQ(result, 7);
+  EXPECT_EQ(awaited([&] { return job.take(); }), 7);
   EXPECT_FALSE(job.take());
   EXPECT_FALSE(job.status().busy);
 }
@@ -40,30 +33,28 @@ TEST(Job, TellsHowFarItIsAndIsCancelledThere) {
   std::atomic<bool> looked = false;
   std::atomic<bool> went_on = false;
   {
-    Job<int> job([] { return std::make_unique<CpuKernels>(); });
+    Job<int> job(cpu_kernels);
     job.start([&](const auto&, const Progress& progress) {
       report_progress(progress, "count", 0.25);
-      while (!looked) wait_a_little();
+      wait_until([&] { return looked.load(); });
       report_progress(progress, "count", 0.5);
       went_on = true;
       return 7;
     });
-    while (job.status().stage != "count") wait_a_little();
+    wait_until([&] { return job.status().stage == "count"; });
     EXPECT_TRUE(job.status().busy);
     EXPECT_EQ(job.status().fraction, 0.25);
     job.cancel();
     EXPECT_FALSE(job.status().busy);
     looked = true;
     job.start([](const auto&, const Progress&) { return 8; });
-    std::optional<int> result;
-    while (!(result = job.take())) wait_a_little();
-    EXPECT_EQ(result, 8) << "not that of the one given up";
+    EXPECT_EQ(awaited([&] { return job.take(); }), 8) << "not that of the one given up";
   }
   EXPECT_FALSE(went_on);
 }
 
 TEST(Job, ThrowsWhatItsWorkThrewOnce) {
-  Job<int> job([] { return std::make_unique<CpuKernels>(); });
+  Job<int> job(cpu_kernels);
   job.start([](const auto&, const Progress&) -> int { throw InputError("no such mesh"); });
   std::string said;
   while (said.empty()) said = error_message<InputError>([&] { job.take(); });
@@ -85,9 +76,7 @@ TEST(Job, BeginsAnewWithOtherKernelsWhereTheDeviceWasLost) {
   std::string said;
   while (said.empty()) said = error_message<GpuError>([&] { job.take(); });
   job.use_kernels(make);
-  std::optional<int> result;
-  while (!(result = job.take())) wait_a_little();
-  EXPECT_EQ(result, 2);
+  EXPECT_EQ(awaited([&] { return job.take(); }), 2);
 }
 
 class AStepSession : public ::testing::Test {
@@ -95,22 +84,18 @@ class AStepSession : public ::testing::Test {
   AStepSession() { open(History(open_state(read_mesh(files_.sheet())))); }
 
   void open(History history) {
-    session_.emplace(std::move(history), stamp_of(files_.sheet()), cache(),
-                     [] { return std::make_unique<CpuKernels>(); });
+    session_.emplace(std::move(history), stamp_of(files_.sheet()), cache(), cpu_kernels);
   }
   std::filesystem::path cache() const { return files_.folder() / "cache"; }
   StepTaken wait_for_step() {
-    for (;;) {
-      if (auto taken = session_->take_step()) return *std::move(taken);
-      wait_a_little();
-    }
+    return awaited([&] { return session_->take_step(); });
   }
   std::string wait_for_failure() {
     std::string said;
-    while (said.empty()) {
+    wait_until([&] {
       said = error_message<Error>([&] { session_->take_step(); });
-      wait_a_little();
-    }
+      return !said.empty();
+    });
     return said;
   }
   Positions positions() const { return positions_of(session_->state()); }
@@ -208,8 +193,8 @@ TEST_F(AStepSession, ACrashLosesNoStep) {
   const auto edits = find_interrupted(cache());
   ASSERT_EQ(edits.size(), 1U);
   CpuKernels kernels;
-  const History restored = restore(open_state(read_mesh(files_.sheet())), edits[0].draft,
-                                   carry_out_again(edits[0], kernels));
+  const History restored =
+      restore_after_crash(open_state(read_mesh(files_.sheet())), edits[0], kernels);
   EXPECT_TRUE(same_mesh(mesh_of(restored.state()), left));
 }
 

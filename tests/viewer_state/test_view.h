@@ -59,12 +59,7 @@ inline Projection parallel(const Vector3d& eye, const Vector3d& target, double h
 
 inline InputEvent at(InputKind kind, const Vector2d& pixel, MouseButton button = MouseButton::none,
                      Modifiers modifiers = {}) {
-  InputEvent event;
-  event.kind = kind;
-  event.position = pixel;
-  event.button = button;
-  event.modifiers = modifiers;
-  return event;
+  return {.kind = kind, .position = pixel, .button = button, .modifiers = modifiers};
 }
 inline InputEvent press(const Vector2d& pixel, Modifiers modifiers = {}) {
   return at(InputKind::press, pixel, MouseButton::left, modifiers);
@@ -76,22 +71,13 @@ inline InputEvent move_to(const Vector2d& pixel, Modifiers modifiers = {}) {
   return at(InputKind::move, pixel, MouseButton::none, modifiers);
 }
 inline InputEvent key(int key, Modifiers modifiers = {}) {
-  InputEvent event;
-  event.kind = InputKind::key;
-  event.key = key;
-  event.modifiers = modifiers;
-  return event;
+  return {.kind = InputKind::key, .modifiers = modifiers, .key = key};
 }
 inline InputEvent typed(char32_t text) {
-  InputEvent event;
-  event.kind = InputKind::text;
-  event.text = text;
-  return event;
+  return {.kind = InputKind::text, .text = text};
 }
 inline InputEvent scrolled(const Vector2d& pixel, double amount, Modifiers modifiers = {}) {
-  InputEvent event = at(InputKind::scroll, pixel, MouseButton::none, modifiers);
-  event.scroll = amount;
-  return event;
+  return {.kind = InputKind::scroll, .position = pixel, .modifiers = modifiers, .scroll = amount};
 }
 
 }  // namespace lapwing::viewer::test

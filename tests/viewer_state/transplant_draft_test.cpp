@@ -1,9 +1,7 @@
 #include "tools/transplant_draft.h"
 
 #include <array>
-#include <chrono>
 #include <set>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +9,7 @@
 #include "state/draft.h"
 #include "viewer_state/part_scene.h"
 #include "viewer_state/sheet_edit.h"
+#include "viewer_state/tube_edit.h"
 #include "work/transplant_preview.h"
 
 namespace lapwing::viewer::test {
@@ -25,10 +24,10 @@ class ATransplantDraft : public ::testing::Test {
   // What a preview of the step comes to, or why it comes to nothing.
   void preview(const AppState& host, const TransplantStep& step) {
     preview_.follow(host, step);
-    while (preview_.is_behind()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    wait_until([&] {
       preview_.update();
-    }
+      return !preview_.is_behind();
+    });
   }
   // As `lapwing run` does, from a folder beside the others.
   Mesh run_headless(const AppState& state) const {
@@ -41,7 +40,7 @@ class ATransplantDraft : public ::testing::Test {
 
   SphereAndFinger scene_;
   TransplantDraft draft_;
-  TransplantPreview preview_{[] { return std::make_unique<CpuKernels>(); }};
+  TransplantPreview preview_{cpu_kernels};
 };
 
 TEST_F(ATransplantDraft, StandsWithItsLoopAtThePointAlongTheNormal) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <chrono>
+#include <thread>
+
+#include "lapwing/deform/drag.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "state/draft.h"
 #include "support/bent_tube.h"
@@ -15,6 +19,19 @@ inline const Part kSecondHandle{Part::Role::handle, 1};
 
 inline std::unique_ptr<Kernels> cpu_kernels() {
   return std::make_unique<CpuKernels>();
+}
+
+template <class Happened>
+void wait_until(const Happened& happened) {
+  while (!happened()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+/// Waits until `take` returns something, and returns that.
+template <class Take>
+auto awaited(const Take& take) {
+  auto taken = take();
+  wait_until([&] { return taken || (taken = take()); });
+  return *std::move(taken);
 }
 
 inline RegionSpec box(double from_z, double to_z) {
@@ -55,6 +72,19 @@ inline std::shared_ptr<const MovedVertices> handles_alone(const AppState& state)
     }
   }
   return std::make_shared<const MovedVertices>(moved_vertices(state.rest->positions, positions));
+}
+
+/// The surface of `state` in a pose.
+inline Positions positions_at(const AppState& state, const DragState& pose) {
+  Positions positions = state.rest->positions;
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
+  return positions;
+}
+
+/// The tube with its head bent, settled.
+inline AppState settled_tube() {
+  const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
+  return apply(state, Settle{handles_alone(state)});
 }
 
 /// Whether the states are the same value, however they are stored.

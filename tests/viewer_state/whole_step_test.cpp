@@ -1,11 +1,11 @@
 // Steps that are carried out as a whole: undone, redone, recorded and carried out again.
+#include "state/whole_step.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "state/journal.h"
 #include "state/revision.h"
-#include "state/step_text.h"
 #include "support/error_message.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_state/tube_edit.h"
@@ -71,21 +71,6 @@ TEST_F(AWholeStep, WithOtherTrianglesIsUndoneToTheVeryMesh) {
   EXPECT_TRUE(same(history_.state(), after));
 }
 
-TEST_F(AWholeStep, HoldsBothMeshesWhereTheTrianglesAreOthers) {
-  apply_step(files_.coat());
-  const std::size_t moved = history_.bytes();
-  history_.undo();
-  apply_step(files_.coat(1.0, Remeshing::automatic));
-  const std::size_t vertices = history_.state().rest->vertex_count();
-  EXPECT_GT(history_.bytes(), moved + vertices * sizeof(Eigen::Vector3d));
-}
-
-TEST_F(AWholeStep, ReplayedHeadlessIsTheSameToTheBit) {
-  apply_step(files_.coat(1.5, Remeshing::automatic));
-  apply_step(files_.coat(0.5));
-  EXPECT_TRUE(same_mesh(run_headless(), mesh_of(history_.state())));
-}
-
 TEST_F(AWholeStep, StandsBetweenEdits) {
   perform(history_, SheetAndRelief::lift(), carry_out().solve);
   apply_step(files_.coat(1.0, Remeshing::automatic));
@@ -104,23 +89,6 @@ TEST_F(AWholeStep, OfAnOpenedRecipeIsOneStepOfTheHistory) {
   const History opened = from_recipe(start_, recipe, carry_out());
   EXPECT_EQ(opened.names(), std::vector<std::string>{"coat from relief.ply"});
   EXPECT_TRUE(same(opened.state(), history_.state()));
-}
-
-TEST_F(AWholeStep, IsCarriedOutAgainAfterACrash) {
-  const auto cache = files_.folder() / "cache";
-  {
-    Journal journal(cache, stamp_of(files_.sheet()));
-    apply_step(files_.coat(1.0, Remeshing::automatic));
-    journal.record(history_.state());
-    history_.perform(Choose{kRoi, {GeodesicDisk{Index{80}, 0.2}}});
-    journal.record(history_.state());
-  }
-  const auto edits = find_interrupted(cache);
-  ASSERT_EQ(edits.size(), 1U);
-  EXPECT_EQ(edits[0].step_count(), 1U);
-  const History restored = restore(start_, edits[0].draft, carry_out());
-  EXPECT_TRUE(same(restored.state(), history_.state()));
-  EXPECT_TRUE(same_mesh(mesh_of(restored.state()), mesh_of(history_.state())));
 }
 
 TEST_F(AWholeStep, WaitsForTheResultOfADrag) {

@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <signal.h>
 #include <stdexcept>
@@ -17,15 +15,12 @@
 
 #include <gtest/gtest.h>
 
+#include "io/temporary_folder.h"
+
 namespace lapwing::test {
 namespace {
 
 constexpr int kStillRunning = -1000;
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void change_environment(const std::vector<std::string>& changes) {
   for (const std::string& change : changes) {
@@ -130,7 +125,7 @@ void Process::kill_now() {
 }
 
 std::string Process::errors() const {
-  return contents(errors_);
+  return content_of(errors_);
 }
 
 Desktop::Desktop(const std::filesystem::path& folder) : folder_(folder) {
@@ -140,10 +135,10 @@ Desktop::Desktop(const std::filesystem::path& folder) : folder_(folder) {
   server_ = std::make_unique<Process>(std::vector<std::string>{"/bin/sh", "-c", command},
                                       std::vector<std::string>{}, folder / "xvfb.log");
   constexpr double kPatience = 20.0;
-  if (!eventually(kPatience, [&] { return contents(number).ends_with('\n'); })) {
+  if (!eventually(kPatience, [&] { return content_of(number).ends_with('\n'); })) {
     throw std::runtime_error("Xvfb does not start: " + server_->errors());
   }
-  const std::string digits = contents(number);
+  const std::string digits = content_of(number);
   display_ = std::string(":").append(digits, 0, digits.size() - 1);
 }
 
@@ -157,7 +152,7 @@ std::string Desktop::xdotool(const std::string& arguments) const {
 }
 
 Image Desktop::picture() const {
-  return read_dump(contents(folder_ / "Xvfb_screen0"));
+  return read_dump(content_of(folder_ / "Xvfb_screen0"));
 }
 
 void Desktop::vanish() {
@@ -193,6 +188,16 @@ std::vector<std::string> viewer_environment(const Desktop& desktop,
 
 void sleep_seconds(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+Image part_of(const Image& picture, std::uint32_t left, std::uint32_t top, std::uint32_t width,
+              std::uint32_t height) {
+  Image part{width, height, {}};
+  for (std::uint32_t y = top; y < top + height; ++y) {
+    const auto row = picture.rgba.begin() + 4 * (std::ptrdiff_t{picture.width} * y + left);
+    part.rgba.insert(part.rgba.end(), row, row + std::ptrdiff_t{4} * width);
+  }
+  return part;
 }
 
 double mean_difference(const Image& a, const Image& b) {

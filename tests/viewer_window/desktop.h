@@ -68,12 +68,9 @@ class Desktop {
 std::vector<std::string> viewer_environment(const Desktop& desktop,
                                             const std::filesystem::path& folder);
 
-/// Waits, at most `seconds`, until `happened` returns true; what it returned last.
-template <typename Happened>
-bool eventually(double seconds, Happened happened);
-
 void sleep_seconds(double seconds);
 
+/// Waits, at most `seconds`, until `happened` returns true. Returns what it returned last.
 template <typename Happened>
 bool eventually(double seconds, Happened happened) {
   constexpr double kStep = 0.05;
@@ -83,6 +80,10 @@ bool eventually(double seconds, Happened happened) {
   }
   return happened();
 }
+
+/// Returns the part of a picture with that upper left corner and size.
+Image part_of(const Image& picture, std::uint32_t left, std::uint32_t top, std::uint32_t width,
+              std::uint32_t height);
 
 /// Mean difference of the channels of two pictures of one size, of 255.
 double mean_difference(const Image& a, const Image& b);

@@ -26,9 +26,7 @@ TEST_F(Doctor, ShowsWhatIsWrongAndTheWayBack) {
   EXPECT_GT(test::mean_difference(shown, opened), 0.5);
   person_->click(*found + Vector2d(kFirst, 42.0));
   person_->move_to({900, 700});
-  EXPECT_TRUE(test::eventually(kPatienceSeconds, [&] {
-    return test::mean_difference(desktop_->settled_picture(), opened) < 0.3;
-  }));
+  EXPECT_TRUE(shows(opened, 0.3));
   press(*found, kThird);
   EXPECT_FALSE(problem_in(desktop_->settled_picture())) << "ignored";
   expect_quits_silently();
@@ -56,16 +54,13 @@ TEST_F(Doctor, PreviewsARepairAndKeepsItAsAFileThatIsOpen) {
 }
 
 TEST_F(Doctor, AMeshWithoutFacesSaysSoWhereItWouldBe) {
-  const fs::path cloud = folder_.file("cloud.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
-  open_named(cloud);
-  EXPECT_TRUE(problem());
-  keep_picture("doctor-no-faces");
-  expect_quits_silently();
-  const fs::path empty = folder_.file("empty.obj", "# nothing\n");
-  open_named(empty);
-  EXPECT_TRUE(problem());
-  keep_picture("doctor-empty");
-  expect_quits_silently();
+  for (const auto& [name, content] :
+       {std::pair{"cloud.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"}, {"empty.obj", "# nothing\n"}}) {
+    open_named(folder_.file(name, content));
+    EXPECT_TRUE(problem()) << name;
+    keep_picture(std::string("doctor-") + name);
+    expect_quits_silently();
+  }
 }
 
 }  // namespace

@@ -27,11 +27,6 @@ class Doctor : public test::WindowTest {
     EXPECT_TRUE(is_open(mesh.filename()));
     return desktop_->settled_picture();
   }
-  bool is_open(const std::string& name) const {
-    return test::eventually(kPatienceSeconds, [&] {
-      return !desktop_->xdotool("search --onlyvisible --name '^" + name + "'").empty();
-    });
-  }
 
   // The last line of the banner that is in the colour of problems: its left end.
   static std::optional<Eigen::Vector2d> problem_in(const Image& image) {
@@ -63,9 +58,7 @@ class Doctor : public test::WindowTest {
   Image press(const Eigen::Vector2d& problem, double right) {
     const Image before = desktop_->settled_picture();
     person_->click(problem + Eigen::Vector2d(right, 42.0));
-    EXPECT_TRUE(test::eventually(kPatienceSeconds, [&] {
-      return test::mean_difference(desktop_->picture(), before) > 0.2;
-    }));
+    EXPECT_TRUE(differs_from(before, 0.2));
     return desktop_->settled_picture();
   }
 

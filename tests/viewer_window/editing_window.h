@@ -13,13 +13,13 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "state/journal.h"
 #include "support/gpu.h"
 #include "support/keep_picture.h"
 #include "support/largest_distance.h"
 #include "support/models.h"
-#include "tools/disk_rim.h"
+#include "tools/disk_tool.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_window/window_test.h"
 
@@ -28,9 +28,6 @@ namespace lapwing {
 namespace fs = std::filesystem;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using test::Desktop;
-using test::Person;
-using ::testing::IsEmpty;
 using viewer::Draft;
 using viewer::GizmoMode;
 using viewer::GizmoPart;
@@ -38,11 +35,6 @@ using viewer::GizmoPart;
 template <typename Form>
 bool is(const RegionSpec& region) {
   return std::holds_alternative<Form>(region.form);
-}
-
-// The vertices that a region of the draft holds on `mesh`.
-inline VertexSet resolved(const RegionSpec& region, const Mesh& mesh) {
-  return resolve(region, mesh);
 }
 
 // Mean difference of pictures that show the same: what moves is drawn without antialiasing.
@@ -60,28 +52,30 @@ class Editing : public test::WindowTest {
 
   // ROI and handle by brushes of the box tool: from z = 1 on, and from z = 5.4 on.
   void choose_parts() {
-    person_->keys("b");
-    person_->keys("i");
+    person_->keys("b i");
     box_from(1.0);
     ASSERT_TRUE(
         person_->eventually_is([](const Draft& d) { return is<ListedVertices>(d.open.roi); }));
     person_->keys("h");
     box_from(5.4);
-    ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+    ASSERT_TRUE(has_handles(1));
     person_->keys("m");
   }
 
-  void box_from(double z) {
-    const Vector2d corner = person_->pixel_of({0.5, -0.7, z});
-    const Vector2d opposite = person_->pixel_of({0.5, 0.7, 6.2});
-    person_->drag({corner, 0.5 * (corner + opposite), opposite});
-  }
+  void box_from(double z) { person_->drag_between({0.5, -0.7, z}, {0.5, 0.7, 6.2}); }
 
   // Moves the handle in the plane of the view by a typed number.
   void move_by(const std::string& number) {
     person_->keys("g");
     person_->type(number);
     person_->keys("Return");
+  }
+
+  void bend_tube() {
+    open_tube();
+    choose_parts();
+    move_by("0.5");
+    ASSERT_TRUE(settles());
   }
 
   // Until the result of what the person did last is there.
@@ -91,7 +85,7 @@ class Editing : public test::WindowTest {
 
   viewer::Gizmo gizmo(GizmoMode mode) const {
     const Draft draft = person_->draft().value();
-    const VertexSet vertices = resolved(draft.open.handles.at(0).region, mesh_);
+    const VertexSet vertices = resolve(draft.open.handles.at(0).region, mesh_);
     Vector3d centroid = Vector3d::Zero();
     for (const Index v : vertices) centroid += mesh_.positions[v];
     centroid /= static_cast<double>(vertices.size());
@@ -109,14 +103,8 @@ class Editing : public test::WindowTest {
     const Image screen = desktop_->settled_picture();
     const auto corner = person_->pixel_of({0.5, 1.5, 4.4}).cast<std::uint32_t>().eval();
     const auto opposite = person_->pixel_of({0.5, -0.7, 1.0}).cast<std::uint32_t>().eval();
-    Image part{opposite.x() - corner.x(), opposite.y() - corner.y(), {}};
-    for (std::uint32_t y = corner.y(); y < opposite.y(); ++y) {
-      for (std::uint32_t x = corner.x(); x < opposite.x(); ++x) {
-        const auto pixel = screen.pixel(x, y);
-        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
-      }
-    }
-    return part;
+    return test::part_of(screen, corner.x(), corner.y(), opposite.x() - corner.x(),
+                         opposite.y() - corner.y());
   }
 
   SimilarityMove move() const {

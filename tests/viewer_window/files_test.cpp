@@ -17,13 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Eigen::Vector2d;
-using test::Desktop;
 using test::eventually;
-using test::Person;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
-constexpr double kFilesPatience = 60.0;
 // Mean difference of pictures that show the same.
 constexpr double kSameScreen = 0.05;
 
@@ -45,25 +41,9 @@ class ChoosingFiles : public test::WindowTest {
     desktop_->settled_picture();
   }
 
-  bool is_open(const std::string& name) const {
-    return eventually(kFilesPatience, [&] {
-      return !desktop_->xdotool("search --onlyvisible --name '^" + name + "'").empty();
-    });
-  }
-
-  bool differs(const Image& picture) const {
-    return eventually(kFilesPatience,
-                      [&] { return test::mean_difference(desktop_->picture(), picture) > 1.0; });
-  }
-  bool shows(const Image& picture) const {
-    return eventually(kFilesPatience, [&] {
-      return test::mean_difference(desktop_->picture(), picture) < kSameScreen;
-    });
-  }
-
   // Whether something is said in the colour of refusals.
   bool refuses() const {
-    return eventually(kFilesPatience, [&] {
+    return eventually(kPatienceSeconds, [&] {
       const Image image = desktop_->picture();
       for (std::uint32_t y = 0; y < image.height; ++y) {
         for (std::uint32_t x = 0; x < image.width; ++x) {
@@ -100,11 +80,11 @@ TEST_F(ChoosingFiles, NoKeyReachesThePictureBehind) {
   const Image before = desktop_->settled_picture();
   const auto edited = person_->draft();
   person_->open_dialog("ctrl+o");
-  test::keep_picture(desktop_->settled_picture(), "file-browser");
+  keep_picture("file-browser");
   person_->type("ihm3 7.L");
   person_->keys("ctrl+a key Home key Delete key Left key BackSpace");
   person_->keys("Escape");
-  EXPECT_TRUE(shows(before));
+  EXPECT_TRUE(shows(before, kSameScreen));
   EXPECT_EQ(person_->draft(), edited);
   expect_quits_silently();
 }
@@ -144,7 +124,7 @@ TEST_F(ChoosingFiles, DoubleClicksGoIntoAFolderAndOpenAFile) {
   for (double y = 226.0; y < 330.0 && !opened; y += 8.0) {
     double_click({620.0, y});
     double_click({620.0, y});
-    opened = !desktop_->xdotool("search --onlyvisible --name '^ball.obj'").empty();
+    opened = has_window("ball.obj");
   }
   EXPECT_TRUE(opened);
   expect_quits_silently();
@@ -166,7 +146,7 @@ TEST_F(ChoosingFiles, AnErrorKeepsWhatWasTyped) {
   person_->type(broken.string());
   person_->keys("Return");
   ASSERT_TRUE(refuses()) << "the browser is there again";
-  test::keep_picture(desktop_->settled_picture(), "file-browser-error");
+  keep_picture("file-browser-error");
   write_mesh(icosphere(2), broken);
   person_->keys("Return");
   EXPECT_TRUE(is_open("broken.obj"));
@@ -182,7 +162,7 @@ TEST_F(ChoosingFiles, WhatCannotBeSavedIsAskedForAgain) {
   ASSERT_TRUE(refuses());
   fs::create_directory(target.parent_path());
   person_->keys("Return");
-  EXPECT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(target); }));
+  EXPECT_TRUE(eventually(kPatienceSeconds, [&] { return fs::exists(target); }));
   desktop_->settled_picture();
   expect_quits_silently();
 }
@@ -198,8 +178,8 @@ TEST_F(ChoosingFiles, ASourceThatCannotBeReadIsAskedForAgain) {
   const Image refused = desktop_->settled_picture();
   write_mesh(icosphere(2), source);
   person_->keys("Return");
-  EXPECT_TRUE(differs(refused));
-  test::keep_picture(desktop_->settled_picture(), "source-after-all");
+  EXPECT_TRUE(differs_from(refused, 1.0));
+  keep_picture("source-after-all");
   expect_quits_silently();
 }
 
@@ -218,7 +198,7 @@ TEST_F(ChoosingFiles, WhatCannotBeOpenedAtTheStartIsSaidThere) {
   person_->open(folder_.file("work/broken.obj", "v 0 0 zero\n"));
   ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
   EXPECT_TRUE(refuses());
-  test::keep_picture(desktop_->settled_picture(), "start-with-an-error");
+  keep_picture("start-with-an-error");
   expect_quits_silently();
 }
 
@@ -229,7 +209,7 @@ TEST_F(ChoosingFiles, WhatWasOpenedIsRemembered) {
             (work() / "tube.obj").string() + "\n");
   person_->start();
   ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
-  test::keep_picture(desktop_->settled_picture(), "start-with-recent");
+  keep_picture("start-with-recent");
   expect_quits_silently();
 }
 
@@ -247,7 +227,7 @@ TEST_F(ChoosingFiles, TheDialogOfTheDesktopIsUsedWhereThereIsOne) {
   person_->keys("ctrl+shift+s");
   EXPECT_FALSE(eventually(1.0, [&] { return fs::exists(saved); }))
       << "a name without extension gets that of the suggestion, which is obj here";
-  EXPECT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(folder_ / "a b.obj"); }));
+  EXPECT_TRUE(eventually(kPatienceSeconds, [&] { return fs::exists(folder_ / "a b.obj"); }));
   desktop_->settled_picture();
   expect_quits_silently();
 }
@@ -258,8 +238,8 @@ TEST_F(ChoosingFiles, ADialogThatIsCancelledChangesNothing) {
   person_->move_to({20, 400});
   const Image before = desktop_->settled_picture();
   person_->keys("ctrl+o");
-  ASSERT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(folder_ / "asked"); }));
-  EXPECT_TRUE(shows(before));
+  ASSERT_TRUE(eventually(kPatienceSeconds, [&] { return fs::exists(folder_ / "asked"); }));
+  EXPECT_TRUE(shows(before, kSameScreen));
   expect_quits_silently();
 }
 
@@ -268,7 +248,7 @@ TEST_F(ChoosingFiles, ADialogThatFailsGivesWayToTheBuiltInBrowser) {
   open_tube();
   const Image before = desktop_->settled_picture();
   person_->keys("ctrl+o");
-  ASSERT_TRUE(differs(before));
+  ASSERT_TRUE(differs_from(before, 1.0));
   desktop_->settled_picture();
   person_->type("models/ball.obj");
   person_->keys("Return");
@@ -282,11 +262,11 @@ TEST_F(ChoosingFiles, ADialogThatNeverAnswersHoldsNoFrameUpAndEndsWithEscape) {
   person_->move_to({20, 400});
   const Image before = desktop_->settled_picture();
   person_->open_dialog("ctrl+o");
-  test::keep_picture(desktop_->settled_picture(), "waiting-for-the-desktop");
+  keep_picture("waiting-for-the-desktop");
   const std::string process = content_of(folder_ / "asked");
   person_->keys("Escape");
-  EXPECT_TRUE(shows(before));
-  EXPECT_TRUE(eventually(kFilesPatience, [&] {
+  EXPECT_TRUE(shows(before, kSameScreen));
+  EXPECT_TRUE(eventually(kPatienceSeconds, [&] {
     return !fs::exists("/proc/" + process.substr(0, process.find('\n')));
   }));
   expect_quits_silently();

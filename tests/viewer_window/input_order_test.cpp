@@ -2,22 +2,19 @@
 // done.
 #include <chrono>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 #include <random>
 #include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "io/temporary_folder.h"
 #include "lapwing/gpu/context.h"
-#include "support/gpu.h"
-#include "viewer_window/desktop.h"
+#include "viewer_window/own_window_test.h"
 #include "window/main_loop.h"
 
 namespace lapwing::viewer {
 namespace {
-
-using lapwing::test::Desktop;
 
 constexpr int kFieldCount = 3;
 constexpr float kFieldHeight = 40.0F;
@@ -30,8 +27,6 @@ struct Received {
   int button_clicks = 0;
   int double_clicks = 0;
   std::string picture;  // letters typed over it, '+' for a press, '-' for a release
-
-  bool operator==(const Received&) const = default;
 };
 
 // Three fields and a button at the left, a picture beside them, and frames that take long to draw.
@@ -61,7 +56,7 @@ class TypingApp final : public App {
       ImGui::SetCursorPos({0.0F, kFieldHeight * static_cast<float>(f)});
       ImGui::PushID(static_cast<int>(f));
       ImGui::SetNextItemWidth(kFieldWidth);
-      draw_field("##field", received.fields[f]);
+      ImGui::InputText("##field", &received.fields[f]);
       ImGui::PopID();
     }
     ImGui::SetCursorPos({0.0F, kFieldHeight * kFieldCount});
@@ -87,24 +82,14 @@ class TypingApp final : public App {
  private:
   static constexpr int kMostTurns = 300;
 
-  static void draw_field(const char* label, std::string& text) {
-    std::array<char, 64> buffer{};
-    text.copy(buffer.data(), buffer.size() - 1);
-    ImGui::InputText(label, buffer.data(), buffer.size());
-    text = buffer.data();
-  }
-
   void draw_dialog() {
     if (opens_dialog_) ImGui::OpenPopup("dialog");
     opens_dialog_ = false;
     if (!ImGui::BeginPopupModal("dialog")) return;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    std::array<char, 64> buffer{};
-    answer.copy(buffer.data(), buffer.size() - 1);
-    const bool is_done = ImGui::InputText("##answer", buffer.data(), buffer.size(),
-                                          ImGuiInputTextFlags_EnterReturnsTrue);
-    answer = buffer.data();
-    if (is_done) ImGui::CloseCurrentPopup();
+    if (ImGui::InputText("##answer", &answer, ImGuiInputTextFlags_EnterReturnsTrue)) {
+      ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
   }
 
@@ -174,17 +159,8 @@ class Gestures {
   int clicks_ = 0;
 };
 
-class InputOrder : public ::testing::Test {
+class InputOrder : public test::OwnWindowTest {
  protected:
-  void SetUp() override {
-    LAPWING_NEEDS_DESKTOP();
-    desktop_ = std::make_unique<Desktop>(folder_.path());
-    const std::string display = desktop_->display();
-    setenv("DISPLAY", display.c_str() + display.find('=') + 1, 1);
-    unsetenv("WAYLAND_DISPLAY");
-    window_ = std::make_unique<Window>("Typing", 640, 400);
-  }
-
   // Once the window shows, the gestures, as fast as the display takes them.
   void run(const std::string& gestures) {
     WindowGraphics graphics(*window_, "auto");
@@ -196,9 +172,6 @@ class InputOrder : public ::testing::Test {
     person.join();
   }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<Desktop> desktop_;
-  std::unique_ptr<Window> window_;
   TypingApp app_;
 };
 

@@ -5,10 +5,7 @@ namespace lapwing {
 namespace {
 
 TEST_F(Editing, ClosingAsksWhetherToSave) {
-  open_tube();
-  choose_parts();
-  move_by("0.5");
-  ASSERT_TRUE(settles());
+  bend_tube();
   person_->open_dialog("ctrl+q");
   person_->keys("Escape");
   desktop_->settled_picture();
@@ -26,10 +23,7 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
 }
 
 TEST_F(Editing, TheFirstSaveAsksWhereAndTheNextOnesDoNot) {
-  open_tube();
-  choose_parts();
-  move_by("0.5");
-  ASSERT_TRUE(settles());
+  bend_tube();
   person_->open_dialog("ctrl+s");
   keep_picture("first-save");
   person_->keys("Return");
@@ -47,10 +41,7 @@ TEST_F(Editing, TheFirstSaveAsksWhereAndTheNextOnesDoNot) {
 }
 
 TEST_F(Editing, ARecipeExportedAfterReplacingTheOpenedFileBendsOnlyOnce) {
-  open_tube();
-  choose_parts();
-  move_by("0.5");
-  ASSERT_TRUE(settles());
+  bend_tube();
   person_->open_dialog("ctrl+s");
   person_->type(tube().string());
   person_->open_dialog("Return");
@@ -71,10 +62,7 @@ TEST_F(Editing, ARecipeExportedAfterReplacingTheOpenedFileBendsOnlyOnce) {
 }
 
 TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {
-  open_tube();
-  choose_parts();
-  move_by("0.5");
-  ASSERT_TRUE(settles());
+  bend_tube();
   const fs::path ball = folder_ / "ball.obj";
   write_mesh(icosphere(2), ball);
   person_->open_dialog("ctrl+o");
@@ -84,8 +72,7 @@ TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {
   EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the key that accepts is no answer";
   ASSERT_TRUE(person_->draft()) << "still there";
   person_->keys("Delete");
-  EXPECT_TRUE(test::eventually(
-      60.0, [&] { return !desktop_->xdotool("search --onlyvisible --name '^ball.obj'").empty(); }));
+  EXPECT_TRUE(is_open("ball.obj"));
   EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "discarded";
   desktop_->settled_picture();
   expect_quits_silently();
@@ -152,38 +139,26 @@ TEST_F(Editing, ACoatOfAnOpenedRecipeIsUndoneRedoneAndSaved) {
   replace_file(opened, to_json({files.sheet(), {files.coat(1.0, Remeshing::automatic)}, "", {}}));
   person_->open(opened);
   ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.size() == 1; }));
+  ASSERT_TRUE(has_steps(1));
   // Half of what the relief makes of the sheet, which is dark.
   constexpr double kRelief = 0.04;
-  const auto differs = [&](const Image& picture, double by) {
-    return test::eventually(
-        60.0, [&] { return test::mean_difference(desktop_->picture(), picture) > by; });
-  };
-  const auto shows = [&](const Image& picture) {
-    return test::eventually(
-        60.0, [&] { return test::mean_difference(desktop_->picture(), picture) < kRelief; });
-  };
   const Image with_panels = desktop_->settled_picture();
   person_->keys("Tab");
-  ASSERT_TRUE(differs(with_panels, 1.0));
+  ASSERT_TRUE(differs_from(with_panels, 1.0));
   const Image coated = desktop_->settled_picture();
   person_->keys("ctrl+z");
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.empty(); }));
-  ASSERT_TRUE(differs(coated, kRelief));
+  ASSERT_TRUE(has_steps(0));
+  ASSERT_TRUE(differs_from(coated, kRelief));
   const Image undone = desktop_->settled_picture();
   person_->keys("ctrl+shift+z");
-  EXPECT_TRUE(shows(coated));
+  EXPECT_TRUE(shows(coated, kRelief));
   person_->keys("ctrl+z");
-  EXPECT_TRUE(shows(undone));
+  EXPECT_TRUE(shows(undone, kRelief));
   person_->keys("ctrl+shift+z");
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.size() == 1; }));
+  ASSERT_TRUE(has_steps(1));
 
   const fs::path saved = folder_ / "again.json";
-  person_->open_dialog("ctrl+e");
-  person_->type(saved.string());
-  person_->keys("Return");
-  ASSERT_TRUE(test::eventually(60.0, [&] { return fs::exists(saved); }));
-  desktop_->settled_picture();
+  ASSERT_TRUE(saves_as("ctrl+e", saved));
   expect_quits_silently();
   CpuKernels kernels;
   EXPECT_EQ(run_recipe(read_recipe(saved), kernels)->mesh.positions,
@@ -195,9 +170,7 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   const fs::path armadillo = folder_ / "armadillo.off";
   fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
   mesh_ = read_mesh(armadillo);
-  person_->open(armadillo);
-  ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
-  desktop_->settled_picture();
+  open(armadillo);
   person_->look_from(View::front, mesh_.positions);
   const Image opened = desktop_->settled_picture();
 
@@ -206,13 +179,11 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
       *std::max_element(mesh_.positions.begin(), mesh_.positions.end(),
                         [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
   const double size = bounds_of(mesh_.positions).diagonal();
-  const Vector2d wrist = person_->pixel_of(hand + Vector3d(-0.02 * size, 0.0, 0.0));
-  const Vector2d arm = person_->pixel_of(hand + Vector3d(-0.16 * size, 0.0, 0.0));
-  const Vector2d palm = person_->pixel_of(hand + Vector3d(-0.07 * size, 0.0, 0.0));
-  person_->drag({wrist, 0.5 * (wrist + arm), arm});
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
-  person_->drag({wrist, 0.5 * (wrist + palm), palm});
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+  const auto at = [&](double share) { return Vector3d(hand - share * size * Vector3d::UnitX()); };
+  person_->drag_between(at(0.02), at(0.16));
+  ASSERT_TRUE(has_disk_as_roi());
+  person_->drag_between(at(0.02), at(0.07));
+  ASSERT_TRUE(has_handles(1));
 
   drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -40.0});
   ASSERT_TRUE(settles());
@@ -235,16 +206,8 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d == bent; }));
   EXPECT_TRUE(eventually_shown([](double difference) { return difference < 0.3; }));
 
-  const auto save_as = [&](const std::string& keys, const fs::path& path) {
-    person_->open_dialog(keys);
-    person_->type(path.string());
-    person_->keys("Return");
-    const bool saved = test::eventually(60.0, [&] { return fs::exists(path); });
-    desktop_->settled_picture();
-    return saved;
-  };
-  ASSERT_TRUE(save_as("ctrl+e", folder_ / "arm.json"));
-  ASSERT_TRUE(save_as("ctrl+shift+s", folder_ / "arm.ply"));
+  ASSERT_TRUE(saves_as("ctrl+e", folder_ / "arm.json"));
+  ASSERT_TRUE(saves_as("ctrl+shift+s", folder_ / "arm.ply"));
   expect_quits_silently();
 
   CpuKernels kernels;

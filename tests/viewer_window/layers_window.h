@@ -24,14 +24,9 @@ class Layers : public test::WindowTest {
 
   // A disk around the middle becomes the ROI, which is the target patch.
   void choose_target() {
-    person_->keys("d");
-    person_->keys("i");
-    const Eigen::Vector2d middle = person_->pixel_of({0.5, 0.5, 0.025});
-    const Eigen::Vector2d rim = person_->pixel_of({0.85, 0.5, 0.07});
-    person_->drag({middle, 0.5 * (middle + rim), rim});
-    ASSERT_TRUE(person_->eventually_is([](const viewer::Draft& d) {
-      return std::holds_alternative<GeodesicDisk>(d.open.roi.form);
-    }));
+    person_->keys("d i");
+    person_->drag_between({0.5, 0.5, 0.025}, {0.85, 0.5, 0.07});
+    ASSERT_TRUE(has_disk_as_roi());
   }
 
   // Begins with these keys; the source is beside the mesh then.

@@ -1,21 +1,21 @@
 #include "window/main_loop.h"
 
-#include <cstdlib>
-#include <fstream>
-#include <optional>
+#include <functional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/gpu/context.h"
-#include "lapwing/gpu/device_lost.h"
+#include "lapwing/gpu/devices.h"
 #include "lapwing/io/mesh_file.h"
+#include "support/environment.h"
 #include "support/failing_new.h"
 #include "support/faulty_driver.h"
 #include "support/gpu.h"
 #include "ui/viewer_app.h"
-#include "viewer_window/desktop.h"
+#include "viewer_panels/bent_tube.h"
 #include "viewer_window/faulty_driver.h"
+#include "viewer_window/own_window_test.h"
 #include "viewer_window/test_frames.h"
 
 namespace lapwing::viewer {
@@ -33,30 +33,7 @@ using test::FaultyGraphics;
 constexpr int kFaultyFrame = 4;
 constexpr int kLastFrame = 12;
 
-// A display, with windows of this very program on it.
-class MainLoopTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    LAPWING_NEEDS_DESKTOP();
-    std::string pattern = (fs::temp_directory_path() / "lapwing-loop-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    desktop_ = std::make_unique<Desktop>(folder_);
-    const std::string display = desktop_->display();
-    setenv("DISPLAY", display.c_str() + display.find('=') + 1, 1);
-    unsetenv("WAYLAND_DISPLAY");
-    window_ = std::make_unique<Window>("Lapwing", 640, 400);
-  }
-
-  void TearDown() override {
-    window_.reset();
-    desktop_.reset();
-    if (!folder_.empty()) fs::remove_all(folder_);
-  }
-
-  fs::path folder_;
-  std::unique_ptr<Desktop> desktop_;
-  std::unique_ptr<Window> window_;
-};
+using MainLoopTest = test::OwnWindowTest;
 
 // Drags a sphere a little in every frame and quits after some.
 class SphereApp final : public App {
@@ -71,12 +48,6 @@ class SphereApp final : public App {
   void draw_ui(const FrameTimings&) override {
     ++frames;
     if (on_frame) on_frame(frames);
-    // The first frames compile shaders and find out how much memory they take.
-    if (count_allocations && frames == kFaultyFrame) counting_.emplace(-1);
-    if (count_allocations && frames == kLastFrame) {
-      allocations = lapwing::test::FailingNew::calls();
-      counting_.reset();
-    }
     sphere_->drag(0.01 * frames);
     Window::wake();
   }
@@ -95,13 +66,10 @@ class SphereApp final : public App {
   int frames = 0;
   int devices_taken = 0;
   std::function<void(int)> on_frame;
-  bool count_allocations = false;
-  long allocations = -1;  ///< of the frames from kFaultyFrame to the last
 
  private:
   std::shared_ptr<gpu::Context> context_;
   std::unique_ptr<DraggedSphere> sphere_;
-  std::optional<lapwing::test::FailingNew> counting_;
 };
 
 // What was opened until the app quit.
@@ -127,16 +95,6 @@ Outcome run_with(Window& window, const Fault& fault) {
 
 TEST_F(MainLoopTest, WithoutFaultsOpensEverythingOnce) {
   EXPECT_EQ(run_with(*window_, {}), kNothingOpenedAgain);
-}
-
-TEST_F(MainLoopTest, DragFramesAllocateNothing) {
-  const test::WithoutValidation without_validation;
-  WindowGraphics graphics(*window_, "auto");
-  const auto context = graphics.open_device();
-  SphereApp app(context);
-  app.count_allocations = true;
-  run_main_loop(*window_, graphics, context, app);
-  EXPECT_EQ(app.allocations, 0);
 }
 
 TEST_F(MainLoopTest, GoesOnWhereImagesNoLongerFitOrComeLate) {
@@ -213,20 +171,31 @@ TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheDevice) {
   EXPECT_THROW(run_with(*window_, {Call::present, VK_ERROR_DEVICE_LOST, 0, true}), gpu::DeviceLost);
 }
 
-// The viewer's own app with a handle that follows the mouse, one move a frame.
-class DraggingViewer final : public App {
+// Passes the calls of the main loop on to the viewer's app.
+class InnerViewer : public App {
  public:
-  DraggingViewer(std::shared_ptr<gpu::Context> context, const fs::path& journals)
-      : viewer_(std::move(context), {.journals = journals}) {}
+  InnerViewer(std::shared_ptr<gpu::Context> context, const fs::path& folder)
+      : viewer_(std::move(context), {.journals = folder / "journals"}) {}
 
   bool handle(const InputEvent& event) override { return viewer_.handle(event); }
   void open(const fs::path& file) override { viewer_.open(file); }
   void resize(const Eigen::Vector2d& size, double scale) override { viewer_.resize(size, scale); }
+  Scene scene() override { return viewer_.scene(); }
+  std::string_view title() const override { return viewer_.title(); }
   void ask_to_close() override {}
   void use_device(std::shared_ptr<gpu::Context> context) override {
     viewer_.use_device(std::move(context));
   }
-  std::string_view title() const override { return viewer_.title(); }
+
+ protected:
+  ViewerApp viewer_;
+};
+
+// Drags a handle of the viewer by one move per frame.
+class DraggingViewer final : public InnerViewer {
+ public:
+  using InnerViewer::InnerViewer;
+
   bool wants_to_quit() const override { return quiet_frames_ == kQuietFrames || frames_ == kMost; }
 
   Scene scene() override {
@@ -257,7 +226,6 @@ class DraggingViewer final : public App {
     viewer_.handle({.kind = InputKind::move, .position = {400.0 + frames_ % 50, 200.0}});
   }
 
-  ViewerApp viewer_;
   bool is_open_ = false;
   bool follows_ = false;
   int frames_ = 0;
@@ -267,35 +235,23 @@ class DraggingViewer final : public App {
 
 // By the linear response: what settles on the way comes with positions of its own each time.
 TEST_F(MainLoopTest, DraggingAHandleInTheViewerAllocatesNothing) {
-  const test::WithoutValidation without_validation;
-  write_mesh(rippled_cylinder(24, 41), folder_ / "tube.obj");
-  std::ofstream(folder_ / "bend.json") << R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
-      {"op": "deform", "roi": {"all": true},
-       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.6]}},
-       "handles": [{"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
-                    "move": {"translate": [2, 0, 0]}}], "settle": false}]})";
+  const lapwing::test::Environment without_validation("LAPWING_VALIDATION", "");
+  const fs::path recipe = test::write_bent_tube(folder_.path(), 2, R"(, "settle": false)");
   WindowGraphics graphics(*window_, "auto");
   const auto context = graphics.open_device();
-  DraggingViewer app(context, folder_ / "journals");
-  app.open(folder_ / "bend.json");
+  DraggingViewer app(context, folder_.path());
+  app.open(recipe);
   const lapwing::test::FailingNew counting(-1);
   run_main_loop(*window_, graphics, context, app);
   EXPECT_TRUE(app.is_quiet());
 }
 
-// The viewer's own app, which is watched and loses its device once a mesh is on the screen.
-class WatchedViewer final : public App {
+// Loses its device once a mesh is on the screen, and keeps pictures from before and after.
+class WatchedViewer final : public InnerViewer {
  public:
   WatchedViewer(std::shared_ptr<gpu::Context> context, const Desktop& desktop)
-      : viewer_(std::move(context), {.journals = desktop.folder() / "journals"}),
-        desktop_(desktop) {}
+      : InnerViewer(std::move(context), desktop.folder()), desktop_(desktop) {}
 
-  bool handle(const InputEvent& event) override { return viewer_.handle(event); }
-  void open(const fs::path& file) override { viewer_.open(file); }
-  void resize(const Eigen::Vector2d& size, double scale) override { viewer_.resize(size, scale); }
-  Scene scene() override { return viewer_.scene(); }
-  std::string_view title() const override { return viewer_.title(); }
-  void ask_to_close() override {}
   bool wants_to_quit() const override { return pictures_.size() == 2; }
 
   void draw_ui(const FrameTimings& last) override {
@@ -306,7 +262,8 @@ class WatchedViewer final : public App {
     // A view that was jumped to is drawn finely once it has stood still.
     if (shown_ == kFaultyFrame - 1) lapwing::test::sleep_seconds(0.3);
     if (shown_ == kFaultyFrame) {
-      pictures_.push_back(surface_part(desktop_.settled_picture()));
+      // Without the panels, the tools and the messages.
+      pictures_.push_back(lapwing::test::part_of(desktop_.settled_picture(), 390, 80, 230, 150));
       if (pictures_.size() == 1) throw gpu::DeviceLost("blend");
     }
     viewer_.draw_ui(last);
@@ -315,27 +272,12 @@ class WatchedViewer final : public App {
   void use_device(std::shared_ptr<gpu::Context> context) override {
     ++devices_;
     shown_ = 0;
-    viewer_.use_device(std::move(context));
+    InnerViewer::use_device(std::move(context));
   }
 
   const std::vector<Image>& pictures() const { return pictures_; }
 
  private:
-  // Without the panels, the tools and the messages.
-  static Image surface_part(const Image& screen) {
-    constexpr std::uint32_t kLeft = 390;
-    constexpr std::uint32_t kTop = 80;
-    Image part{230, 150, {}};
-    for (std::uint32_t y = kTop; y < kTop + part.height; ++y) {
-      for (std::uint32_t x = kLeft; x < kLeft + part.width; ++x) {
-        const auto pixel = screen.pixel(x, y);
-        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
-      }
-    }
-    return part;
-  }
-
-  ViewerApp viewer_;
   const Desktop& desktop_;
   std::vector<Image> pictures_;
   int shown_ = 0;

@@ -147,6 +147,12 @@ void Person::drag(const std::vector<Vector2d>& pixels, const std::string& held) 
   desktop_.xdotool(gesture);
 }
 
+void Person::drag_between(const Vector3d& from, const Vector3d& to) const {
+  const Vector2d first = pixel_of(from);
+  const Vector2d last = pixel_of(to);
+  drag({first, 0.5 * (first + last), last});
+}
+
 void Person::hold(const std::vector<Vector2d>& pixels) const {
   desktop_.xdotool(pressed_along(pixels));
 }

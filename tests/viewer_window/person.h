@@ -56,7 +56,9 @@ class Person {
   void scroll(const Vector2d& pixel, int notches, const std::string& held = "") const;
   /// Presses the left button at the first pixel and lets go at the last; `held` is a key.
   void drag(const std::vector<Vector2d>& pixels, const std::string& held = "") const;
-  /// The same, but keeps the button pressed, until `let_go`.
+  /// Presses it at one place of the mesh and lets go at another.
+  void drag_between(const Vector3d& from, const Vector3d& to) const;
+  /// The same as `drag`, but keeps the button pressed, until `let_go`.
   void hold(const std::vector<Vector2d>& pixels) const;
   void let_go() const;
 

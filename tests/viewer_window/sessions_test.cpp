@@ -1,7 +1,7 @@
 // Whole sessions of a person, from the mesh to what is saved, each killed in every stage: what was
 // done is there again, and the person goes on.
 #include "lapwing/doctor/check.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "viewer_window/doctor_window.h"
 #include "viewer_window/editing_window.h"
@@ -58,22 +58,18 @@ class Session : public Window {
 class EditingSessions : public Session<Editing> {
  protected:
   // A disk around a place of the tube that faces the person.
-  void drag_disk(const Vector3d& middle, double radius) {
-    const Vector2d from = person_->pixel_of(middle);
-    const Vector2d to = person_->pixel_of(middle + Vector3d(0.0, 0.0, radius));
-    person_->drag({from, 0.5 * (from + to), to});
+  void drag_disk(double z, double radius) {
+    person_->drag_between({0.5, 0.0, z}, {0.5, 0.0, z + radius});
   }
 
   // Region and handle by disks, as the guide says it.
   void choose_disks(double z) {
-    person_->keys("d");
-    person_->keys("i");
-    drag_disk({0.5, 0.0, z}, 1.0);
-    ASSERT_TRUE(
-        person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+    person_->keys("d i");
+    drag_disk(z, 1.0);
+    ASSERT_TRUE(has_disk_as_roi());
     person_->keys("h");
-    drag_disk({0.5, 0.0, z}, 0.3);
-    ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+    drag_disk(z, 0.3);
+    ASSERT_TRUE(has_handles(1));
     person_->keys("m");
     desktop_->settled_picture();
   }
@@ -90,10 +86,9 @@ class EditingSessions : public Session<Editing> {
 
 TEST_F(EditingSessions, TheFirstEdit) {
   open_tube();
-  person_->keys("d");
-  person_->keys("i");
-  drag_disk({0.5, 0.0, 3.0}, 1.0);
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  person_->keys("d i");
+  drag_disk(3.0, 1.0);
+  ASSERT_TRUE(has_disk_as_roi());
   crash();
   choose_disks(3.0);
   // In the middle of a drag, which is no step yet.
@@ -120,21 +115,24 @@ TEST_F(EditingSessions, ASecondEditElsewhere) {
   ASSERT_TRUE(is_moved_and_settled());
   crash();
   person_->keys("d");
-  drag_disk({0.5, 0.0, 1.5}, 0.8);
+  drag_disk(1.5, 0.8);
   ASSERT_TRUE(has_steps(1)) << "a disk elsewhere begins the next edit";
   crash();
-  person_->keys("d");
-  person_->keys("h");
-  drag_disk({0.5, 0.0, 1.5}, 0.3);
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
-  person_->keys("m");
-  person_->keys("g");
+  person_->keys("d h");
+  drag_disk(1.5, 0.3);
+  ASSERT_TRUE(has_handles(1));
+  person_->keys("m g");
   person_->type("0.3");
   person_->keys("Return");
   ASSERT_TRUE(is_moved_and_settled());
   keep_picture("session-second-edit");
   crash();
   EXPECT_EQ(person_->draft()->steps.size(), 1U);
+  person_->keys("ctrl+n");
+  ASSERT_TRUE(has_steps(2)) << "the key for a new edit ends this one";
+  EXPECT_TRUE(has_handles(0));
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(has_handles(1));
   expect_saves_what_its_recipe_makes(folder_ / "edited.obj");
 }
 
@@ -197,6 +195,9 @@ TEST_F(LayerSessions, AMix) {
     person_->keys("ctrl+Return");
   }
   ASSERT_TRUE(has_steps(1));
+  const auto mix = std::get<MixStep>(person_->draft()->steps.at(0));
+  EXPECT_EQ(mix.sources[0].mesh, files_.relief());
+  EXPECT_TRUE(mix.sources[1].mesh.empty()) << "the mesh itself";
   keep_picture("session-mix");
   crash();
   expect_saves_what_its_recipe_makes(folder_ / "mixed.ply");
@@ -248,24 +249,19 @@ TEST_F(RepairSessions, ARepairedBallIsEdited) {
   const Positions ball = read_mesh(repaired).positions;
   const auto crash = [&] { crash_and_restore(View::front, ball); };
   const auto drag_disk = [&](double radius) {
-    const Vector2d from = person_->pixel_of({0.0, 0.0, 1.0});
-    const Vector2d to = person_->pixel_of(Vector3d(radius, 0.0, 1.0).normalized());
-    person_->drag({from, 0.5 * (from + to), to});
+    person_->drag_between({0.0, 0.0, 1.0}, Vector3d(radius, 0.0, 1.0).normalized());
   };
   desktop_->settled_picture();
   person_->look_from(View::front, ball);
-  person_->keys("d");
-  person_->keys("i");
+  person_->keys("d i");
   drag_disk(0.7);
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  ASSERT_TRUE(has_disk_as_roi());
   crash();
-  person_->keys("d");
-  person_->keys("h");
+  person_->keys("d h");
   drag_disk(0.2);
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+  ASSERT_TRUE(has_handles(1));
   crash();
-  person_->keys("m");
-  person_->keys("g");
+  person_->keys("m g");
   person_->type("0.4");
   person_->keys("Return");
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.settled; }));

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cstdlib>
 #include <imgui.h>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "lapwing/mesh/shapes.h"
@@ -68,25 +65,6 @@ class DraggedSphere {
   std::shared_ptr<BlendResponse> blend_;
   SurfacePaint paint_;
   Scene scene_;
-};
-
-/// While alive, contexts are made without validation: its layers allocate in every call.
-class WithoutValidation {
- public:
-  WithoutValidation() {
-    const char* const value = std::getenv(kName);
-    if (value != nullptr) before_ = value;
-    unsetenv(kName);
-  }
-  ~WithoutValidation() {
-    if (before_) setenv(kName, before_->c_str(), 1);
-  }
-  WithoutValidation(const WithoutValidation&) = delete;
-  WithoutValidation& operator=(const WithoutValidation&) = delete;
-
- private:
-  static constexpr const char* kName = "LAPWING_VALIDATION";
-  std::optional<std::string> before_;
 };
 
 /// Panels of a frame laid out without a window.

@@ -2,7 +2,7 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
-#include "session/transplant_runs.h"
+#include "run/transplant_runs.h"
 #include "viewer_window/window_test.h"
 
 namespace lapwing {

@@ -1,16 +1,16 @@
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/temporary_folder.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/faulty_driver.h"
 #include "support/gpu.h"
+#include "viewer_panels/bent_tube.h"
 #include "viewer_window/desktop.h"
-#include "viewer_window/drag_and_drop.h"
 
 namespace lapwing {
 namespace {
@@ -29,41 +29,31 @@ class ViewerWindow : public ::testing::Test {
  protected:
   void SetUp() override {
     LAPWING_NEEDS_DESKTOP();
-    std::string pattern = (fs::temp_directory_path() / "lapwing-window-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     write_mesh(rippled_cylinder(24, 41), tube());
-    desktop_ = std::make_unique<Desktop>(folder_);
-  }
-
-  void TearDown() override {
-    viewer_.reset();
-    desktop_.reset();
-    if (!folder_.empty()) fs::remove_all(folder_);
+    desktop_ = std::make_unique<Desktop>(folder_.path());
   }
 
   fs::path tube() const { return folder_ / "tube.obj"; }
 
   // The messages of the validation layers, where they are on, go to standard error. (Not under
   // AddressSanitizer: they leak what they know of swapchains.)
-  void start(std::vector<std::string> arguments) {
+  void start(std::vector<std::string> arguments, const std::vector<std::string>& more = {}) {
     arguments.insert(arguments.begin(), LAPWING_VIEWER);
-    viewer_ = std::make_unique<Process>(arguments, test::viewer_environment(*desktop_, folder_),
-                                        folder_ / "errors");
+    std::vector<std::string> environment = test::viewer_environment(*desktop_, folder_.path());
+    environment.insert(environment.end(), more.begin(), more.end());
+    viewer_ = std::make_unique<Process>(arguments, environment, folder_ / "errors");
   }
 
   // On a driver that fails (test::FaultyDriver).
   void start_with_fault(const std::string& fault, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), LAPWING_VIEWER);
-    std::vector<std::string> environment = test::viewer_environment(*desktop_, folder_);
-    environment.push_back(std::string("LAPWING_VULKAN_LOADER=") + test::FaultyDriver::loader());
-    environment.push_back("LAPWING_DRIVER_FAULT=" + fault);
-    viewer_ = std::make_unique<Process>(arguments, environment, folder_ / "errors");
+    start(std::move(arguments),
+          {std::string("LAPWING_VULKAN_LOADER=") + test::FaultyDriver::loader(),
+           "LAPWING_DRIVER_FAULT=" + fault});
   }
 
   // Opens the tube and waits until it is on the screen.
   Image open_tube() {
     start({tube()});
-    window_ = "";
     EXPECT_TRUE(eventually(kWindowPatience, [&] {
       window_ = desktop_->xdotool("search --onlyvisible --name Lapwing");
       return !window_.empty() || !viewer_->running();
@@ -73,6 +63,11 @@ class ViewerWindow : public ::testing::Test {
     // The mesh hides the background in the middle of what the panels leave free.
     EXPECT_TRUE(eventually(kWindowPatience, [&] { return shows_the_tube(desktop_->picture()); }));
     return desktop_->settled_picture();
+  }
+
+  bool differs_from(const Image& picture) const {
+    return eventually(kWindowPatience,
+                      [&] { return test::mean_difference(desktop_->picture(), picture) > 1.0; });
   }
 
   // The background is lighter than the tube, the panels are darker.
@@ -85,15 +80,8 @@ class ViewerWindow : public ::testing::Test {
   static Image note(const Image& image) {
     constexpr std::uint32_t kLeft = 385;
     constexpr std::uint32_t kAboveGuide = 90;
-    Image part{300, 30, {}};
-    const std::uint32_t top = image.height - kAboveGuide - part.height;
-    for (std::uint32_t y = top; y < top + part.height; ++y) {
-      for (std::uint32_t x = kLeft; x < kLeft + part.width; ++x) {
-        const auto pixel = image.pixel(x, y);
-        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
-      }
-    }
-    return part;
+    constexpr std::uint32_t kHeight = 30;
+    return test::part_of(image, kLeft, image.height - kAboveGuide - kHeight, 300, kHeight);
   }
 
   void expect_quits_silently() {
@@ -101,8 +89,12 @@ class ViewerWindow : public ::testing::Test {
     EXPECT_EQ(viewer_->wait(kWindowPatience), 0);
     EXPECT_THAT(viewer_->errors(), IsEmpty());
   }
+  void expect_fails(int code, const std::string& words) {
+    EXPECT_EQ(viewer_->wait(kWindowPatience), code);
+    EXPECT_THAT(viewer_->errors(), HasSubstr(words));
+  }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
   std::unique_ptr<Desktop> desktop_;
   std::unique_ptr<Process> viewer_;
   std::string window_;
@@ -111,32 +103,17 @@ class ViewerWindow : public ::testing::Test {
 TEST_F(ViewerWindow, MouseAndKeysMoveTheView) {
   const Image first = open_tube();
   desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380 mouseup 2");
-  EXPECT_TRUE(eventually(kWindowPatience, [&] {
-    return test::mean_difference(desktop_->picture(), first) > 1.0;
-  })) << "a drag of the middle button orbits";
+  EXPECT_TRUE(differs_from(first)) << "a drag of the middle button orbits";
   const Image orbited = desktop_->settled_picture();
 
   desktop_->xdotool("mousemove 790 400 click 4 click 4");
-  EXPECT_TRUE(eventually(kWindowPatience, [&] {
-    return test::mean_difference(desktop_->picture(), orbited) > 1.0;
-  })) << "the wheel zooms";
+  EXPECT_TRUE(differs_from(orbited)) << "the wheel zooms";
   const Image zoomed = desktop_->settled_picture();
 
   desktop_->xdotool("key 0 key Home");
   EXPECT_TRUE(eventually(kWindowPatience, [&] {
     return test::mean_difference(desktop_->picture(), first) < 0.5;
   })) << "the first view is back";
-  expect_quits_silently();
-}
-
-TEST_F(ViewerWindow, QuestionMarkListsTheControls) {
-  const Image first = open_tube();
-  desktop_->xdotool("key question");
-  EXPECT_TRUE(eventually(kWindowPatience,
-                         [&] { return test::mean_difference(desktop_->picture(), first) > 10.0; }));
-  desktop_->xdotool("key Escape");
-  EXPECT_TRUE(eventually(kWindowPatience,
-                         [&] { return test::mean_difference(desktop_->picture(), first) < 0.5; }));
   expect_quits_silently();
 }
 
@@ -169,16 +146,6 @@ TEST_F(ViewerWindow, ComesBackAfterItWasMinimized) {
   expect_quits_silently();
 }
 
-TEST_F(ViewerWindow, OpensAFileThatIsDroppedOnIt) {
-  open_tube();
-  write_mesh(icosphere(2), folder_ / "ball.obj");
-  EXPECT_TRUE(test::drop_file(desktop_->name(), window_, folder_ / "ball.obj"));
-  EXPECT_TRUE(eventually(kWindowPatience, [&] {
-    return desktop_->xdotool("getwindowname " + window_).starts_with("ball.obj");
-  }));
-  expect_quits_silently();
-}
-
 TEST_F(ViewerWindow, SurvivesAResizeStorm) {
   open_tube();
   std::string storm;
@@ -198,12 +165,7 @@ TEST_F(ViewerWindow, SurvivesAResizeStorm) {
 }
 
 TEST_F(ViewerWindow, ShowsWhatARecipeMakesInTheColoursOfItsRegions) {
-  std::ofstream(folder_ / "bend.json") << R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
-      {"op": "deform", "roi": {"all": true},
-       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.6]}},
-       "handles": [{"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
-                    "move": {"translate": [2, 0, 0]}}]}]})";
-  start({folder_ / "bend.json"});
+  start({viewer::test::write_bent_tube(folder_.path(), 2)});
   const auto shows = [&](auto is_color) {
     const Image image = desktop_->picture();
     for (std::uint32_t y = 40; y < 770; y += 5) {
@@ -233,31 +195,25 @@ TEST_F(ViewerWindow, SavesAPictureOfAnySizeAndQuits) {
 TEST_F(ViewerWindow, SaysWhatIsWrongWithAFile) {
   std::ofstream(tube()) << "v 1 2\n";
   start({tube(), "--screenshot", folder_ / "tube.png"});
-  EXPECT_EQ(viewer_->wait(kWindowPatience), 3);
-  EXPECT_THAT(viewer_->errors(), HasSubstr("tube.obj:1"));
+  expect_fails(3, "tube.obj:1");
 }
 
 TEST_F(ViewerWindow, WithoutDisplaySaysSo) {
-  viewer_ = std::make_unique<Process>(std::vector<std::string>{LAPWING_VIEWER},
-                                      std::vector<std::string>{"DISPLAY=", "WAYLAND_DISPLAY="},
-                                      folder_ / "errors");
-  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
-  EXPECT_THAT(viewer_->errors(), HasSubstr("DISPLAY"));
+  start({}, {"DISPLAY="});
+  expect_fails(5, "DISPLAY");
 }
 
 TEST_F(ViewerWindow, SaysThatTheDisplayWentAway) {
   open_tube();
   desktop_->vanish();
-  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
-  EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
+  expect_fails(5, "the display went away");
 }
 
 TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
   open_tube();
   desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380");
   desktop_->vanish();
-  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
-  EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
+  expect_fails(5, "the display went away");
 }
 
 // Opening the window, showing the mesh and drawing the picture each take memory of the device.
@@ -277,18 +233,13 @@ TEST_F(ViewerWindow, AnOrderedPictureIsDrawnOrRefusedWhereverMemoryFails) {
 
 TEST_F(ViewerWindow, WithoutADeviceThatDrawsSaysThatTheEditIsKept) {
   start_with_fault("loss 20 ever after", {tube()});
-  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
-  EXPECT_THAT(viewer_->errors(), HasSubstr("VK_ERROR_DEVICE_LOST"));
+  expect_fails(5, "VK_ERROR_DEVICE_LOST");
   EXPECT_THAT(viewer_->errors(), HasSubstr("what was edited is kept"));
 }
 
 TEST_F(ViewerWindow, WithoutVulkanSaysSo) {
-  viewer_ = std::make_unique<Process>(
-      std::vector<std::string>{LAPWING_VIEWER},
-      std::vector{desktop_->display(), std::string("LAPWING_VULKAN_LOADER=/nowhere.so")},
-      folder_ / "errors");
-  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
-  EXPECT_THAT(viewer_->errors(), HasSubstr("no Vulkan loader"));
+  start({}, {"LAPWING_VULKAN_LOADER=/nowhere.so"});
+  expect_fails(5, "no Vulkan loader");
 }
 
 }  // namespace

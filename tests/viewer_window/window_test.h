@@ -32,14 +32,37 @@ class WindowTest : public ::testing::Test {
     desktop_->settled_picture();
   }
 
+  /// Wait until the desktop shows another picture, or that one.
   bool differs_from(const Image& picture, double by) const {
     return eventually(kPatienceSeconds,
                       [&] { return mean_difference(desktop_->picture(), picture) > by; });
   }
+  bool shows(const Image& picture, double within) const {
+    return eventually(kPatienceSeconds,
+                      [&] { return mean_difference(desktop_->picture(), picture) < within; });
+  }
 
+  /// Waits for a window whose title begins with `name`.
+  bool is_open(const std::string& name) const {
+    return eventually(kPatienceSeconds, [&] { return has_window(name); });
+  }
+  bool has_window(const std::string& name) const {
+    return !desktop_->xdotool("search --onlyvisible --name '^" + name + "'").empty();
+  }
+
+  /// Wait for the draft in the journal.
   bool has_steps(std::size_t count) const {
     return person_->eventually_is(
         [&](const viewer::Draft& draft) { return draft.steps.size() == count; });
+  }
+  bool has_handles(std::size_t count) const {
+    return person_->eventually_is(
+        [&](const viewer::Draft& draft) { return draft.open.handles.size() == count; });
+  }
+  bool has_disk_as_roi() const {
+    return person_->eventually_is([](const viewer::Draft& draft) {
+      return std::holds_alternative<GeodesicDisk>(draft.open.roi.form);
+    });
   }
 
   /// By the dialog that the keys open.
@@ -58,6 +81,11 @@ class WindowTest : public ::testing::Test {
 
   void expect_quits_silently() {
     EXPECT_EQ(person_->quit(), 0);
+    EXPECT_THAT(person_->errors(), ::testing::IsEmpty());
+  }
+  /// Gives up the edit, which is not saved.
+  void expect_discards_silently() {
+    EXPECT_EQ(person_->discard_and_quit(), 0);
     EXPECT_THAT(person_->errors(), ::testing::IsEmpty());
   }
 

@@ -1,4 +1,4 @@
-// The main operation on each device, from assembly to the dragged surface.
+// Deforms on each device, from assembly to the dragged surface.
 #include <cstring>
 
 #include "kernels/moved_mesh.h"
@@ -73,7 +73,7 @@ TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
             surface_tolerance() * bounds_of(mesh.positions).diagonal());
 }
 
-// Settling wants double precision.
+// Settling to this tolerance needs double precision.
 class SettleOnDevice : public DeformOnDevice {};
 
 TEST_P(SettleOnDevice, RingsSettleToTheSameShape) {

@@ -1,11 +1,11 @@
-// A driver that fails at any call of an edit: on the device, with nothing lost.
+// If the driver fails at any call of an edit, the edit continues and nothing is lost.
 #include <array>
 
 #include <gtest/gtest.h>
 
 #include "kernels/moved_mesh.h"
 #include "lapwing/deform/deform_solver.h"
-#include "lapwing/gpu/device_lost.h"
+#include "lapwing/gpu/devices.h"
 #include "lapwing/kernels/fallback_kernels.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "support/bent_tube.h"
@@ -18,7 +18,7 @@ namespace {
 
 using test::DriverFault;
 
-// Of what settles in float64 on both, and of what is shown in float32.
+// Settling runs in float64 on both devices; drawn surfaces use float32.
 constexpr double kSettledTolerance = 1e-8;
 constexpr double kShownTolerance = 1e-6;
 
@@ -26,7 +26,7 @@ class DeviceFaults : public ::testing::TestWithParam<DriverFault> {
  protected:
   void SetUp() override { LAPWING_NEEDS_GPU(); }
 
-  // A few iterations go through every call that many do.
+  // A few iterations make every kind of call that many iterations make.
   static DeformOptions few_iterations() {
     DeformOptions options;
     options.settle->max_iterations = 3;
@@ -38,7 +38,7 @@ class DeviceFaults : public ::testing::TestWithParam<DriverFault> {
                         few_iterations(), kernels);
   }
 
-  // Another one where the last was lost; making it is slow.
+  // Opens another context if the last one was lost. This is slow.
   void renew_context(bool mapped) {
     if (context != nullptr && GetParam() == DriverFault::memory) return;
     context.reset();
@@ -69,8 +69,7 @@ TEST_P(DeviceFaults, SettlingGoesOnOnTheCpu) {
             20);
 }
 
-// Who drags on a device learns that it is gone, and goes on where he was: on another context, or by
-// the CPU twin, from the same response.
+// A drag on a lost device throws, and continues from the same response on another context.
 TEST_P(DeviceFaults, ADragGoesOnFromTheSameResponse) {
   CpuKernels cpu;
   const DeformSolver deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh),

@@ -1,8 +1,8 @@
-# Writes FILE with one CTest test per suite of the GoogleTest program PROGRAM, named FOLDER.SUITE; all
-# tests of a suite run in one process, whose results go to RESULTS/FOLDER.SUITE.xml. SLOW is a regular
-# expression: suites that match start first and have the label "slow", the others "fast". With
-# ONE_BY_ONE each test is a CTest test of its own, SUITE.TEST is what SLOW is matched with, and all
-# have the label "window". ENVIRONMENT is set in all.
+# Writes FILE with one CTest test per suite of the GoogleTest program PROGRAM, named FOLDER.SUITE. All
+# tests of a suite run in one process; their results go to RESULTS/FOLDER.SUITE.xml. Suites that match the
+# regular expression SLOW start first and have the label "slow", the others "fast". With ONE_BY_ONE each
+# test is a separate CTest test with the label "window", and SLOW is matched with SUITE.TEST. ENVIRONMENT is
+# set for all.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests
   OUTPUT_VARIABLE listing RESULT_VARIABLE result ERROR_VARIABLE errors TIMEOUT 120)
 if(NOT result EQUAL 0)
@@ -19,7 +19,7 @@ function(add name filter label cost)
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 
-# What stands behind a # is the test's parameter, in which brackets and semicolons would break lists.
+# Remove the parameters of tests, which follow a #: their brackets and semicolons would break lists.
 string(REGEX REPLACE " *#[^\n]*" "" listing "${listing}")
 string(REPLACE "\n" ";" lines "${listing}")
 foreach(line IN LISTS lines)

@@ -8,11 +8,14 @@ set(public_headers
   lapwing/lapwing.h lapwing/base/cancellation.h lapwing/base/errors.h lapwing/base/limits.h
   lapwing/batch/batch.h lapwing/deform/deform_solver.h lapwing/deform/drag_preview.h
   lapwing/deform/drag_session.h lapwing/doctor/check.h lapwing/doctor/fix.h
-  lapwing/doctor/format.h lapwing/gpu/devices.h lapwing/kernels/cpu_kernels.h
-  lapwing/mesh/shapes.h lapwing/mesh/transform.h lapwing/parts/part_library.h
-  lapwing/recipe/recipe.h lapwing/render/render_image.h lapwing/render/surface.h
-  lapwing/session/run_recipe.h lapwing/session/session.h lapwing/vulkan/open_device.h
-  lapwing/vulkan/vulkan_kernels.h)
+  lapwing/doctor/format.h lapwing/kernels/cpu_kernels.h
+  lapwing/mesh/shapes.h lapwing/mesh/transform.h lapwing/transplant/part_library.h
+  lapwing/recipe/recipe.h lapwing/run/run_recipe.h lapwing/run/session.h)
+if(LAPWING_VULKAN)
+  list(APPEND public_headers
+    lapwing/gpu/devices.h lapwing/render/render_image.h lapwing/render/surface.h
+    lapwing/vulkan/open_device.h lapwing/vulkan/vulkan_kernels.h)
+endif()
 set(unread ${public_headers})
 while(unread)
   list(POP_FRONT unread header)
@@ -37,6 +40,18 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/lapwingConfigVersion.cmak
   COMPATIBILITY SameMinorVersion)
 install(FILES
   ${PROJECT_BINARY_DIR}/lapwingConfig.cmake ${PROJECT_BINARY_DIR}/lapwingConfigVersion.cmake
-  tools/cmake/FindAMD.cmake tools/cmake/FindMETIS.cmake
-  tools/cmake/FindTurboJPEG.cmake
+  tools/cmake/FindAMD.cmake tools/cmake/FindMETIS.cmake tools/cmake/FindTurboJPEG.cmake
+  tools/cmake/FindVolkSources.cmake tools/cmake/ImportedLibrary.cmake
   DESTINATION ${package_dir})
+
+# For builds without CMake: all libraries, and for static ones those that they link.
+set(linked "-llapwing_core")
+if(LAPWING_VULKAN)
+  set(linked "-llapwing_render -llapwing_vulkan -llapwing_gpu ${linked}")
+endif()
+if(NOT BUILD_SHARED_LIBS)
+  string(APPEND linked " -lturbojpeg -lamd -lmetis -pthread -ldl")
+endif()
+file(RELATIVE_PATH to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(tools/cmake/lapwing.pc.in ${PROJECT_BINARY_DIR}/lapwing.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/lapwing.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

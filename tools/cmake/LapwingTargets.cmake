@@ -1,16 +1,16 @@
-# How every target of the project is compiled: language level, warnings, sanitizers.
+# The common settings of all targets: language level, warnings, sanitizers.
 
-# The repository's own code is compiled under these warnings; dependencies come in as system headers.
+# The warnings for the project's code; dependencies are system headers.
 add_library(lapwing_warnings INTERFACE)
-# g++ 12 warns of overlaps and overflows inside std::string where there are none (GCC bug 105651),
-# and of unset numbers in Eigen's fixed-size decompositions, whose loops it does not follow;
-# Vulkan's structures are given their type and filled in by name.
+# g++ 12 wrongly warns of overlaps and overflows inside std::string (GCC bug 105651), and of unset numbers
+# in Eigen's fixed-size decompositions. Vulkan's structures are initialized by name.
 target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wall -Wextra -Wshadow
   -Wconversion -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
   -Wno-missing-field-initializers
-  $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>)
+  $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>
+  $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-missing-field-initializers>)
 
-# One rounding per operation on every platform: results do not hang on what the compiler fuses.
+# Round every operation, so that results do not depend on fused operations.
 add_compile_options(-ffp-contract=off)
 # Libraries share precompiled headers, which fit only code that is compiled the same way.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
@@ -22,11 +22,10 @@ if(LAPWING_SANITIZE)
   target_link_options(lapwing_sanitizers INTERFACE -fsanitize=${LAPWING_SANITIZE})
 endif()
 
-# lapwing_add_sources(TARGET SOURCES...): sources of TARGET. With LAPWING_FOLDER_UNITS those of one
-# folder, or of the folders that set LAPWING_UNIT to the same name, are one unit of compilation: what
-# they include, and templates that several of them use, are compiled once. Their names must then
-# differ across files, those in unnamed namespaces too. A source with compile options or definitions
-# of its own stays a unit of its own.
+# lapwing_add_sources(TARGET SOURCES...): adds sources to TARGET. With LAPWING_FOLDER_UNITS the sources of
+# one folder, or of the folders that set LAPWING_UNIT to the same name, are one translation unit, so headers
+# and templates are compiled once. Names must then differ across files, even in unnamed namespaces. A
+# source with separate compile options or definitions stays a separate unit.
 function(lapwing_add_sources target)
   target_sources(${target} PRIVATE ${ARGN})
   set_target_properties(${target} PROPERTIES
@@ -42,10 +41,10 @@ function(lapwing_add_sources target)
   endforeach()
 endfunction()
 
-# lapwing_add_library(NAME EXPORT_NAME): a static library of the engine, installed and exported as
-# lapwing::EXPORT_NAME. The CMakeLists.txt of each folder adds its sources.
+# lapwing_add_library(NAME EXPORT_NAME): a library of the engine, static unless BUILD_SHARED_LIBS,
+# installed and exported as lapwing::EXPORT_NAME. The CMakeLists.txt of each folder adds its sources.
 function(lapwing_add_library name export_name)
-  add_library(${name} STATIC)
+  add_library(${name})
   add_library(lapwing::${export_name} ALIAS ${name})
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_include_directories(${name} PUBLIC
@@ -53,9 +52,14 @@ function(lapwing_add_library name export_name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${name} PRIVATE
     $<BUILD_INTERFACE:lapwing_warnings> $<BUILD_INTERFACE:lapwing_sanitizers>)
+  # The libraries share precompiled headers, so none may have a definition of its own.
   set_target_properties(${name} PROPERTIES
-    EXPORT_NAME ${export_name} CXX_EXTENSIONS OFF)
-  install(TARGETS ${name} EXPORT lapwing ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    EXPORT_NAME ${export_name} CXX_EXTENSIONS OFF DEFINE_SYMBOL "" INSTALL_RPATH "\$ORIGIN"
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(LAPWING_INSTALL)
+    install(TARGETS ${name} EXPORT lapwing
+      ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
 endfunction()
 
 # lapwing_add_program(NAME SOURCES...): an executable of the project.
@@ -68,11 +72,11 @@ function(lapwing_add_program name)
     target_link_options(${name} PRIVATE -Wl,--export-dynamic-symbol=dlclose)
   endif()
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE OFF
+    INSTALL_RPATH "\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}"
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 
-# What nearly every file includes, compiled once per library or test program: Eigen alone costs
-# more than most files of the engine.
+# Headers that nearly every file includes, precompiled once per library or test program.
 set(lapwing_common_headers
   <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <filesystem> <functional> <memory> <span> <string>
   <vector>)

@@ -1,4 +1,4 @@
-// Linked into programs under AddressSanitizer. A driver holds tables in its own globals until the
-// process ends; once the Vulkan loader has unloaded it, the leak checker can no longer see those
-// globals and takes the tables for leaks. So nothing is unloaded, and leaks keep their names.
+// Programs under AddressSanitizer link this file, so that the Vulkan loader cannot unload a driver.
+// A driver's globals own tables until the process ends. After unloading, the leak checker would
+// report these tables as leaks.
 extern "C" int dlclose(void* /*module*/) { return 0; }

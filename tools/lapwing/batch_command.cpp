@@ -5,12 +5,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "batch_display.h"
 #include "commands.h"
-#include "exit_code.h"
+#include "lapwing/base/counted.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/batch/batch.h"
+#include "lapwing/batch/result_folder.h"
 #include "messages.h"
+#include "progress_display.h"
 
 namespace lapwing::cli {
 namespace {
@@ -63,8 +64,15 @@ void BatchOptions::run() {
     say(error.what());
     throw ExitWith{kUsage};
   }
-  display.finish(count, request.folder);
-  if (!count.is_complete()) throw ExitWith{kSignalled + caught};
+  display.finish(count);
+  if (count.failed > 0) {
+    say(counted(count.failed, "jobs") + " failed; see " +
+        ResultFolder::failed_file(request.folder, request.shard).string());
+  }
+  if (!count.is_complete()) {
+    say("interrupted; continue with --resume");
+    throw ExitWith{kSignalled + caught};
+  }
   if (count.failed > 0) throw ExitWith{kInput};
 }
 

@@ -6,21 +6,37 @@ namespace lapwing::cli {
 
 /// Each adds a subcommand to `app` and runs it if it was chosen. Errors leave as exceptions.
 void add_run(CLI::App& app);
-void add_batch(CLI::App& app);
 /// Adds one command per operation of a recipe: "deform", "coat", ...
 void add_steps(CLI::App& app);
-void add_keys(CLI::App& app);
+void add_batch(CLI::App& app);
 void add_peel(CLI::App& app);
-void add_parameterize(CLI::App& app);
+void add_cut(CLI::App& app);
 void add_parts(CLI::App& app);
 void add_render(CLI::App& app);
-void add_check(CLI::App& app);
+void add_parameterize(CLI::App& app);
 void add_convert(CLI::App& app);
-void add_cut(CLI::App& app);
-void add_info(CLI::App& app);
 void add_shape(CLI::App& app);
 void add_subdivide(CLI::App& app);
 void add_remesh(CLI::App& app);
+void add_check(CLI::App& app);
+void add_info(CLI::App& app);
+void add_keys(CLI::App& app);
+
+/// The help text of every argument that is a mesh file.
+inline constexpr const char* kMeshHelp = "OBJ, OFF, PLY, STL or glTF";
+
+/// Exit codes of the command line.
+enum ExitCode : int {
+  kDone = 0,
+  kFault = 1,  ///< a bug in the program
+  kUsage = 2,
+  kInput = 3,  ///< mesh or recipe
+  kSolver = 4,
+  kDevice = 5,
+  kFile = 6,
+  kSignalled = 128,  ///< plus the signal's number, as shells report it
+  kCancelled = 130,  ///< by an interrupt
+};
 
 /// Thrown by a command that has finished, to set the exit code.
 struct ExitWith {

@@ -1,7 +1,9 @@
 #include "domain_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace lapwing::cli {
@@ -16,7 +18,9 @@ constexpr double kThinnestLine = 0.25;
 constexpr double kLinePerEdge = 0.12;  // of the mean edge in pixels
 constexpr double kPinRadius = 6.0;
 constexpr double kSpotRadius = 3.0;
-constexpr PictureColor kRed{220, 30, 30};
+using Color = std::array<std::uint8_t, 3>;  // red, green, blue in sRGB
+constexpr Color kBlue{30, 60, 120};
+constexpr Color kRed{220, 30, 30};
 
 // The coverage of each pixel by a layer of ink. Overlapping ink covers no more, so that lines do
 // not darken where they meet.
@@ -64,7 +68,7 @@ class Ink {
   }
 
   // Draws the ink on the image and clears it.
-  void print(const PictureColor& color, Image& image) {
+  void print(const Color& color, Image& image) {
     for (std::size_t k = 0; k < coverage_.size(); ++k) {
       for (std::size_t channel = 0; channel < 3; ++channel) {
         std::uint8_t& value = image.rgba[4 * k + channel];
@@ -130,37 +134,33 @@ double mean_edge(std::span<const Triangle> triangles, std::span<const Vector2d> 
   return sum / std::max(1.0, 3.0 * static_cast<double>(triangles.size()));
 }
 
-void draw_layer(const DomainLayer& layer, std::span<const Vector2d> pixels, Ink& ink,
-                Image& image) {
+}  // namespace
+
+Image draw_domain(const Parameterized& result, std::uint32_t size) {
+  Image image{size, size, std::vector<std::uint8_t>(4 * std::size_t{size} * size, 255)};
+  Ink ink(size);
+  const auto& triangles = result.patch.triangles;
+  const auto& loop = result.patch.loop;
+  const std::vector<Vector2d> pixels = to_pixels(result.map.domain, result.map.points, size);
   const double width =
-      std::clamp(kLinePerEdge * mean_edge(layer.triangles, pixels), kThinnestLine, kThickestLine);
-  for (const Triangle& t : layer.triangles) {
+      std::clamp(kLinePerEdge * mean_edge(triangles, pixels), kThinnestLine, kThickestLine);
+  for (const Triangle& t : triangles) {
     // Draw each inner edge once; boundary edges follow below.
     for (std::size_t k = 0; k < 3; ++k) {
       if (t[k] < t[(k + 1) % 3]) ink.line(pixels[t[k]], pixels[t[(k + 1) % 3]], width);
     }
   }
-  for (std::size_t k = 0; k < layer.loop.size(); ++k) {
-    ink.line(pixels[layer.loop[k]], pixels[layer.loop[(k + 1) % layer.loop.size()]], kBoldWidth);
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    ink.line(pixels[loop[k]], pixels[loop[(k + 1) % loop.size()]], kBoldWidth);
   }
-  for (const Index pin : layer.pins) ink.dot(pixels[pin], kPinRadius);
-  ink.print(layer.color, image);
-  for (const Index t : layer.flipped) {
-    const auto& [a, b, c] = layer.triangles[t];
+  for (const Index pin : result.pins) ink.dot(pixels[pin], kPinRadius);
+  ink.print(kBlue, image);
+  for (const Index t : result.flipped) {
+    const auto& [a, b, c] = triangles[t];
     ink.triangle(pixels[a], pixels[b], pixels[c]);
     ink.dot((pixels[a] + pixels[b] + pixels[c]) / 3.0, kSpotRadius);
   }
   ink.print(kRed, image);
-}
-
-}  // namespace
-
-Image draw_domain(Domain domain, std::span<const DomainLayer> layers, std::uint32_t size) {
-  Image image{size, size, std::vector<std::uint8_t>(4 * std::size_t{size} * size, 255)};
-  Ink ink(size);
-  for (const DomainLayer& layer : layers) {
-    draw_layer(layer, to_pixels(domain, layer.points, size), ink, image);
-  }
   return image;
 }
 

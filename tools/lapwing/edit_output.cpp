@@ -1,65 +1,95 @@
 #include "edit_output.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
-#include "exit_code.h"
-#include "file_color_option.h"
+#include "lapwing/base/counted.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/printable_text.h"
+#include "lapwing/deform/certificate_warnings.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/image.h"
 #include "lapwing/io/mesh_format.h"
+#include "lapwing/kernels/timed_kernels.h"
 #include "lapwing/recipe/recipe_files.h"
 #include "lapwing/render/draw_on_any_device.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/surface.h"
-#include "lapwing/session/report.h"
+#include "lapwing/run/run_report.h"
 #include "messages.h"
 #include "output_files.h"
-#include "pose_colors.h"
 
 namespace lapwing::cli {
 namespace {
 
+// Returns a ratio with the digits that matter: "0.126", "1.234e+05".
+std::string measured(double ratio) {
+  if (!std::isfinite(ratio)) return "not measurable";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), std::abs(ratio) < 1000.0 ? "%.3f" : "%.4g", ratio);
+  return text.data();
+}
+
 void print_certificate(const Certificate& c, double diagonal) {
+  const std::string detail =
+      std::isnan(c.detail_error) ? "not measurable (there is no detail)" : measured(c.detail_error);
   std::printf(
-      "  %s %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
-      "  largest rotation %.1f degrees, %zu flipped triangles,\n"
-      "  detail error %.3f, edge stretch %.3f",
+      "  %s %.1e, handle error %.2g of the diagonal, scale %s to %s,\n"
+      "  largest rotation %.1f degrees, %s,\n"
+      "  detail error %s, edge stretch %s",
       c.settle_iterations > 0 ? "balance" : "residual",
       c.settle_iterations > 0 ? c.relative_gradient : c.relative_residual,
-      diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale, c.largest_scale,
-      c.largest_rotation_degrees, c.flipped_triangles, c.detail_error, c.edge_stretch);
+      diagonal > 0.0 ? c.handle_error / diagonal : 0.0, measured(c.smallest_scale).c_str(),
+      measured(c.largest_scale).c_str(), c.largest_rotation_degrees,
+      counted(c.flipped_triangles, "flipped triangles").c_str(), detail.c_str(),
+      measured(c.edge_stretch).c_str());
   const auto& [a, b] = c.largest_edge_stretch_vertices;
   if (a != kNoIndex) {
-    std::printf(", at most %.3f between vertices %u and %u", c.largest_edge_stretch, a, b);
+    std::printf(", at most %s between vertices %u and %u", measured(c.largest_edge_stretch).c_str(),
+                a, b);
   }
   std::printf("\n");
   if (c.settle_iterations == 0) return;
-  std::printf(c.settled ? "  settled in %d iterations, to %.1e of the mean edge\n"
-                        : "  not settled after %d iterations: one more would move a vertex by %.1e "
-                          "of the mean edge\n",
-              c.settle_iterations, c.settle_last_step);
+  std::printf(c.settled ? "  settled in %s, to %.1e of the mean edge\n"
+                        : "  not settled after %s: one more would move a vertex by %.1e of the "
+                          "mean edge\n",
+              counted(static_cast<std::size_t>(c.settle_iterations), "iterations").c_str(),
+              c.settle_last_step);
+}
+
+// Returns the warnings for which --strict fails.
+std::vector<std::string> strict_warnings(const RunReport& report) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < report.steps.size(); ++i) {
+    if (!report.steps[i].deform) continue;
+    for (const std::string& text : warnings_of(report.steps[i].deform->certificate)) {
+      list.push_back("step " + std::to_string(i + 1) + ": " + text);
+    }
+  }
+  return list;
 }
 
 void print_source(const CoatSourceReport& source) {
-  std::printf("  coating from %zu vertices, scale %.3f", source.vertices, source.mean_scale);
+  std::printf("  coating from %s, scale %s", counted(source.vertices, "vertices").c_str(),
+              measured(source.mean_scale).c_str());
   for (std::size_t p = 0; p < source.pins.size(); ++p) {
     std::printf("%s[%u, %u]", p == 0 ? ",\n  boundaries aligned at " : ", ", source.pins[p][0],
                 source.pins[p][1]);
   }
-  std::printf("\n  flipped in the domain: %zu triangles of the source, %zu of the target\n",
-              source.flipped_source, source.flipped_target);
+  std::printf("\n  flipped in the domain: %s of the source, %zu of the target\n",
+              counted(source.flipped_source, "triangles").c_str(), source.flipped_target);
 }
 
 void print_coat(const CoatReport& coat, std::size_t patch, double diagonal) {
   for (const CoatSourceReport& source : coat.sources) print_source(source);
   if (coat.vertices_before_remeshing > 0) {
-    std::printf("  patch remeshed from %zu to %zu vertices\n", coat.vertices_before_remeshing,
-                patch);
+    std::printf("  patch remeshed from %zu to %s\n", coat.vertices_before_remeshing,
+                counted(patch, "vertices").c_str());
   }
   std::printf("  fading in over %.3g, residual %.1e, largest displacement %.2g of the diagonal\n",
               coat.transition_width, coat.relative_residual,
@@ -67,15 +97,17 @@ void print_coat(const CoatReport& coat, std::size_t patch, double diagonal) {
 }
 
 void print_transplant(const TransplantReport& transplant, double diagonal) {
-  std::printf("  part of %zu vertices%s, loops of %zu and %zu vertices", transplant.part_vertices,
+  std::printf("  part of %s%s, loops of %zu and %s",
+              counted(transplant.part_vertices, "vertices").c_str(),
               transplant.turned ? " turned inside out" : "", transplant.host_loop,
-              transplant.part_loop);
+              counted(transplant.part_loop, "vertices").c_str());
   if (transplant.welded > 0) std::printf(", %zu of them welded", transplant.welded);
   if (transplant.strip_triangles > 0) {
-    std::printf(",\n  zipped by %zu triangles", transplant.strip_triangles);
+    std::printf(",\n  zipped by %s", counted(transplant.strip_triangles, "triangles").c_str());
   }
   if (transplant.remeshed_vertices > 0) {
-    std::printf(", transition remeshed to %zu vertices", transplant.remeshed_vertices);
+    std::printf(", transition remeshed to %s",
+                counted(transplant.remeshed_vertices, "vertices").c_str());
   }
   std::printf("\n  transition over %.3g, free for %.3g beyond, held for %.3g\n",
               transplant.transition_width, transplant.padding, transplant.belt);
@@ -86,9 +118,21 @@ void print_transplant(const TransplantReport& transplant, double diagonal) {
       diagonal > 0.0 ? transplant.largest_displacement / diagonal : 0.0);
 }
 
-void print_summary(const RunReport& report) {
-  std::printf("%s: %zu vertices, %zu faces\n%s", shown(report.mesh).c_str(), report.vertices,
-              report.faces, format_stages(report).c_str());
+void print_kernels(const DeviceInfo& device, std::span<const KernelTime> times) {
+  std::printf("kernels\n");
+  for (const KernelTime& time : times) {
+    std::printf("  %-24s %10.2f ms in %s on %s\n", time.kernel.c_str(), time.milliseconds,
+                counted(time.calls, "calls").c_str(), printable(time.device).c_str());
+  }
+  if (!device.frames) {
+    std::printf("  settling runs on the CPU, which is faster than this device (--frames device)\n");
+  }
+}
+
+void print_summary(const RunReport& report, std::span<const KernelTime> kernels) {
+  std::printf("%s: %s, %s\n%s", shown(report.mesh).c_str(),
+              counted(report.vertices, "vertices").c_str(), counted(report.faces, "faces").c_str(),
+              format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
     const double diagonal = report.bounds.diagonal();
     if (step.deform) print_certificate(step.deform->certificate, diagonal);
@@ -99,7 +143,8 @@ void print_summary(const RunReport& report) {
                   step.peel->largest_coating);
     }
   }
-  std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
+  if (!kernels.empty() || !report.device.frames) print_kernels(report.device, kernels);
+  std::printf("peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
 }
 
 void print_written(const RunResult& result, const std::filesystem::path& target) {
@@ -135,9 +180,8 @@ void EditOutput::add_to(CLI::App& command) {
   command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
       ->capture_default_str();
   command
-      .add_option(
-          "--frames", frames,
-          "where drag frames and settling run: auto uses the processor for a software device")
+      .add_option("--frames", frames,
+                  "where settling runs: auto uses the CPU for a software device; device never does")
       ->check(CLI::IsMember({"auto", "device"}))
       ->capture_default_str();
   command.add_flag("--strict", strict,
@@ -184,40 +228,41 @@ void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_f
   require_places(recipe, target, recipe_file, recipe_path);
   const std::string recipe_text = recipe_path.empty() ? "" : to_json(recipe);
   const Device opened = open_device(device, frames == "device");
+  if (!quiet && !opened.note.empty()) note(opened.note);
+  TimedKernels kernels(*opened.kernels);
   ProgressDisplay display(quiet);
-  display.note("device: " + opened.kernels->device().name);
-  const auto result = run_recipe(recipe, *opened.kernels, display.callback(), {report_vertices});
+  const auto result = run_recipe(recipe, kernels, display.callback(), {report_vertices});
+  display.clear();
   FileReplacements files;
   if (!target.empty()) save_result(*result, target, files, {vertex_motion});
   std::string no_pictures;
   if (!render.empty() || !render_before.empty()) {
-    no_pictures = add_pictures(*result, recipe.mesh_path(), opened, files, display);
+    no_pictures = add_pictures(*result, recipe.mesh_path(), opened, files);
   }
   if (!report.empty()) files.add(report, to_json(result->report));
   if (!recipe_path.empty()) files.add(recipe_path, recipe_text);
   files.commit();
-  for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
-  for (const std::string& note : result->report.notes) display.note("note: " + note);
+  const std::vector<std::string> failures =
+      strict ? strict_warnings(result->report) : std::vector<std::string>();
+  for (const std::string& text : quiet ? failures : result->report.warnings) warn(text);
   if (!quiet) {
-    print_summary(result->report);
+    for (const std::string& text : result->report.notes) note(text);
+    print_summary(result->report, kernels.times());
     if (!target.empty()) print_written(*result, target);
   }
   if (!no_pictures.empty()) {
     say("no picture was drawn, but all other files are written: " + no_pictures);
     throw ExitWith{kDevice};
   }
-  const auto& steps = result->report.steps;
-  if (strict && std::any_of(steps.begin(), steps.end(), [](const StepReport& step) {
-        return step.deform && !warnings_of(step.deform->certificate).empty();
-      })) {
-    std::fprintf(stderr, "lapwing: --strict: the result has warnings, see above\n");
+  if (!failures.empty()) {
+    say("--strict: the result has warnings, see above; all files are written");
     throw ExitWith{kSolver};
   }
 }
 
 std::string EditOutput::add_pictures(const RunResult& result,
                                      const std::filesystem::path& mesh_file, const Device& used,
-                                     FileReplacements& files, ProgressDisplay& display) const {
+                                     FileReplacements& files) const {
   Pictures pictures;
   try {
     // An edit on the processor has no device, or has lost it. Then a device is opened for the
@@ -226,11 +271,13 @@ std::string EditOutput::add_pictures(const RunResult& result,
     const std::string changed = draw_on_any_device(
         has_failed ? nullptr : used.context,
         [&](const auto& context) { pictures = draw(result, mesh_file, context); });
-    if (!changed.empty()) display.note("note: " + changed);
+    if (!changed.empty()) pictures.notes.push_back(changed);
   } catch (const GpuError& error) {
     return error.what();
   }
-  for (const std::string& note : pictures.notes) display.note("note: " + note);
+  for (const std::string& text : pictures.notes) {
+    if (!quiet) note(text);
+  }
   if (!render_before.empty()) files.add(render_before, pictures.before);
   if (!render.empty()) files.add(render, pictures.after);
   return {};
@@ -239,10 +286,10 @@ std::string EditOutput::add_pictures(const RunResult& result,
 EditOutput::Pictures EditOutput::draw(const RunResult& result,
                                       const std::filesystem::path& mesh_file,
                                       const std::shared_ptr<gpu::Context>& context) const {
-  Surface surface(context, result.original, result.mesh.topology());
+  const PictureRequest asked = picture.request();
+  Surface surface(context, result.original, result.mesh.topology(), asked.feature_angle_degrees);
   SurfacePaint paint(surface);
   paint.set_polygons(result.mesh);
-  const PictureRequest asked = picture.request();
   RenderOptions options = asked.options();
   Pictures pictures;
   if (color == "regions" || color == kFileColor) {
@@ -254,8 +301,10 @@ EditOutput::Pictures EditOutput::draw(const RunResult& result,
   } else if (std::ranges::count(pose_colors(), color) > 0) {
     color_by(color, result.mesh, result.original, paint, options);
   }
-  Positions both = result.original;
-  both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
+  const Topology& topology = result.mesh.topology();
+  Positions both = surface_positions(result.original, topology);
+  const Positions after = surface_positions(result.mesh.positions, topology);
+  both.insert(both.end(), after.begin(), after.end());
   const Camera camera = asked.camera(both, options.style.color == SurfaceColor::scalar);
   if (!render_before.empty()) {
     pictures.before = encode_png(render_image(surface, paint, camera, options));

@@ -5,7 +5,7 @@
 
 #include <CLI/App.hpp>
 
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/run/run_recipe.h"
 #include "lapwing/vulkan/open_device.h"
 #include "picture_options.h"
 #include "progress_display.h"
@@ -52,8 +52,7 @@ struct EditOutput {
                 const std::shared_ptr<gpu::Context>& context) const;
   // Returns why the pictures could not be drawn, or an empty string.
   std::string add_pictures(const RunResult& result, const std::filesystem::path& mesh_file,
-                           const Device& device, FileReplacements& files,
-                           ProgressDisplay& display) const;
+                           const Device& device, FileReplacements& files) const;
 };
 
 }  // namespace lapwing::cli

@@ -5,8 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "lapwing/base/errors.h"
-#include "lapwing/io/mesh_file.h"
 #include "move_flags.h"
 #include "region_text.h"
 
@@ -31,56 +29,6 @@ CLI::Validator in(const Range& range, bool whole) {
           },
           ""};
 }
-
-// Returns the numbers of a vertex property of the mesh, which `lapwing peel` and other programs
-// write.
-std::vector<double> property(const std::string& flag, const std::string& mesh,
-                             const std::string& name) {
-  for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {
-    if (extra.name == name && extra.components == 1) return extra.values;
-  }
-  throw InputError(flag + ": " + mesh + " has no scalar vertex property \"" + name +
-                   "\"; use a PLY file that has one");
-}
-
-struct HandleFlags {
-  std::string region;
-  MoveFlags move;
-  double falloff = 0.0;
-  std::string profile = "smooth";
-  std::string field;
-  std::string orientation = "kept";
-
-  void add_orientation(CLI::App& command, CLI::Option& handle) {
-    command
-        .add_option("--orientation", orientation,
-                    "of the handle: kept as its move sets it, or free to follow the surface")
-        ->check(CLI::IsMember({"kept", "free"}))
-        ->capture_default_str()
-        ->needs(&handle);
-  }
-  void add_falloff(CLI::App& command, CLI::Option& handle) {
-    auto* width = command.add_option("--falloff", falloff,
-                                     "length beyond the handle over which its weight fades");
-    width->check(CLI::PositiveNumber)->needs(&handle);
-    command.add_option("--falloff-profile", profile, "profile of the falloff")
-        ->check(CLI::IsMember({"smooth", "linear"}))
-        ->capture_default_str()
-        ->needs(width);
-    command
-        .add_option("--handle-field", field,
-                    "vertex property of MESH with the weight of the handle, 0 to 1")
-        ->needs(&handle)
-        ->excludes(width);
-  }
-  Json json(const std::string& mesh) const {
-    Json handle{{"region", region_json("--handle", region)}, {"move", move.json()}};
-    if (falloff > 0.0) handle["falloff"] = {{"width", falloff}, {"profile", profile}};
-    if (!field.empty()) handle["weight"] = {{"field", property("--handle-field", mesh, field)}};
-    if (orientation != "kept") handle["orientation"] = orientation;
-    return handle;
-  }
-};
 
 // The flags of a mix's weight.
 struct WeightFlags {
@@ -111,7 +59,7 @@ struct WeightFlags {
   }
   Json json(const std::string& mesh) const {
     if (!domain_v.empty()) return {{"domain_v", domain_v}};
-    if (!field.empty()) return {{"field", property("--field", mesh, field)}};
+    if (!field.empty()) return {{"field", vertex_property("--field", mesh, field)}};
     if (distance_to.empty()) {
       throw CLI::RequiredError("one of --domain-v, --distance-to and --field");
     }
@@ -119,46 +67,36 @@ struct WeightFlags {
   }
 };
 
-// The flags of a part's place: fitted, or moved.
-struct PlaceFlags {
-  MoveFlags move;
-  std::optional<double> degrees;
-  std::optional<double> scale;
-  bool keep_size = false;
-
-  void add_to(CLI::App& command) {
-    move.add_to(command, "the part", "the centre of its loop");
-    command.add_option("--fit-rotate", degrees,
-                       "fit the part to the hole, then rotate it by DEGREES about the hole's "
-                       "normal");
-    command
-        .add_option("--fit-scale", scale,
-                    "fit the part to the hole, then scale it about the hole's centre")
-        ->check(CLI::PositiveNumber);
-    command.add_flag("--keep-size", keep_size, "fit the part without scaling it");
-  }
-  Json json(bool snap) const {
-    const bool fitted = degrees || scale || keep_size;
-    const bool moved = move.are_given() || snap;
-    if (moved && fitted) {
-      throw CLI::ExcludesError("--fit-rotate, --fit-scale and --keep-size",
-                               "--translate, --rotate, --scale, --pivot, --matrix and --snap");
-    }
-    if (moved) return move.json();
-    Json fit = Json::object();
-    if (degrees) fit["rotate_degrees"] = *degrees;
-    if (scale) fit["scale"] = *scale;
-    if (keep_size) fit["keep_size"] = true;
-    return {{"auto", fit}};
-  }
-};
-
 }  // namespace
+
+std::filesystem::path StepFiles::recipe_folder() const {
+  return recipe.empty() ? std::filesystem::current_path()
+                        : std::filesystem::absolute(recipe).parent_path();
+}
+
+std::string StepFiles::from_recipe(const std::string& path) const {
+  return std::filesystem::proximate(std::filesystem::absolute(path), recipe_folder()).string();
+}
 
 std::string FlagVisitor::flag(const StepKey& key) const {
   std::string name(key.flag.empty() ? key.name : key.flag);
   std::replace(name.begin(), name.end(), '_', '-');
   return prefix_.empty() ? "--" + name : "--" + prefix_ + "-" + name;
+}
+
+std::function<void(Json)> FlagVisitor::setter(const StepKey& key) const {
+  return [draft = draft_, place = place_of(key)](Json value) {
+    draft->given.emplace_back(place, std::move(value));
+  };
+}
+
+void FlagVisitor::set_at_end(const StepKey& key,
+                             std::function<Json(const Json&, const StepFiles&)> value) {
+  draft_->at_end.emplace_back(
+      [place = place_of(key), value = std::move(value)](Json& step, const StepFiles& files) {
+        Json json = value(step, files);
+        if (!json.is_null()) step[place] = std::move(json);
+      });
 }
 
 CLI::Option* FlagVisitor::finish(const StepKey& key, CLI::Option* option,
@@ -171,11 +109,10 @@ CLI::Option* FlagVisitor::finish(const StepKey& key, CLI::Option* option,
 
 void FlagVisitor::add_number(const StepKey& key, const Range& range, bool whole,
                              const std::string& fallback) {
-  const auto keep = [draft = draft_, place = place_of(key), whole](const double& number) {
-    draft->given.emplace_back(place,
-                              whole ? Json(static_cast<std::int64_t>(number)) : Json(number));
+  const auto set = [set = setter(key), whole](const double& number) {
+    set(whole ? Json(static_cast<std::int64_t>(number)) : Json(number));
   };
-  auto* option = command_.add_option_function<double>(flag(key), keep, help_of(key));
+  auto* option = command_.add_option_function<double>(flag(key), set, help_of(key));
   option->check(in(range, whole))->type_name(whole ? "INT" : "FLOAT");
   finish(key, option, key.required ? "" : fallback);
 }
@@ -197,10 +134,8 @@ void FlagVisitor::whole(const StepKey& key, std::optional<std::size_t>&) {
 }
 
 void FlagVisitor::boolean(const StepKey& key, bool&) {
-  const auto keep = [draft = draft_, place = place_of(key)] {
-    draft->given.emplace_back(place, true);
-  };
-  finish(key, command_.add_flag_callback(flag(key), keep, help_of(key)));
+  const auto set = [set = setter(key)] { set(true); };
+  finish(key, command_.add_flag_callback(flag(key), set, help_of(key)));
 }
 
 void FlagVisitor::choose(const StepKey& key, std::size_t& chosen,
@@ -209,20 +144,15 @@ void FlagVisitor::choose(const StepKey& key, std::size_t& chosen,
     add_off(key, names.back());
     return;
   }
-  const auto keep = [draft = draft_, place = place_of(key)](const std::string& name) {
-    draft->given.emplace_back(place, name);
-  };
-  auto* option = command_.add_option_function<std::string>(flag(key), keep, help_of(key));
+  auto* option = command_.add_option_function<std::string>(flag(key), setter(key), help_of(key));
   option->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   finish(key, option, std::string(names[chosen]));
 }
 
 void FlagVisitor::add_off(const StepKey& key, Json value) {
   const std::string prefix = prefix_.empty() ? "--" : "--" + prefix_ + "-";
-  const auto keep = [draft = draft_, place = place_of(key), value] {
-    draft->given.emplace_back(place, value);
-  };
-  auto* option = command_.add_flag_callback(prefix + std::string(key.off_flag), keep,
+  const auto set = [set = setter(key), value] { set(value); };
+  auto* option = command_.add_flag_callback(prefix + std::string(key.off_flag), set,
                                             std::string(key.off_help));
   if (!scopes_.empty()) scopes_.back().off = option;
 }
@@ -230,11 +160,11 @@ void FlagVisitor::add_off(const StepKey& key, Json value) {
 void FlagVisitor::add_region(const StepKey& key, const std::string& help,
                              const std::string& fallback) {
   const std::string name = flag(key);
-  const auto keep = [draft = draft_, place = place_of(key), name](const std::string& text) {
-    draft->given.emplace_back(place, region_json(name, text));
+  const auto set = [set = setter(key), name](const std::string& text) {
+    set(region_json(name, text));
   };
-  if (!key.flag_default.empty()) keep(std::string(key.flag_default));
-  finish(key, command_.add_option_function<std::string>(name, keep, help), fallback);
+  if (!key.flag_default.empty()) set(std::string(key.flag_default));
+  finish(key, command_.add_option_function<std::string>(name, set, help), fallback);
 }
 
 void FlagVisitor::region(const StepKey& key, RegionSpec&) {
@@ -249,19 +179,8 @@ void FlagVisitor::belt(const StepKey& key, BeltSpec& value) {
 
 void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm form) {
   auto flags = std::make_shared<HandleFlags>();
-  auto* option = command_.add_option("--handle", flags->region,
-                                     std::string("the part that you move: ") + kRegionHelp);
-  flags->move.add_to(command_, "the handle", "the handle's centroid");
-  if (form == HandleForm::graded) {
-    flags->add_falloff(command_, *option);
-    flags->add_orientation(command_, *option);
-  }
-  finish(key, option);
-  draft_->at_end.emplace_back(
-      [flags, place = place_of(key)](Json& step, const StepFlags& step_flags) {
-        if (flags->region.empty()) return;
-        step[place] = Json::array({flags->json(step_flags.mesh)});
-      });
+  finish(key, flags->add_to(command_, form == HandleForm::graded));
+  set_at_end(key, [flags](const Json&, const StepFiles& files) { return flags->json(files.mesh); });
 }
 
 void FlagVisitor::targets(const StepKey& key, TargetSpec&) {
@@ -270,34 +189,36 @@ void FlagVisitor::targets(const StepKey& key, TargetSpec&) {
   auto* option =
       command_.add_option("--targets", *file, "a table, .csv or .npy: " + std::string(key.help));
   command_.add_flag("--hard-targets", *hard, "reach the targets exactly")->needs(option);
-  draft_->at_end.emplace_back(
-      [file, hard, place = place_of(key)](Json& step, const StepFlags& step_flags) {
-        if (file->empty()) {
-          if (!step.contains("handles")) throw CLI::RequiredError("one of --handle and --targets");
-          return;
-        }
-        step[place]["file"] = step_flags.from_recipe(*file);
-        if (*hard) step[place]["hard"] = true;
-      });
+  set_at_end(key, [file, hard](const Json& step, const StepFiles& files) {
+    if (file->empty()) {
+      if (!step.contains("handles")) throw CLI::RequiredError("one of --handle and --targets");
+      return Json();
+    }
+    Json targets{{"file", files.from_recipe(*file)}};
+    if (*hard) targets["hard"] = true;
+    return targets;
+  });
 }
 
 void FlagVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
   const std::string name = flag(key);
-  const auto keep = [draft = draft_, place = place_of(key), name](const std::string& text) {
-    draft->given.emplace_back(place, mirror_json(name, text));
+  const auto set = [set = setter(key), name](const std::string& text) {
+    set(mirror_json(name, text));
   };
   finish(key, command_.add_option_function<std::string>(
-                  name, keep, std::string(kMirrorHelp) + ": " + std::string(key.help)));
+                  name, set, std::string(kMirrorHelp) + ": " + std::string(key.help)));
 }
 
 void FlagVisitor::carry(const StepKey& key, std::vector<CarrySpec>&) {
-  auto files = std::make_shared<std::vector<std::string>>();
-  command_.add_option(flag(key), *files, "FILE, repeated for each: " + help_of(key))
+  auto carried = std::make_shared<std::vector<std::string>>();
+  command_.add_option(flag(key), *carried, "FILE, repeated for each: " + help_of(key))
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
-  draft_->at_end.emplace_back([files, place = place_of(key)](Json& step, const StepFlags& flags) {
-    for (const std::string& file : *files) step[place].push_back(flags.from_recipe(file));
+  set_at_end(key, [carried](const Json&, const StepFiles& files) {
+    Json list;
+    for (const std::string& file : *carried) list.push_back(files.from_recipe(file));
+    return list;
   });
 }
 
@@ -307,45 +228,39 @@ void FlagVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {
       ->delimiter(',')
       ->type_size(2)
       ->expected(-1);
-  draft_->at_end.emplace_back([pairs, place = place_of(key)](Json& step, const StepFlags&) {
-    if (!pairs->empty()) step[place] = *pairs;
+  set_at_end(key, [pairs](const Json&, const StepFiles&) {
+    return pairs->empty() ? Json() : Json(*pairs);
   });
 }
 
 void FlagVisitor::weight(const StepKey& key, MixWeight&) {
   auto flags = std::make_shared<WeightFlags>();
   flags->add_to(command_);
-  draft_->at_end.emplace_back(
-      [flags, place = place_of(key)](Json& step, const StepFlags& step_flags) {
-        step[place] = flags->json(step_flags.mesh);
-      });
+  set_at_end(key, [flags](const Json&, const StepFiles& files) { return flags->json(files.mesh); });
 }
 
 void FlagVisitor::file(const StepKey& key, std::filesystem::path&) {
   auto path = std::make_shared<std::string>();
   // The name of a list item is the flag of its file.
   command_.add_option(prefix_.empty() ? flag(key) : "--" + prefix_, *path, help_of(key));
-  draft_->at_end.emplace_back([path, place = place_of(key)](Json& step, const StepFlags& flags) {
-    if (!path->empty()) step[place] = flags.from_recipe(*path);
+  set_at_end(key, [path](const Json&, const StepFiles& files) {
+    return path->empty() ? Json() : Json(files.from_recipe(*path));
   });
 }
 
 void FlagVisitor::part(const StepKey& key, std::filesystem::path&, std::optional<RegionSpec>&) {
-  struct PartFlags {
-    std::string mesh;
-    std::string region;
-  };
-  auto part = std::make_shared<PartFlags>();
-  command_.add_option("--part", part->mesh,
+  auto mesh = std::make_shared<std::string>();
+  auto region = std::make_shared<std::string>();
+  command_.add_option("--part", *mesh,
                       "a mesh with a boundary loop; with --part-region any mesh, by default MESH "
                       "itself");
-  command_.add_option("--part-region", part->region, kRegionHelp);
-  draft_->at_end.emplace_back([part, place = place_of(key)](Json& step, const StepFlags& flags) {
-    Json json;
-    if (!part->mesh.empty()) json["mesh"] = flags.from_recipe(part->mesh);
-    if (!part->region.empty()) json["region"] = region_json("--part-region", part->region);
-    if (json.empty()) throw CLI::RequiredError("--part or --part-region");
-    step[place] = std::move(json);
+  command_.add_option("--part-region", *region, kRegionHelp);
+  set_at_end(key, [mesh, region](const Json&, const StepFiles& files) {
+    Json part;
+    if (!mesh->empty()) part["mesh"] = files.from_recipe(*mesh);
+    if (!region->empty()) part["region"] = region_json("--part-region", *region);
+    if (part.empty()) throw CLI::RequiredError("--part or --part-region");
+    return part;
   });
 }
 
@@ -353,10 +268,9 @@ void FlagVisitor::place(const StepKey& key, PartPlace&, const StepKey& snap_key,
   auto flags = std::make_shared<PlaceFlags>();
   flags->add_to(command_);
   boolean(snap_key, snap);
-  draft_->at_end.emplace_back(
-      [flags, place = place_of(key), snaps = place_of(snap_key)](Json& step, const StepFlags&) {
-        step[place] = flags->json(step.contains(snaps));
-      });
+  set_at_end(key, [flags, snap_place = place_of(snap_key)](const Json& step, const StepFiles&) {
+    return flags->json(step.contains(snap_place));
+  });
 }
 
 bool FlagVisitor::enter(const StepKey& key, bool&, ObjectForm, bool) {

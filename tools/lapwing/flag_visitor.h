@@ -1,16 +1,42 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
-#include "lapwing/step/key_visitor.h"
-#include "step_flags.h"
+#include "lapwing/recipe/key_visitor.h"
 
 namespace lapwing::cli {
+
+/// The files of a command that runs one step.
+struct StepFiles {
+  std::string mesh;
+  std::string recipe;  ///< the file for the recipe of the edit; empty: none
+
+  /// Returns the folder of the recipe's relative paths.
+  std::filesystem::path recipe_folder() const;
+  /// Converts `path` from relative to the current folder to relative to the recipe's folder.
+  std::string from_recipe(const std::string& path) const;
+};
+
+/// A step built from flags: the given keys, and those whose flag has its own default. Other
+/// defaults come from the recipe.
+struct StepDraft {
+  using Json = nlohmann::ordered_json;
+
+  Json json;
+  /// Values of flags with their places. They are written only after all flags are known to fit each
+  /// other.
+  std::vector<std::pair<Json::json_pointer, Json>> given;
+  /// Actions that need all flags, such as paths relative to the recipe.
+  std::vector<std::function<void(Json&, const StepFiles&)>> at_end;
+};
 
 /// Adds flags to a command for the keys of a step. Flags that are given write to `draft`.
 class FlagVisitor final : public KeyVisitor {
@@ -59,6 +85,10 @@ class FlagVisitor final : public KeyVisitor {
 
   std::string flag(const StepKey& key) const;
   Place place_of(const StepKey& key) const { return path_ / std::string(key.name); }
+  // Returns a function that gives the key a value.
+  std::function<void(Json)> setter(const StepKey& key) const;
+  // Calls `value` after all flags are read. Gives the key its result, unless that is null.
+  void set_at_end(const StepKey& key, std::function<Json(const Json&, const StepFiles&)> value);
   // Sets the properties that all options share; `fallback` is the default shown in help.
   CLI::Option* finish(const StepKey& key, CLI::Option* option, const std::string& fallback = "");
   void add_number(const StepKey& key, const Range& range, bool whole, const std::string& fallback);

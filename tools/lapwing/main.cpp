@@ -6,30 +6,25 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
-#include "exit_code.h"
+#include "examples.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/base/printable_text.h"
 #include "messages.h"
+#include "usage_error.h"
 
 namespace lapwing::cli {
 namespace {
 
 constexpr const char* kOutOfMemory = "out of memory; choose a smaller region of interest";
 
-// Prints help to standard output, and errors to standard error line by line, as printable text.
+// Prints help to standard output, and errors to standard error.
 int exit_of(CLI::App& app, const CLI::ParseError& error) {
-  std::ostringstream complaint;
-  if (app.exit(error, std::cout, complaint) == 0) return kDone;
-  std::istringstream lines(complaint.str());
-  for (std::string line; std::getline(lines, line);) {
-    std::fprintf(stderr, "%s\n", printable(line).c_str());
-  }
+  if (error.get_exit_code() == 0) return app.exit(error, std::cout);
+  say(usage_message(app, error));
   return kUsage;
 }
 
@@ -93,7 +88,8 @@ int with_output(int code) {
 }  // namespace lapwing::cli
 
 int main(int argc, char** argv) {
-  std::set_terminate(lapwing::cli::on_terminate);
+  using namespace lapwing::cli;
+  std::set_terminate(on_terminate);
   CLI::App app("Laplacian surface editing: moves a part of a mesh and keeps its detail.",
                "lapwing");
   app.set_version_flag("--version", LAPWING_VERSION);
@@ -102,20 +98,11 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 1 a bug in the program, 2 usage, 3 mesh or recipe, 4 solver (or\n"
       "--strict), 5 device, 6 file, 130 cancelled (Ctrl+C), 143 ended by a signal.\n"
       "`lapwing COMMAND --help` lists the options of a command.");
-  lapwing::cli::add_run(app);
-  lapwing::cli::add_batch(app);
-  lapwing::cli::add_steps(app);
-  lapwing::cli::add_keys(app);
-  lapwing::cli::add_peel(app);
-  lapwing::cli::add_cut(app);
-  lapwing::cli::add_parts(app);
-  lapwing::cli::add_render(app);
-  lapwing::cli::add_check(app);
-  lapwing::cli::add_convert(app);
-  lapwing::cli::add_info(app);
-  lapwing::cli::add_shape(app);
-  lapwing::cli::add_subdivide(app);
-  lapwing::cli::add_remesh(app);
-  lapwing::cli::add_parameterize(app);
-  return lapwing::cli::with_output(lapwing::cli::run(app, argc, argv));
+  for (const auto add :
+       {add_run, add_batch, add_steps, add_keys, add_peel, add_cut, add_parts, add_render,
+        add_check, add_convert, add_info, add_shape, add_subdivide, add_remesh, add_parameterize}) {
+    add(app);
+  }
+  add_examples(app);
+  return with_output(run(app, argc, argv));
 }

@@ -5,7 +5,7 @@
 #include "lapwing/base/printable_text.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/mesh_format.h"
-#include "lapwing/io/real_path.h"
+#include "lapwing/io/paths.h"
 
 namespace lapwing::cli {
 

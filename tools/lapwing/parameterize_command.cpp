@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "domain_picture.h"
+#include "lapwing/base/counted.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "messages.h"
 #include "output_files.h"
@@ -38,33 +39,20 @@ void print(const Parameterized& result) {
   const Patch& patch = result.patch;
   std::string pins;
   for (const Index pin : result.pins) pins += " " + std::to_string(patch.vertices[pin]);
-  std::printf("patch    %zu vertices, %zu triangles, %zu on the boundary\n", patch.size(),
-              patch.triangles.size(), patch.loop.size());
+  std::printf("patch    %s, %s, %zu on the boundary\n", counted(patch.size(), "vertices").c_str(),
+              counted(patch.triangles.size(), "triangles").c_str(), patch.loop.size());
   if (!patch.midpoint_of.empty()) {
-    std::printf("halved   %zu inner edges between two boundary vertices\n",
-                patch.midpoint_of.size());
+    std::printf("halved   %s between two boundary vertices\n",
+                counted(patch.midpoint_of.size(), "inner edges").c_str());
   }
   std::printf("pins    %s\n", pins.c_str());
-  std::printf("flipped  %zu triangles\n", result.flipped.size());
+  std::printf("flipped  %s\n", counted(result.flipped.size(), "triangles").c_str());
   const MapDistortion& distortion = result.distortion;
   std::printf("stretch  %.4g overall, %.4g at most (1 keeps lengths)\n", distortion.stretch,
               distortion.largest_stretch);
   std::printf("shear    %.4g on average, %.4g at most (1 keeps angles)\n", distortion.shear,
               distortion.largest_shear);
-  for (const std::string& warning : result.warnings) {
-    note(warning);
-  }
-}
-
-// Returns the bytes of the picture.
-std::string draw(const Parameterized& result, const ParameterizeArguments& arguments) {
-  DomainLayer layer;
-  layer.triangles = result.patch.triangles;
-  layer.points = result.map.points;
-  layer.loop = result.patch.loop;
-  layer.pins = result.pins;
-  layer.flipped = result.flipped;
-  return encode_png(draw_domain(result.map.domain, std::span(&layer, 1), arguments.size));
+  for (const std::string& warning : result.warnings) warn(warning);
 }
 
 void parameterize_mesh(const ParameterizeArguments& arguments) {
@@ -77,7 +65,9 @@ void parameterize_mesh(const ParameterizeArguments& arguments) {
   print(result);
   FileReplacements written;
   if (!arguments.output.empty()) print_notes(write_mesh(result.mesh, arguments.output, written));
-  if (!arguments.picture.empty()) written.add(arguments.picture, draw(result, arguments));
+  if (!arguments.picture.empty()) {
+    written.add(arguments.picture, encode_png(draw_domain(result, arguments.size)));
+  }
   written.commit();
 }
 
@@ -87,7 +77,7 @@ void add_parameterize(CLI::App& app) {
   auto* command = app.add_subcommand(
       "parameterize", "map a region that is a disk to the plane by mean value coordinates");
   auto arguments = std::make_shared<ParameterizeArguments>();
-  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
+  command->add_option("MESH", arguments->mesh, kMeshHelp)->required();
   command->add_option("--region", arguments->region, kRegionHelp)->capture_default_str();
   command->add_option("--domain", arguments->domain, "the shape that its boundary is mapped to")
       ->check(CLI::IsMember({"disk", "square"}))

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "lapwing/base/counted.h"
 #include "lapwing/coating/peel.h"
 #include "lapwing/io/mesh_file.h"
 #include "messages.h"
@@ -53,9 +54,10 @@ void peel_mesh(const PeelArguments& a) {
   const Peeled peeled = peel(mesh, request);
   print_notes(write_mesh(carrying(a.coating, mesh, request, peeled), a.output));
   // The only warning says that nothing moved, as does this line.
-  std::printf("%s: %zu of %zu vertices smoothed; coating %.3g on average, %.3g at most\n",
-              shown(a.output).c_str(), peeled.moved.size(), mesh.vertex_count(),
-              peeled.mean_coating, peeled.largest_coating);
+  std::printf("%s: %zu of %s smoothed; coating %.3g on average, %.3g at most\n",
+              shown(a.output).c_str(), peeled.moved.size(),
+              counted(mesh.vertex_count(), "vertices").c_str(), peeled.mean_coating,
+              peeled.largest_coating);
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ void add_peel(CLI::App& app) {
   auto* command = app.add_subcommand(
       "peel", "take the fine detail off a surface: writes the smooth mesh and the coating");
   auto a = std::make_shared<PeelArguments>();
-  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
+  command->add_option("MESH", a->mesh, kMeshHelp)->required();
   command
       ->add_option("-o,--output", a->output,
                    "the smooth mesh; PLY also stores the coating of each vertex")

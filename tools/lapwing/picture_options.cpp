@@ -1,8 +1,13 @@
 #include "picture_options.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <CLI/CLI.hpp>
+
+#include "lapwing/mesh/seams.h"
+#include "lapwing/render/mip_levels.h"
+#include "lapwing/render/pose_measure.h"
 
 namespace lapwing::cli {
 namespace {
@@ -15,6 +20,18 @@ void parse_size(const std::string& text, PictureRequest& request) {
     if (height.ec == std::errc() && height.ptr == end) return;
   }
   throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, such as 1280x960, got " + text);
+}
+
+std::vector<float> measured(PoseMeasure measure, const Mesh& mesh,
+                            std::span<const Eigen::Vector3d> rest) {
+  const JoinedSurface joined = joined_surface(mesh);
+  if (joined.empty() || !joined.is_closed_at(rest)) {
+    return measure_pose(measure, mesh.topology(), rest, mesh.positions);
+  }
+  std::vector<float> values =
+      measure_pose(measure, joined.surface.topology(), rest, mesh.positions);
+  for (const Index v : joined.followers) values[v] = values[joined.leaders[v]];
+  return values;
 }
 
 }  // namespace
@@ -42,6 +59,12 @@ void PictureOptions::add_to(CLI::App& command) {
   command.add_flag("--orthographic", orthographic, "parallel projection")->group(group);
   command.add_flag("--wireframe", wireframe, "draw polygon edges")->group(group);
   command.add_flag("--flat", flat, "one normal per triangle")->group(group);
+  command
+      .add_option("--feature-angle", feature_angle_degrees,
+                  "edges whose faces meet at more than this angle look hard, in degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->group(group)
+      ->capture_default_str();
 }
 
 PictureRequest PictureOptions::request() const {
@@ -56,12 +79,42 @@ PictureRequest PictureOptions::request() const {
   request.orthographic = orthographic;
   request.wireframe = wireframe;
   request.flat = flat;
+  request.feature_angle_degrees = feature_angle_degrees;
   if (!request.can_look()) {
     throw CLI::ValidationError("--from",
                                "the direction must not be 0 or along the upward axis; "
                                "use --view top or bottom for that");
   }
   return request;
+}
+
+const std::vector<std::string>& pose_colors() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const PoseMeasure measure : all_pose_measures()) all.emplace_back(name_of(measure));
+    return all;
+  }();
+  return names;
+}
+
+std::vector<std::string> color_by_file(const Mesh& mesh, const std::filesystem::path& path,
+                                       SurfacePaint& paint, RenderOptions& options) {
+  FilePaint file(read_file_colors(mesh, path));
+  paint.set_file_colors(mesh, mesh, file);
+  options.style.file_colors = true;
+  return std::move(file.colors.notes);
+}
+
+void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eigen::Vector3d> rest,
+              SurfacePaint& paint, RenderOptions& options) {
+  const auto all = all_pose_measures();
+  const PoseMeasure wanted =
+      *std::find_if(all.begin(), all.end(), [&](PoseMeasure m) { return name_of(m) == measure; });
+  const std::vector<float> values = measured(wanted, mesh, rest);
+  paint.set_scalars(values);
+  options.style.color = SurfaceColor::scalar;
+  options.style.range = range_without_outliers(values);
+  options.legend_title = legend_title(wanted);
 }
 
 }  // namespace lapwing::cli

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <CLI/App.hpp>
 
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/render/picture_request.h"
+#include "lapwing/render/render_image.h"
 
 namespace lapwing::cli {
 
@@ -19,10 +23,31 @@ struct PictureOptions {
   bool orthographic = false;
   bool wireframe = false;
   bool flat = false;
+  double feature_angle_degrees = kFeatureAngleDegrees;
 
   void add_to(CLI::App& command);
   /// Returns the request. Throws CLI::ValidationError for an invalid size or direction.
   PictureRequest request() const;
 };
+
+// Values of --color, in addition to pose_colors().
+inline const std::string kFileColor = "file";    ///< the colours of the mesh's file
+inline const std::string kPlainColor = "plain";  ///< clay
+
+/// Values of --color that compare a pose with its rest pose: displacement, rotation, detail (of
+/// uniform Laplacians) and stretch.
+const std::vector<std::string>& pose_colors();
+
+/// Colours `paint`, of the triangles of `mesh`, with the colours of its file at `path`, if there
+/// are any. Returns what could not be read, and the remedy.
+std::vector<std::string> color_by_file(const Mesh& mesh, const std::filesystem::path& path,
+                                       SurfacePaint& paint, RenderOptions& options);
+
+/// Colours `paint` by the difference between `mesh` and its vertices at `rest`. `measure` is one of
+/// `pose_colors()`; range and legend are set to match. The range begins at 0 and excludes outliers.
+/// Vertices whose rings did not move have no colour. Seams that are closed in both poses are
+/// treated as joined.
+void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eigen::Vector3d> rest,
+              SurfacePaint& paint, RenderOptions& options);
 
 }  // namespace lapwing::cli

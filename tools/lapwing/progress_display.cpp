@@ -1,14 +1,25 @@
 #include "progress_display.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <unistd.h>
 
-#include "lapwing/base/printable_text.h"
+#include "messages.h"
 
 namespace lapwing::cli {
 namespace {
+
+constexpr const char* kClearLine = "\r\033[K";
+
+void print_bar(double fraction, const std::string& text) {
+  constexpr std::size_t kWidth = 30;
+  std::string bar(static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * kWidth), '#');
+  bar.resize(kWidth, '.');
+  std::fprintf(stderr, "%s  [%s] %s", kClearLine, bar.c_str(), text.c_str());
+  std::fflush(stderr);
+}
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -18,48 +29,79 @@ void on_interrupt(int) {
   std::signal(SIGINT, SIG_DFL);
 }
 
+constexpr double kBarEvery_ms = 100.0;
+constexpr double kLineEvery_ms = 10'000.0;
+
+std::string words_of_time(double seconds) {
+  char text[32];
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+  return text;
+}
+
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(bool quiet) : quiet_(quiet), terminal_(isatty(2) != 0) {
+ProgressDisplay::ProgressDisplay(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {
   std::signal(SIGINT, on_interrupt);
 }
 
 ProgressDisplay::~ProgressDisplay() {
-  clear_bar();
+  clear();
   std::signal(SIGINT, SIG_DFL);
 }
 
 Progress ProgressDisplay::callback() {
   return [this](std::string_view stage, double fraction) {
-    if (!quiet_) show(stage, fraction);
+    if (shown_) show(stage, fraction);
     return interrupted == 0;
   };
 }
 
-void ProgressDisplay::note(const std::string& text) {
-  if (quiet_) return;
-  clear_bar();
-  std::fprintf(stderr, "%s\n", printable(text).c_str());
-}
-
 void ProgressDisplay::show(std::string_view stage, double fraction) {
-  if (!terminal_) {
-    if (stage != last_stage_) std::fprintf(stderr, "  %s\n", std::string(stage).c_str());
-    last_stage_ = stage;
-    return;
-  }
-  constexpr int kWidth = 30;
-  const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  std::string bar(static_cast<std::size_t>(filled), '#');
-  bar.resize(kWidth, '.');
-  std::fprintf(stderr, "\r\033[K  [%s] %s", bar.c_str(), std::string(stage).c_str());
-  std::fflush(stderr);
+  print_bar(fraction, std::string(stage));
   bar_shown_ = true;
 }
 
-void ProgressDisplay::clear_bar() {
-  if (bar_shown_) std::fprintf(stderr, "\r\033[K");
+void ProgressDisplay::clear() {
+  if (bar_shown_) std::fputs(kClearLine, stderr);
   bar_shown_ = false;
+}
+
+BatchDisplay::BatchDisplay(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+// Returns text such as "312 of 1000 done, 2 failed, 31.4 edits/s, 0:00:22 left". The rate is that
+// of this run.
+std::string BatchDisplay::words_of(const BatchCount& count) const {
+  const double seconds = since_begin_.elapsed_ms() / 1e3;
+  const auto done = static_cast<double>(count.done - count.before);
+  const double ended = done + static_cast<double>(count.failed);
+  const auto left = static_cast<double>(count.jobs - count.done - count.failed);
+  std::string text = std::to_string(count.done) + " of " + std::to_string(count.jobs) + " done";
+  if (count.failed > 0) text += ", " + std::to_string(count.failed) + " failed";
+  if (done == 0.0 || seconds <= 0.0) return text;
+  char rate[32];
+  std::snprintf(rate, sizeof rate, ", %.3g edits/s", done / seconds);
+  text += rate;
+  if (left > 0.0) text += ", " + words_of_time(left * seconds / ended) + " left";
+  return text;
+}
+
+void BatchDisplay::show(const BatchCount& count) {
+  const double now_ms = since_begin_.elapsed_ms();
+  if (quiet_ || now_ms - shown_ms_ < (terminal_ ? kBarEvery_ms : kLineEvery_ms)) return;
+  shown_ms_ = now_ms;
+  if (!terminal_) {
+    std::fprintf(stderr, "%s\n", words_of(count).c_str());
+    return;
+  }
+  // A shard may have no jobs.
+  const auto jobs = static_cast<double>(std::max<std::size_t>(count.jobs, 1));
+  print_bar(static_cast<double>(count.done + count.failed) / jobs, words_of(count));
+}
+
+void BatchDisplay::finish(const BatchCount& count) {
+  if (quiet_) return;
+  std::fprintf(stderr, "%s%s\n", terminal_ ? kClearLine : "", words_of(count).c_str());
 }
 
 }  // namespace lapwing::cli

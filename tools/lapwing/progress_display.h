@@ -1,14 +1,16 @@
 #pragma once
 
-#include <cstddef>
+#include <filesystem>
 #include <string>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/batch/batch.h"
 
 namespace lapwing::cli {
 
-/// Shows the stages of a long operation on standard error: a progress bar on a terminal, otherwise
-/// one line per stage. Shows nothing if `quiet`. An interrupt (Ctrl+C) cancels at the next stage.
+/// Shows the stages of a long operation as a progress bar, if standard error is a terminal and not
+/// `quiet`. An interrupt (Ctrl+C) cancels at the next stage.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(bool quiet);
@@ -19,17 +21,33 @@ class ProgressDisplay {
   /// Returns the callback for the engine, which refers to this object.
   Progress callback();
 
-  /// Prints a line above the bar, such as "step 2 of 3: deform". Prints nothing if `quiet`.
-  void note(const std::string& text);
+  /// Removes the bar, so that other lines can be printed.
+  void clear();
 
  private:
   void show(std::string_view stage, double fraction);
-  void clear_bar();
+
+  bool shown_;
+  bool bar_shown_ = false;
+};
+
+/// Shows the progress of a batch on standard error, with its rate and the time left: a progress bar
+/// on a terminal, otherwise a line every ten seconds. Shows nothing if `quiet`.
+class BatchDisplay {
+ public:
+  explicit BatchDisplay(bool quiet);
+
+  void show(const BatchCount& count);
+  /// Prints the last line.
+  void finish(const BatchCount& count);
+
+ private:
+  std::string words_of(const BatchCount& count) const;
 
   bool quiet_;
   bool terminal_;
-  bool bar_shown_ = false;
-  std::string last_stage_;
+  Stopwatch since_begin_;
+  double shown_ms_ = 0.0;  ///< time of the last display, from the beginning
 };
 
 }  // namespace lapwing::cli

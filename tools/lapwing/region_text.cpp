@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
 #include "lapwing/json/parse_json.h"
-#include "lapwing/recipe/read_region.h"
+#include "lapwing/recipe/read_values.h"
 
 namespace lapwing::cli {
 namespace {
@@ -78,6 +80,15 @@ Json mirror_json(const std::string& flag, const std::string& text) {
   if (text == "x" || text == "y" || text == "z") return {{"plane", text}};
   const auto v = numbers(flag, text, text, 6, kMirrorHelp);
   return {{"point", Json::array({v[0], v[1], v[2]})}, {"normal", Json::array({v[3], v[4], v[5]})}};
+}
+
+std::vector<double> vertex_property(const std::string& flag, const std::string& mesh,
+                                    const std::string& name) {
+  for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {
+    if (extra.name == name && extra.components == 1) return extra.values;
+  }
+  throw InputError(flag + ": " + mesh + " has no scalar vertex property \"" + name +
+                   "\"; use a PLY file that has one");
 }
 
 }  // namespace lapwing::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -25,5 +26,10 @@ inline constexpr const char* kRegionHelp =
 nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& text);
 
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";
+
+/// Returns the values of a vertex property of the file `mesh`, which `lapwing peel` and other
+/// programs write. Throws InputError naming `flag` if there is none.
+std::vector<double> vertex_property(const std::string& flag, const std::string& mesh,
+                                    const std::string& name);
 
 }  // namespace lapwing::cli

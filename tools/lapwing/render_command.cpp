@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
-#include "file_color_option.h"
+#include "lapwing/base/counted.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/render/draw_on_any_device.h"
@@ -16,11 +16,73 @@
 #include "messages.h"
 #include "output_files.h"
 #include "picture_options.h"
-#include "pose_colors.h"
-#include "turntable_output.h"
+#include "progress_display.h"
 
 namespace lapwing::cli {
 namespace {
+
+// The options of a turntable.
+struct TurntableOptions {
+  int count = 0;  ///< number of pictures; 0: a single picture
+  double per_second = 30.0;
+
+  void add_to(CLI::App& command);
+  // Call before reading. Throws as check_frames_name does, and CLI::ValidationError if a single
+  // picture has the name of a video.
+  void check(const std::string& output) const;
+};
+
+void TurntableOptions::add_to(CLI::App& command) {
+  const std::string group = "Turntable";
+  auto* turntable = command.add_option(
+      "--turntable", count,
+      "number of pictures, once around the upward axis: NAME-0001.png and so on, or a video by "
+      "ffmpeg if the output ends in .mp4, .webm or .gif");
+  turntable->check(CLI::PositiveNumber)->group(group);
+  command.add_option("--fps", per_second, "pictures per second of a video")
+      ->check(CLI::Range(0.1, 240.0))
+      ->needs(turntable)
+      ->group(group)
+      ->capture_default_str();
+}
+
+void TurntableOptions::check(const std::string& output) const {
+  if (count > 0) return check_frames_name(output);
+  if (is_video(output)) {
+    throw CLI::ValidationError("--output", output +
+                                               " is a video; give its number of pictures with "
+                                               "--turntable, or end the name in .png");
+  }
+}
+
+// Writes the pictures of `surface` along `way` to `output` (open_frames), and shows the progress.
+// An interrupt leaves the finished numbered pictures, and no video.
+void write_turntable(const std::string& output, const TurntableOptions& turntable,
+                     const Turntable& way, Surface& surface, const SurfacePaint& paint,
+                     const RenderOptions& options) {
+  ProgressDisplay display(false);
+  const Progress progress = display.callback();
+  ImageRenderer renderer(surface.context(), options);
+  const auto writer =
+      open_frames(output, {.count = turntable.count,
+                           .width = options.width,
+                           .height = options.height,
+                           .per_second = turntable.per_second,
+                           .transparent = options.background == Background::transparent});
+  for (int step = 0; step < turntable.count; ++step) {
+    try {
+      report_progress(progress, "pictures", static_cast<double>(step) / turntable.count);
+    } catch (const Cancelled&) {
+      if (is_video(output) || step == 0) throw;
+      display.clear();
+      say("cancelled; the first " + std::to_string(step) + " of " +
+          counted(static_cast<std::size_t>(turntable.count), "pictures") + " are written");
+      throw ExitWith{kCancelled};
+    }
+    writer->write(renderer.render(surface, paint, way.camera(step, turntable.count)));
+  }
+  writer->finish();
+}
 
 struct RenderArguments {
   std::string mesh;
@@ -77,7 +139,7 @@ std::vector<std::string> draw(const RenderArguments& arguments, const std::strin
                               const std::shared_ptr<gpu::Context>& context) {
   const PictureRequest picture = arguments.picture.request();
   RenderOptions options = picture.options();
-  Surface surface(context, mesh.positions, mesh.topology());
+  Surface surface(context, mesh.positions, mesh.topology(), picture.feature_angle_degrees);
   SurfacePaint paint(surface);
   paint.set_polygons(mesh);
   std::vector<std::string> notes;
@@ -86,11 +148,12 @@ std::vector<std::string> draw(const RenderArguments& arguments, const std::strin
   } else if (color == kFileColor) {
     notes = color_by_file(mesh, arguments.mesh, paint, options);
   }
+  const Positions shown = surface_positions(mesh.positions, mesh.topology());
   if (arguments.turntable.count > 0) {
     write_turntable(arguments.image, arguments.turntable,
-                    picture.turntable(mesh.positions, rest.has_value()), surface, paint, options);
+                    picture.turntable(shown, rest.has_value()), surface, paint, options);
   } else {
-    const Camera camera = picture.camera(mesh.positions, rest.has_value());
+    const Camera camera = picture.camera(shown, rest.has_value());
     write_png(arguments.image, render_image(surface, paint, camera, options));
   }
   return notes;
@@ -101,6 +164,7 @@ void render(const RenderArguments& arguments) {
   const std::string color = color_of(arguments);
   arguments.picture.request();  // reports invalid options before the work
   const Mesh mesh = read_mesh(arguments.mesh);
+  warn_without_surface(mesh, arguments.mesh);
   std::optional<Mesh> rest;
   if (!arguments.rest.empty()) rest = read_rest_pose(arguments.rest, mesh);
   std::vector<std::string> notes;
@@ -116,7 +180,7 @@ void render(const RenderArguments& arguments) {
 void add_render(CLI::App& app) {
   auto* command = app.add_subcommand("render", "a picture of a mesh, without a display");
   auto arguments = std::make_shared<RenderArguments>();
-  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
+  command->add_option("MESH", arguments->mesh, kMeshHelp)->required();
   command
       ->add_option("-o,--output", arguments->image, "PNG; for a turntable also .mp4, .webm or .gif")
       ->required();

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "editing/kernels_like.h"
-#include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 
 namespace lapwing::viewer {
@@ -20,11 +19,6 @@ std::vector<VertexClass> classes_of(const std::vector<double>& field, const Vert
     if (field[v] >= 0.75) classes[v] = VertexClass::handle;
   }
   return classes;
-}
-
-bool is_nothing(const RegionSpec& region) {
-  const auto* list = std::get_if<ListedVertices>(&region.form);
-  return list != nullptr && list->vertices.empty();
 }
 
 }  // namespace
@@ -119,11 +113,7 @@ void DetailTransferTool::use_device(const std::shared_ptr<gpu::Context>& context
 
 void DetailTransferTool::choose_source_patch(const RegionSpec& region) {
   if (view() == nullptr) return;
-  try {
-    view()->choose_patch(region);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  say_errors(say_, [&] { view()->choose_patch(region); });
 }
 
 // If a step is edited again, its target may have other triangles than the present mesh.
@@ -164,7 +154,7 @@ void DetailTransferTool::pick(Picking what, Editor& editor) {
   }
 }
 
-// Returns the surface for the step, settled if there is a result. It is the same mesh until
+// Returns the surface for the step, settled if there is a result. Stays the same mesh until
 // something is edited, because views and preview start again on another.
 std::shared_ptr<const Mesh> DetailTransferTool::target_of(const Editor& editor) {
   if (start_) return start_->rest;
@@ -227,17 +217,17 @@ void DetailTransferTool::show_weight(Editor& editor, const std::shared_ptr<const
 
 void DetailTransferTool::take_read() {
   if (!reading_) return;
-  const std::size_t k = *reading_;
-  try {
-    auto mesh = reader_.take();
-    if (!mesh) return;
-    views_[k] = std::make_unique<SourceView>(*std::move(mesh), up_axis_, context_);
-    if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
-    if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
-  reading_.reset();
+  std::optional<std::shared_ptr<const Mesh>> mesh;
+  if (say_errors(say_, [&] { mesh = reader_.take(); }) && !mesh) return;
+  const std::size_t k = *std::exchange(reading_, std::nullopt);
+  if (mesh) say_errors(say_, [&] { show_source(k, *std::move(mesh)); });
+}
+
+void DetailTransferTool::show_source(std::size_t k, std::shared_ptr<const Mesh> mesh) {
+  views_[k] = std::make_unique<SourceView>(std::move(mesh), up_axis_, context_);
+  if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
+  const RegionSpec& patch = draft_.sources[k].patch;
+  if (is_chosen(patch)) say_errors(say_, [&] { views_[k]->choose_patch(patch); });
 }
 
 void DetailTransferTool::read_next() {
@@ -258,13 +248,7 @@ void DetailTransferTool::renew_own_views(const std::shared_ptr<const Mesh>& targ
   for (std::size_t k = 0; k < draft_.source_count(); ++k) {
     if (!draft_.sources[k].mesh.empty() || reading_ == k) continue;
     if (views_[k] && views_[k]->state().rest == target) continue;
-    views_[k] = std::make_unique<SourceView>(target, up_axis_, context_);
-    if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
-    try {
-      if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
-    } catch (const Error& error) {
-      say_(Message(error));
-    }
+    show_source(k, target);
   }
 }
 
@@ -293,7 +277,7 @@ void DetailTransferTool::take_patches(const Editor& editor) {
   if (roi == seen_roi_) return;
   seen_roi_ = roi;
   // Keep the patch if the ROI was cleared, perhaps because the triangles have changed.
-  if (is_nothing(roi)) return;
+  if (!is_chosen(roi)) return;
   draft_.target_patch = std::move(roi);
   for (CoatSource& source : draft_.sources) {
     source.inner_pairs.clear();
@@ -305,11 +289,7 @@ void DetailTransferTool::take_points(const Editor& editor) {
   if (picking_ == Picking::none || view() == nullptr) return;
   if (const auto point = view()->take_point()) picked_source_ = point;
   if (!picked_source_ || !point_tool_.picked) return;
-  try {
-    add_pair(editor);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  say_errors(say_, [&] { add_pair(editor); });
   picked_source_.reset();
   point_tool_.picked.reset();
 }
@@ -348,11 +328,7 @@ void DetailTransferTool::show_preview(Editor& editor) {
 void DetailTransferTool::apply(Editor& editor) {
   take_what_was_done(editor);
   Step step;
-  try {
-    step = step_of(draft_);
-  } catch (const Error& error) {
-    return say_(Message(error));
-  }
+  if (!say_errors(say_, [&] { step = step_of(draft_); })) return;
   if (taken_up_) {
     editor.replace_step(*taken_up_, step);
   } else {

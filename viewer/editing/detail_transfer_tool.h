@@ -24,14 +24,14 @@ class PointTool final : public SceneTool {
 };
 
 /// A coat or mix made by hand: the draft, views of its sources, the pairs of points being picked,
-/// and the preview on the editor's surface. Errors are reported to `say`.
+/// and the preview on the editor's surface. Reports errors to `say`.
 class DetailTransferTool {
  public:
   DetailTransferTool(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
                      std::function<void()> wake);
 
-  /// Begins a new one, or edits the `index`th step of the recipe again. `take_up` returns whether
-  /// that step is a coat or mix. Both drop what was open.
+  /// Begins a new one, or edits the `index`th step of the recipe again, in place of what was open.
+  /// `take_up` returns whether that step is a coat or mix.
   void begin(Editor& editor, LayerDraft::Operation operation);
   bool take_up(Editor& editor, std::size_t index);
   /// Drops what was not applied.
@@ -86,6 +86,7 @@ class DetailTransferTool {
   bool can_click_target(const Editor& editor) const;
   void take_read();
   void read_next();
+  void show_source(std::size_t k, std::shared_ptr<const Mesh> mesh);
   void renew_own_views(const std::shared_ptr<const Mesh>& target);
   void take_what_was_done(const Editor& editor);
   void take_patches(const Editor& editor);

@@ -6,15 +6,8 @@ namespace lapwing::viewer {
 namespace {
 
 VertexClass class_of(Part::Role role) {
-  switch (role) {
-    case Part::Role::roi:
-      return VertexClass::roi;
-    case Part::Role::handle:
-      return VertexClass::handle;
-    case Part::Role::belt:
-      return VertexClass::belt;
-  }
-  return VertexClass::outside;
+  if (role == Part::Role::roi) return VertexClass::roi;
+  return role == Part::Role::handle ? VertexClass::handle : VertexClass::belt;
 }
 
 // The classes of the selection on this side.
@@ -37,8 +30,10 @@ std::vector<VertexClass> classes_of(const AppState& state) {
 
 }  // namespace
 
-EditSurface::EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh)
-    : surface_(std::make_unique<Surface>(std::move(context), mesh.positions, mesh.topology())),
+EditSurface::EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh,
+                         double feature_angle_degrees)
+    : surface_(std::make_unique<Surface>(std::move(context), mesh.positions, mesh.topology(),
+                                         feature_angle_degrees)),
       paint_(*surface_) {
   paint_.set_polygons(mesh);
 }
@@ -80,11 +75,9 @@ std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,
   std::vector<VertexClass> classes =
       state.mirrored ? vertex_classes(state.mirrored->region, state.rest->vertex_count())
                      : classes_of(state);
-  const auto mark = [&](const VertexSet& vertices, VertexClass as) {
-    for (const Index v : vertices) classes[v] = as;
-  };
   const bool of_roi = part.role == Part::Role::roi;
-  mark(live, !erase ? class_of(part.role) : of_roi ? VertexClass::outside : VertexClass::roi);
+  const VertexClass erased = of_roi ? VertexClass::outside : VertexClass::roi;
+  for (const Index v : live) classes[v] = erase ? erased : class_of(part.role);
   return classes;
 }
 

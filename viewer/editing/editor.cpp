@@ -1,9 +1,9 @@
 #include "editing/editor.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "editing/kernels_like.h"
-#include "lapwing/base/errors.h"
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
@@ -13,14 +13,6 @@ using Role = Part::Role;
 
 // Leaves room for the surface between handle and belt.
 constexpr int kRingsAroundHandle = 6;
-
-bool is_of_pointer(const InputEvent& event) {
-  return event.kind != InputKind::key && event.kind != InputKind::text;
-}
-
-bool contains(const VertexSet& vertices, Index vertex) {
-  return std::binary_search(vertices.begin(), vertices.end(), vertex);
-}
 
 // Returns the opened mesh with the triangles of the first state of the history.
 std::shared_ptr<const Mesh> opened_surface(const EditStart& start) {
@@ -37,13 +29,9 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
     : say_(std::move(say)),
       shown_(opened_surface(start), {start.colors, start.opened}),
       attachment_follower_(wake) {
-  session_ = start.restored
-                 ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
-                                                 start.journals, kernels_like(context),
-                                                 std::move(wake), upload_to(context))
-                 : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
-                                                 start.journals, kernels_like(context),
-                                                 std::move(wake), upload_to(context));
+  session_ = std::make_unique<EditSession>(
+      std::move(start.history), std::move(start.file), start.journals, kernels_like(context),
+      std::move(wake), upload_to(context), start.restored ? &*start.restored : nullptr);
   if (!session_->warning().empty()) {
     say_({session_->warning(), Tone::warning});
   } else if (start.restored) {
@@ -105,7 +93,8 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
     const GizmoPart before = tools_.gizmo.part();
     const ToolAnswer answer = send_to_gizmo(event, projection);
     if (answer.taken) {
-      return act_on(answer, drag_is_of_last_step_ ? Joining::with_last : Joining::own_step);
+      return act_on(answer, drag_is_of_last_step_ ? Joining::with_last : Joining::own_step,
+                    tool_->may_change_choice());
     }
     if (has_gizmo() && pull_handle(event, view, projection)) return {true, true};
     if (has_gizmo()) return {false, tools_.gizmo.part() != before};
@@ -120,7 +109,8 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (chooses_roi) perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
   classes_are_old_ = classes_are_old_ || answer.taken;
   if (postpones(answer, event, view)) return {true, true};
-  Handled handled = act_on(answer, chooses_roi ? Joining::with_last : Joining::own_step);
+  Handled handled = act_on(answer, chooses_roi ? Joining::with_last : Joining::own_step,
+                           tool_->may_change_choice());
   take_hold(answer, event.position, projection);
   if (event.kind == InputKind::move) {
     handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
@@ -140,11 +130,8 @@ bool Editor::pull_handle(const InputEvent& event, const ViewFrame& view,
   if (!pick) return false;
   const auto& handles = state().selection.handles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
-    if (!contains(handles[h].vertices, pick->vertex)) continue;
-    ToolAnswer answer;
-    answer.holds = h;
-    answer.drags_held = true;
-    take_hold(answer, event.position, projection);
+    if (!std::ranges::binary_search(handles[h].vertices, pick->vertex)) continue;
+    take_hold({.holds = h, .drags_held = true}, event.position, projection);
     return true;
   }
   return false;
@@ -191,7 +178,7 @@ void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
   if (!pick) return say_("");
   const auto& handles = state().selection.handles;
   for (std::size_t h = 0; h < handles.size() && shown_.has_triangles_of_state(); ++h) {
-    if (contains(handles[h].vertices, pick->vertex)) choose({Role::handle, h});
+    if (std::ranges::binary_search(handles[h].vertices, pick->vertex)) choose({Role::handle, h});
   }
   char text[128];
   std::snprintf(text, sizeof text, "vertex %u, face %u at (%.5g, %.5g, %.5g)", pick->vertex,
@@ -202,18 +189,14 @@ void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
 
 bool Editor::attempt(const std::function<void()>& change) {
   const bool carried_out = session_->is_carrying_out();
-  bool is_done = false;
-  try {
+  const bool is_done = say_errors(say_, [&] {
     change();
-    is_done = true;
     pointed_at_.clear();
     if (!session_->warning().empty()) say_({session_->warning(), Tone::warning});
     if (carried_out && !session_->is_carrying_out()) {
       say_("the step was cancelled because the surface changed; apply it again");
     }
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  });
   state_changed();
   return is_done;
 }
@@ -229,10 +212,11 @@ bool Editor::perform(const Command& command, Joining joining) {
   const bool moves_on = std::holds_alternative<MoveHandle>(command);
   const bool is_done =
       attempt([&] { session_->perform(command, joining, moves_on ? shown_.pose() : nullptr); });
-  const auto* chosen = std::get_if<Choose>(&command);
-  const auto* painted = std::get_if<Paint>(&command);
-  const bool of_roi = (chosen != nullptr && chosen->part.role == Role::roi) ||
-                      (painted != nullptr && painted->part.role == Role::roi);
+  const auto is_of_roi = [](const auto* choice) {
+    return choice != nullptr && choice->part.role == Role::roi;
+  };
+  const bool of_roi =
+      is_of_roi(std::get_if<Choose>(&command)) || is_of_roi(std::get_if<Paint>(&command));
   if (is_done && of_roi) say_what_was_let_go(handles);
   if (const auto* mirror = std::get_if<SetMirror>(&command); is_done && mirror != nullptr) {
     say_(mirror->plane ? "all is done on both sides of the plane" : "nothing is mirrored any more");
@@ -276,27 +260,15 @@ void Editor::settle() {
 
 // What is shown, perhaps a preview of the step, stays until the result is ready.
 void Editor::carry_out(const Step& step) {
-  try {
-    session_->carry_out(step);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  say_errors(say_, [&] { session_->carry_out(step); });
 }
 
 void Editor::replace_step(std::size_t index, const Step& step) {
-  try {
-    session_->replace_step(index, step);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  say_errors(say_, [&] { session_->replace_step(index, step); });
 }
 
 void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
-  try {
-    session_->carry_along(files);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  say_errors(say_, [&] { session_->carry_along(files); });
 }
 
 void Editor::new_edit() {
@@ -308,34 +280,12 @@ void Editor::new_edit() {
   say_("a new edit: choose the region to edit");
 }
 
-void Editor::select_all() {
-  if (const auto command = viewer::choose_all(state(), part_)) perform(*command);
-}
-
-void Editor::clear() {
-  if (const auto command = viewer::clear(state(), part_)) perform(*command);
-}
-
-void Editor::grow() {
-  if (const auto command = viewer::grow(state(), part_)) perform(*command);
-}
-
-void Editor::shrink() {
-  if (const auto command = viewer::shrink(state(), part_)) perform(*command);
-}
-
-void Editor::invert() {
-  if (const auto command = viewer::invert(state(), part_)) perform(*command);
-}
-
-void Editor::remove_handle() {
-  if (part_.role == Role::handle && part_.handle < handle_count()) {
-    perform(RemoveHandle{part_.handle});
-  }
+void Editor::change_part(const PartChange& change) {
+  if (const auto command = change(state(), part_)) perform(*command);
 }
 
 void Editor::mirror_by_shape() {
-  try {
+  say_errors(say_, [&] {
     const FoundMirror found = find_mirror_plane(*surface_of(state()), "mirror");
     if (!perform(SetMirror{found.plane})) return;
     char text[96];
@@ -343,14 +293,12 @@ void Editor::mirror_by_shape() {
                   "the surface is off from its mirror image by %.2g%% of its size",
                   100.0 * found.asymmetry);
     say_(text);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  });
 }
 
 bool Editor::handles_leave_roi() const {
   const EditSelection& chosen = state().selection;
-  return std::any_of(chosen.handles.begin(), chosen.handles.end(), [&](const auto& handle) {
+  return std::ranges::any_of(chosen.handles, [&](const auto& handle) {
     return !subtract(handle.vertices, chosen.roi.vertices).empty();
   });
 }

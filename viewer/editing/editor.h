@@ -19,19 +19,18 @@ namespace lapwing::viewer {
 /// The edit with which an Editor starts.
 struct EditStart {
   History history;
-  std::shared_ptr<const Mesh> opened;       ///< before any step, to compare with
-  std::optional<MeshStamp> file;            ///< as in EditSession
-  std::optional<InterruptedEdit> restored;  ///< what the history continues
-  std::filesystem::path journals;           ///< as in EditSession
-  std::shared_ptr<const FilePaint> colors;  ///< of the file of `opened`; null for none
+  std::shared_ptr<const Mesh> opened;            ///< before any step, to compare with
+  std::optional<MeshStamp> file;                 ///< as in EditSession
+  std::optional<InterruptedEdit> restored;       ///< what the history continues
+  std::filesystem::path journals;                ///< as in EditSession
+  std::shared_ptr<const FilePaint> colors = {};  ///< of the file of `opened`; null for none
 };
 
 /// Returns whether the command makes the settled surface the rest shape first (`apply`).
 bool commits(const Command& command);
 
-/// One mesh being edited in a window: its session, the active tool, and what is shown of it. Events
-/// go in; `shown` is what to draw. Panels perform commands and start steps. Errors are reported to
-/// `say`, without any change.
+/// One mesh being edited in a window: its session, the active tool, and what is shown of it.
+/// Reports errors to `say`, without any change.
 class Editor {
  public:
   /// The worker makes its kernels on `context` and calls `wake` when it has news.
@@ -53,20 +52,19 @@ class Editor {
   /// Makes it again on `context`. Nothing else may be called in between.
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
-  /// Call this once per frame, before drawing and after the device has finished the last frame.
-  /// Takes the worker's results and moves the surface with the hand.
+  /// Takes the worker's results and moves the surface with the hand. Call this once per frame,
+  /// before drawing and after the device has finished the last frame.
   void update();
 
-  /// Returns whether the next action may have to wait: the last edit still settles, or an earlier
-  /// action waits for that.
+  /// Returns whether the last edit still settles, or an earlier action waits for that.
   bool waits() const;
   bool has_postponed() const { return !postponed_.empty(); }
-  /// Runs `act` once the edit has settled, after the actions that wait already. Undo drops all
-  /// of them and does nothing else. Other moves through the history drop them, too.
+  /// Runs `act` once the edit has settled, after the actions that wait already. Undo drops them and
+  /// does nothing else. Other moves through the history drop them, too.
   void postpone(std::function<void()> act);
 
-  /// Returns whether the command was carried out. One that commits (`commits`) waits until the last
-  /// edit has settled.
+  /// Returns whether the command was carried out. One that `commits` waits until the last edit has
+  /// settled.
   bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
@@ -78,19 +76,14 @@ class Editor {
   void replace_step(std::size_t index, const Step& step);
   /// Does the same with files that follow the surface from the open step on.
   void carry_along(const std::vector<std::filesystem::path>& files);
-  /// Runs a change of the session, reports an exception, and updates what is shown. Returns whether
-  /// it succeeded.
+  /// Runs a change of the session and updates what is shown. Returns whether it succeeded.
   bool attempt(const std::function<void()>& change);
   /// Keeps the result and clears the selection, once the last edit has settled.
   void new_edit();
-  void select_all();
-  void clear();
-  void grow();
-  void shrink();
-  void invert();
-  void remove_handle();
-  /// Mirrors in the symmetry plane of the shape and reports how symmetric that is. Takes a second
-  /// or less.
+  /// Performs the command that `change` returns for the active part, such as `grow`.
+  using PartChange = std::function<std::optional<Command>(const AppState&, const Part&)>;
+  void change_part(const PartChange& change);
+  /// Mirrors in the symmetry plane of the shape and reports how symmetric that is.
   void mirror_by_shape();
   /// Returns whether handles have vertices outside the ROI. `enlarge_roi` adds them to it, with
   /// some rings around for the surface to follow.
@@ -109,7 +102,7 @@ class Editor {
   void take(const ToolRow& row);
   /// Activates the action's tool. Returns whether it has one.
   bool take(Action action);
-  /// Activates a panel's tool, or deactivates it if it is active. It must live until then.
+  /// Activates a panel's tool, which must live until it is given back.
   void lend(SceneTool& tool);
   void give_back(const SceneTool& tool);
   /// The part that the tools choose.
@@ -140,10 +133,9 @@ class Editor {
   /// The problems of the result that is shown.
   const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
-  /// Whether a drag shows its settled result, as far as time allows. On by default. Requires
-  /// settling in the parameters.
+  /// Whether a drag shows its settled result, as far as time allows. Requires settling in the
+  /// parameters; the preference alone is `wants_to_settle_while_dragging`.
   bool settles_while_dragging() const { return continuous_ && state().parameters.settle; }
-  /// The same without regard to the parameters.
   bool wants_to_settle_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
   /// Returns whether the surface follows the hand from a settled pose of the drag.
@@ -152,20 +144,18 @@ class Editor {
   const ShownSurface& shown() const { return shown_; }
   ShownSurface& shown() { return shown_; }
   void show_before(bool before);
+  void set_feature_angle(double degrees);  ///< not during a drag
   /// Highlights vertices, until something is edited.
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
 
   const EditSurface& surface() const { return shown_.device(); }
-  /// The carried objects. In a drag they lag a frame or two behind, because their places are
-  /// computed in the background (AttachmentFollower).
   const ShownCarried& carried() const { return carried_; }
   /// As in ShownSurface.
   const Positions& positions() const { return shown_.positions(); }
   /// Returns the bounds of everything that is drawn.
   Bounds bounds() const;
-  /// Returns the vertices of the active part or, if it has none, of the ROI; empty if nothing is
-  /// chosen.
+  /// Returns the vertices of the active part or, if it has none, of the ROI.
   std::vector<Index> selected() const;
   const char* hint() const;  ///< what to do next
 
@@ -175,12 +165,10 @@ class Editor {
   bool pick_pivot(const InputEvent& event, const ViewFrame& view);
   std::optional<SurfacePoint> pick_beside_roi(const Ray& ray) const;
   void return_to_triangles_of_state();
-  Handled act_on(const ToolAnswer& answer, Joining joining);
   Handled act_on(const ToolAnswer& answer, Joining joining, bool may_change);
   void begin_drag();
   void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
                  const Projection& projection);
-  void after_choice(const Part& part);
   void say_what_was_let_go(std::size_t handles_before);
   void choose_elsewhere(const InputEvent& event, const ViewFrame& view);
   bool pull_handle(const InputEvent& event, const ViewFrame& view, const Projection& projection);

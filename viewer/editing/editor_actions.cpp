@@ -3,26 +3,28 @@
 #include <algorithm>
 #include <array>
 
-namespace lapwing::viewer {
+#include "tools/selection_edits.h"
 
+namespace lapwing::viewer {
 namespace {
 
 using Role = Part::Role;
 
-struct PlainAction {
+// Removes the handle; does nothing for another part.
+std::optional<Command> remove_handle(const AppState& state, const Part& part) {
+  return part.role == Role::handle ? clear(state, part) : std::nullopt;
+}
+
+struct PartAction {
   Action action;
-  void (Editor::*perform)();
+  std::optional<Command> (*change)(const AppState&, const Part&);
 };
-constexpr std::array kPlainActions{PlainAction{Action::go_on, &Editor::go_on},
-                                   PlainAction{Action::new_edit, &Editor::new_edit},
-                                   PlainAction{Action::select_all, &Editor::select_all},
-                                   PlainAction{Action::clear, &Editor::clear},
-                                   PlainAction{Action::grow, &Editor::grow},
-                                   PlainAction{Action::shrink, &Editor::shrink},
-                                   PlainAction{Action::invert, &Editor::invert},
-                                   PlainAction{Action::remove_handle, &Editor::remove_handle},
-                                   PlainAction{Action::undo, &Editor::undo},
-                                   PlainAction{Action::redo, &Editor::redo}};
+constexpr std::array kPartActions{PartAction{Action::select_all, choose_all},
+                                  PartAction{Action::clear, clear},
+                                  PartAction{Action::grow, grow},
+                                  PartAction{Action::shrink, shrink},
+                                  PartAction{Action::invert, invert},
+                                  PartAction{Action::remove_handle, remove_handle}};
 
 // Actions whose order matters, because they determine what the user chooses next.
 constexpr std::array kChoices{Action::choose_roi, Action::choose_handle, Action::add_handle,
@@ -44,12 +46,24 @@ bool perform_on(Editor& editor, Action action) {
     if (editor.has_in_hand(editor.gizmo_tool())) editor.take(Action::take_disk);
   };
   if (editor.take(action)) return true;
-  const auto plain = std::ranges::find(kPlainActions, action, &PlainAction::action);
-  if (plain != kPlainActions.end()) {
-    (editor.*plain->perform)();
+  const auto of_part = std::ranges::find(kPartActions, action, &PartAction::action);
+  if (of_part != kPartActions.end()) {
+    editor.change_part(of_part->change);
     return true;
   }
   switch (action) {
+    case Action::go_on:
+      editor.go_on();
+      return true;
+    case Action::new_edit:
+      editor.new_edit();
+      return true;
+    case Action::undo:
+      editor.undo();
+      return true;
+    case Action::redo:
+      editor.redo();
+      return true;
     case Action::choose_roi:
       choose({Role::roi});
       return true;

@@ -1,7 +1,8 @@
-// The choices of a user: the answers of tools, edits that begin elsewhere, and actions that wait
-// until the last edit has settled.
+// The choices of a user: the answers of tools, edits that begin elsewhere, actions that wait until
+// the last edit has settled, and the gizmo's axes and pivot.
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "editing/editor.h"
@@ -13,23 +14,10 @@ using Role = Part::Role;
 
 const char* const kBeginsHere = "a new edit begins here; undo goes back to the last one";
 
-// Commands that choose on the settled surface, and therefore commit it (`apply`).
-struct Commits {
-  template <class Other>
-  bool operator()(const Other&) const {
-    return false;
-  }
-  bool operator()(const Choose&) const { return true; }
-  bool operator()(const Paint&) const { return true; }
-  bool operator()(const RemoveHandle&) const { return true; }
-  bool operator()(const Commit&) const { return true; }
-  bool operator()(const NewEdit&) const { return true; }
-};
-
 }  // namespace
 
 bool commits(const Command& command) {
-  return std::visit(Commits{}, command);
+  return is_one_of<Choose, Paint, RemoveHandle, Commit, NewEdit>(command);
 }
 
 // A handle lies in the ROI, so a disk for a handle outside it begins a new ROI.
@@ -67,11 +55,7 @@ void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
   drag_is_of_last_step_ = answer.command.has_value();
 }
 
-Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
-  return act_on(answer, joining, tool_->may_change_choice());
-}
-
-// `may_change` says that the tool may still resize its choice.
+// `may_change` says that the tool may still resize its choice, or that other strokes may follow.
 Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool may_change) {
   if (!answer.message.empty()) say_({answer.message, Tone::warning});
   if (answer.command) {
@@ -88,14 +72,9 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool m
       sizable_at_ = expected;
     }
     const bool is_choice = std::holds_alternative<Choose>(*answer.command);
-    if (is_done && is_choice && !may_change && !answer.resizes) after_choice(part);
+    if (is_done && is_choice && !may_change && !answer.resizes && part_ == part) go_on();
   }
   return {answer.taken, answer.taken};
-}
-
-// Not called after the click of a disk, which may be resized, or a stroke, which others may follow.
-void Editor::after_choice(const Part& part) {
-  if (part_ == part) go_on();
 }
 
 void Editor::say_what_was_let_go(std::size_t handles_before) {
@@ -149,6 +128,57 @@ void Editor::run_postponed() {
 void Editor::give_up_postponed() {
   postponed_.clear();
   postpones_drag_ = false;
+}
+
+const char* Editor::hint() const {
+  if (picks_pivot_)
+    return "click the place on the surface to turn about; Escape leaves it as it is";
+  return tool_->hint(state(), part_);
+}
+
+void Editor::take_next_gizmo_axes() {
+  // In the order of GizmoAxes.
+  constexpr std::array kSaid{"the gizmo's axes are the world's",
+                             "the gizmo's axes are the handle's own",
+                             "the gizmo's z is along the normal of the handle"};
+  GizmoChoices choices = gizmo_choices();
+  const std::size_t next = (static_cast<std::size_t>(choices.axes) + 1) % kSaid.size();
+  choices.axes = static_cast<GizmoAxes>(next);
+  set_gizmo_choices(choices);
+  say_(kSaid[next]);
+}
+
+void Editor::toggle_sticking() {
+  GizmoChoices choices = gizmo_choices();
+  choices.sticks_to_surface = !choices.sticks_to_surface;
+  set_gizmo_choices(choices);
+  say_(choices.sticks_to_surface ? "a handle that is moved sticks to the surface beside the ROI"
+                                 : "a handle that is moved no longer sticks to the surface");
+}
+
+// Returns whether the event was used to pick.
+bool Editor::pick_pivot(const InputEvent& event, const ViewFrame& view) {
+  if (event.kind == InputKind::key && event.key == kEscape) {
+    picks_pivot_ = false;
+    return true;
+  }
+  if (event.kind != InputKind::press || event.button != MouseButton::left) return false;
+  const auto pick = shown_.pick(view, event.position);
+  if (!pick) return false;  // for the camera
+  GizmoChoices choices = gizmo_choices();
+  choices.pivot = GizmoPivot::point;
+  choices.point = pick->position;
+  set_gizmo_choices(choices);
+  picks_pivot_ = false;
+  return true;
+}
+
+// Leaves out the ROI, which may move or hide the place for the handle.
+std::optional<SurfacePoint> Editor::pick_beside_roi(const Ray& ray) const {
+  const VertexSet& roi =
+      state().mirrored ? state().mirrored->region.roi : state().selection.roi.vertices;
+  const std::vector<char> moves = vertex_mask(positions().size(), roi);
+  return pick_beside(surface_of(state())->topology(), positions(), moves, ray);
 }
 
 }  // namespace lapwing::viewer

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "editing/editor.h"
-#include "lapwing/base/errors.h"
 #include "lapwing/deform/handle_motion.h"
 #include "tools/selection_edits.h"
 
@@ -56,11 +55,9 @@ void Editor::show_carried() {
 // Moves carried objects to the shown surface once their places are computed.
 void Editor::follow_carried() {
   if (!shown_.follows() || !any_follows(state().carried)) return;
-  try {
+  say_errors(say_, [&] {
     if (const auto places = attachment_follower_.take()) carried_.place(*places);
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  });
   const Drag& drag = *shown_.device().drag_shown();
   attachment_follower_.follow(state(), session_->preparation(),
                               {drag.response(), drag.pose(), shown_.followed()});
@@ -73,6 +70,12 @@ bool Editor::shows_live_result() const {
 void Editor::show_before(bool before) {
   if (is_dragging() || before == shown_.shows_before()) return;
   shown_.show_before(before);
+  state_changed();
+}
+
+void Editor::set_feature_angle(double degrees) {
+  if (is_dragging() || degrees == shown_.feature_angle()) return;
+  shown_.set_feature_angle(degrees);
   state_changed();
 }
 
@@ -94,11 +97,7 @@ void Editor::update() {
 void Editor::take_step() {
   std::optional<StepTaken> taken;
   const bool had_chosen = !state().selection.roi.vertices.empty() || handle_count() > 0;
-  try {
-    taken = session_->take_step();
-  } catch (const Error& error) {
-    say_(Message(error));
-  }
+  say_errors(say_, [&] { taken = session_->take_step(); });
   if (!taken) return;
   pointed_at_.clear();
   for (const std::string& warning : taken->warnings) say_({warning, Tone::warning});

@@ -33,6 +33,12 @@ void ShownCarried::make(Object& object) const {
   object.paint->set_polygons(*mesh);
 }
 
+// Returns the positions of what is drawn of the object.
+Positions ShownCarried::shown_positions(const Object& object) {
+  const Mesh* mesh = object.opened->mesh();
+  return mesh == nullptr ? object.positions : surface_positions(object.positions, mesh->topology());
+}
+
 void ShownCarried::list() {
   drawn_.clear();
   for (const Object& object : objects_) {
@@ -49,7 +55,7 @@ void ShownCarried::take(const AppState& state, Where where) {
     const bool is_new = at == before.end();
     if (is_new) {
       objects_.push_back({.opened = now.opened, .positions = now.rest->positions()});
-      objects_.back().bounds = bounds_of(objects_.back().positions);
+      objects_.back().bounds = bounds_of(shown_positions(objects_.back()));
       make(objects_.back());
     } else {
       objects_.push_back(std::move(*at));
@@ -70,14 +76,15 @@ void ShownCarried::place(std::span<const Positions> positions) {
 void ShownCarried::place(Object& object, const Positions& positions) {
   if (object.positions == positions) return;
   object.positions = positions;
-  object.bounds = bounds_of(positions);
+  object.bounds = bounds_of(shown_positions(object));
   if (object.surface) object.surface->place(positions);
   if (object.points) object.points->place(positions);
 }
 
 void ShownCarried::append_positions(Positions& points) const {
   for (const Object& object : objects_) {
-    points.insert(points.end(), object.positions.begin(), object.positions.end());
+    const Positions shown = shown_positions(object);
+    points.insert(points.end(), shown.begin(), shown.end());
   }
 }
 

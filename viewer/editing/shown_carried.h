@@ -47,6 +47,7 @@ class ShownCarried {
     std::unique_ptr<PointCloud> points;  // for anything else
   };
 
+  static Positions shown_positions(const Object& object);
   void place(Object& object, const Positions& positions);
   void make(Object& object) const;
   void list();

@@ -14,10 +14,31 @@ Eigen::Vector2d middle_of(const Eigen::Vector2d& pixel) {
 
 }  // namespace
 
+std::optional<Index> SurfacePicker::triangle_at(const Eigen::Vector2d& pixel) const {
+  const bool inside =
+      view_ && (pixel.array() >= 0.0).all() && (pixel.array() < view_->size.array().floor()).all();
+  if (!inside) return {};
+  const auto column = static_cast<std::size_t>(pixel.x());
+  const auto row = static_cast<std::size_t>(pixel.y());
+  const std::uint32_t id = picture_.ids()[row * static_cast<std::size_t>(view_->size.x()) + column];
+  if (id == 0) return {};
+  return id - 1;
+}
+
+TrianglePicture SurfacePicker::picture(const EditSurface& surface, const ViewFrame& view) {
+  if (!is_current(surface, view)) {
+    picture_.draw(surface.shown(), view.camera, static_cast<std::uint32_t>(view.size.x()),
+                  static_cast<std::uint32_t>(view.size.y()));
+    view_ = view;
+    version_ = surface.version();
+  }
+  return {picture_.ids(), static_cast<Index>(view.size.x()), static_cast<Index>(view.size.y())};
+}
+
 ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring coloring)
     : opened_(std::move(opened)),
       coloring_(std::move(coloring)),
-      opened_bounds_(bounds_of(opened_->positions)) {}
+      opened_bounds_(bounds_of(surface_positions(opened_->positions, opened_->topology()))) {}
 
 void ShownSurface::release_device() {
   device_.reset();
@@ -32,8 +53,16 @@ void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   needs_classes_ = true;
 }
 
+void ShownSurface::set_feature_angle(double degrees) {
+  if (degrees == feature_angle_) return;
+  feature_angle_ = degrees;
+  device_.reset();
+  use_device(context_);
+  show_still();
+}
+
 void ShownSurface::make(const Mesh& mesh) {
-  device_.emplace(mesh, context_);
+  device_.emplace(mesh, context_, feature_angle_);
   if (!coloring_.file) return;
   device_->surface.paint().set_file_colors(mesh, with_attributes(mesh), *coloring_.file);
 }
@@ -60,7 +89,7 @@ bool ShownSurface::take(const AppState& state) {
   // A result that becomes the rest shape leaves the surface where it was.
   if (has_same_triangles && positions == positions_) return false;
   positions_ = std::move(positions);
-  bounds_ = bounds_of(positions_);
+  bounds_ = bounds_of(surface_positions(positions_, now_->topology()));
   return true;
 }
 
@@ -108,14 +137,14 @@ void ShownSurface::show_preview(std::shared_ptr<const Mesh> preview,
   preview_ = std::move(preview);
   preview_classes_ = std::move(classes);
   preview_positions_ = preview_->positions;
-  preview_bounds_ = bounds_of(preview_positions_);
+  preview_bounds_ = bounds_of(surface_positions(preview_positions_, preview_->topology()));
   needs_classes_ = true;
   show_still();
 }
 
 void ShownSurface::show_preview(const Positions& positions) {
   preview_positions_ = positions;
-  preview_bounds_ = bounds_of(preview_positions_);
+  preview_bounds_ = bounds_of(surface_positions(preview_positions_, preview_->topology()));
   show_still();
 }
 

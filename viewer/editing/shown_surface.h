@@ -1,16 +1,56 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "editing/edit_surface.h"
-#include "editing/surface_picker.h"
-#include "editing/view_frame.h"
+#include "lapwing/render/camera.h"
+#include "lapwing/render/id_picture.h"
 #include "lapwing/render/pose_measure.h"
+#include "tools/projection.h"
+#include "tools/seen_vertices.h"
 
 namespace lapwing::viewer {
+
+/// The view of the surface: the camera with fitted near and far planes, and the picture's size and
+/// density in pixels.
+struct ViewFrame {
+  Camera camera;
+  Eigen::Vector2d size = Eigen::Vector2d::Ones();
+  double pixels_per_point = 1.0;
+
+  Projection projection() const {
+    return {camera.projection(size.x() / size.y()) * camera.view(), size, pixels_per_point};
+  }
+
+  bool operator==(const ViewFrame&) const = default;
+};
+
+/// Finds the triangle at a pixel in a picture, which it draws again only if the view or the surface
+/// has changed. The context must outlive the picker.
+class SurfacePicker {
+ public:
+  explicit SurfacePicker(gpu::Context& context) : picture_(context) {}
+
+  /// Returns whether the picture is up to date.
+  bool is_current(const EditSurface& surface, const ViewFrame& view) const {
+    return view_ == view && version_ == surface.version();
+  }
+
+  /// Returns the triangle at `pixel` of the last picture; nothing beside the surface.
+  std::optional<Index> triangle_at(const Eigen::Vector2d& pixel) const;
+
+  /// Returns the whole picture, valid until the next call. Waits for the device to draw it.
+  TrianglePicture picture(const EditSurface& surface, const ViewFrame& view);
+
+ private:
+  IdPicture picture_;
+  std::optional<ViewFrame> view_;  // of the picture
+  std::uint64_t version_ = 0;      // of the surface in it
+};
 
 /// The colours in a file, for the edited surface and for the results of steps, as far as these have
 /// the file's attributes.
@@ -20,11 +60,10 @@ struct FileColoring {
 };
 
 /// An edit on the screen: the surface on the device, its positions and colours, and what is under a
-/// pixel. It is made again on the device when the triangles change. The device must have finished
-/// drawing it then, and whenever it changes.
+/// pixel. When it changes, the device must have finished drawing it.
 ///
-/// Shows the first of these that applies: a preview, while there is one; the opened mesh, after
-/// `show_before`; a drag, while it is followed; the surface of the state.
+/// Shows the first of these that applies: a preview; the opened mesh, after `show_before`; a drag;
+/// the surface of the state.
 class ShownSurface {
  public:
   /// `opened` is the mesh before any step, to compare with.
@@ -40,11 +79,9 @@ class ShownSurface {
   /// Shows the surface without a drag.
   void show_still();
 
-  /// Follows the handles' motions by the response that the worker has. Does nothing while it has
-  /// none.
+  /// Follows the handles' motions by the response that the worker has, if any.
   void follow(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
-  /// Sets the pose from which it follows: of the state's region, or null for the rest shape. It
-  /// stays until another pose is set or the surface is placed.
+  /// Sets the pose from which it follows, null for the rest shape, until the surface is placed.
   void follow_from(std::shared_ptr<const DragState> pose);
   const std::shared_ptr<const DragState>& pose() const { return device_->surface.pose(); }
   bool follows() const { return follows_; }
@@ -52,8 +89,7 @@ class ShownSurface {
   const std::vector<Eigen::Affine3d>& followed() const { return followed_; }
 
   /// Shows the result of an operation until `end_preview` or the next `take`. `classes`, one per
-  /// vertex, determine its colours. Without them it has those of the selection, if the triangles
-  /// are the same.
+  /// vertex, determine its colours; without them the selection does, if the triangles are the same.
   void show_preview(std::shared_ptr<const Mesh> preview, std::vector<VertexClass> classes = {});
   /// The same with other positions only: one upload.
   void show_preview(const Positions& positions);
@@ -67,6 +103,11 @@ class ShownSurface {
   /// Returns whether the triangles on the screen are the state's, so that tools can choose there.
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
   const Topology& topology() const { return *device_->topology; }
+
+  /// The angle between faces above which edges look hard (SplitNormals). A change makes the
+  /// surface on the device again.
+  double feature_angle() const { return feature_angle_; }
+  void set_feature_angle(double degrees);
 
   /// Colours the selection. Other triangles show no selection.
   void set_classes(std::vector<VertexClass> classes);
@@ -86,17 +127,15 @@ class ShownSurface {
   const ScalarRange& measure_range() const { return measure_range_; }
 
   /// Returns what is visible at `pixel`, also in a drag; nothing beside the surface. Neither draws
-  /// nor waits for the device. At most linear in the triangles.
+  /// nor waits for the device.
   std::optional<SurfacePoint> pick(const ViewFrame& view, const Eigen::Vector2d& pixel);
   /// Returns the positions on the screen, including a drag under way. Valid until anything changes.
   const Positions& positions_on_screen();
-  /// Waits for the device if the picture must be drawn. Valid until the next call of this or
-  /// `pick`.
+  /// As in SurfacePicker.
   TrianglePicture picture(const ViewFrame& view);
 
   const EditSurface& device() const { return device_->surface; }
-  /// The positions of the state, or of a preview with the same triangles. Leaves out a drag under
-  /// way.
+  /// The positions of the state, or of a preview with the same triangles, without a drag.
   const Positions& positions() const {
     return previews() && has_triangles_of_state() ? preview_positions_ : positions_;
   }
@@ -112,8 +151,10 @@ class ShownSurface {
 
   // Everything in device memory, except the worker's.
   struct OnDevice {
-    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context)
-        : topology(mesh.shared_topology()), picker(*context), surface(context, mesh) {}
+    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context, double feature_angle)
+        : topology(mesh.shared_topology()),
+          picker(*context),
+          surface(context, mesh, feature_angle) {}
 
     std::shared_ptr<const Topology> topology;
     SurfacePicker picker;
@@ -125,6 +166,7 @@ class ShownSurface {
   std::shared_ptr<const Mesh> opened_;
   FileColoring coloring_;
   Bounds opened_bounds_;
+  double feature_angle_ = kFeatureAngleDegrees;
 
   // The surface of the state, and its positions.
   std::shared_ptr<const Mesh> now_;

@@ -46,7 +46,8 @@ void SourceView::resize(const Vector2d& size, double pixels_per_point) {
   pixels_per_point_ = pixels_per_point;
   if (is_framed_) return;
   is_framed_ = true;
-  camera_ = fit(shown_.positions(), view_axes(View::three_quarter, up_axis_), size.x() / size.y());
+  camera_ = fit(surface_positions(shown_.positions(), surface_of(state_)->topology()),
+                view_axes(View::three_quarter, up_axis_), size.x() / size.y());
 }
 
 ViewFrame SourceView::view_frame() const {

@@ -37,7 +37,6 @@ class SourceView {
   Editor::Handled handle(const InputEvent& event, const Keymap& keymap);
   /// Returns whether a button that was pressed on it is still down.
   bool holds_mouse() const { return motion_.has_value() || disk_.is_dragging(); }
-  bool is_moving() const { return holds_mouse(); }
   /// Returns the vertex that was picked last, once.
   std::optional<Index> take_point() { return std::exchange(point_, std::nullopt); }
 

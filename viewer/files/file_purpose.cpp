@@ -5,7 +5,7 @@
 #include <cctype>
 #include <unistd.h>
 
-#include "files/letters.h"
+#include "files/path_text.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -21,9 +21,9 @@ constexpr std::array<std::string_view, 1> kPicture{".png"};
 constexpr std::array<std::string_view, 4> kTurntable{".mp4", ".webm", ".gif", ".png"};
 constexpr std::array<std::string_view, 10> kMeshOrRecipe{
     ".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".coff", ".noff", ".cnoff", ".json"};
-constexpr std::array<std::string_view, 13> kCarried{".glb", ".gltf", ".obj",  ".off",   ".ply",
-                                                    ".stl", ".coff", ".noff", ".cnoff", ".csv",
-                                                    ".txt", ".tsv",  ".npy"};
+constexpr std::array<std::string_view, 15> kCarried{
+    ".glb",   ".gltf", ".obj", ".off", ".ply", ".stl",  ".coff",    ".noff",
+    ".cnoff", ".csv",  ".txt", ".tsv", ".npy", ".fcsv", ".mrk.json"};
 
 constexpr FileKind kAll{"All files", {}};
 constexpr std::array kMeshes{FileKind{"Meshes", kMesh}, kAll};
@@ -115,8 +115,10 @@ std::string trouble_with_old(const fs::path& path, const PathWords& words) {
 }  // namespace
 
 bool FileKind::holds(const fs::path& file) const {
-  return extensions.empty() ||
-         std::ranges::find(extensions, lower_extension(file)) != extensions.end();
+  const std::string name = lower_case(file.filename().string());
+  return extensions.empty() || std::ranges::any_of(extensions, [&](std::string_view extension) {
+           return name.ends_with(extension);
+         });
 }
 
 const PathWords& words_of(PathPurpose purpose) {

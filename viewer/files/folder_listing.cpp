@@ -1,9 +1,11 @@
 #include "files/folder_listing.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
-#include "files/letters.h"
+#include "files/path_text.h"
+#include "lapwing/base/cancellation.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -63,14 +65,13 @@ bool comes_before(std::string_view a, std::string_view b) {
   return all_a < all_b;
 }
 
-FolderListing list_folder(const fs::path& folder, const ListingFilter& filter,
-                          const std::function<bool()>& goes_on) {
+FolderListing list_folder(const fs::path& folder, const ListingFilter& filter) {
   FolderListing listing;
   listing.folder = folder;
   std::error_code error;
   for (fs::directory_iterator found(folder, error), end; !error && found != end;
        found.increment(error)) {
-    if (goes_on && !goes_on()) return listing;
+    check_cancelled();
     if (auto entry = entry_of(*found, filter)) listing.entries.push_back(*std::move(entry));
   }
   if (error) {
@@ -83,51 +84,6 @@ FolderListing list_folder(const fs::path& folder, const ListingFilter& filter,
               return comes_before(a.name, b.name);
             });
   return listing;
-}
-
-FolderReader::FolderReader(std::function<void()> wake)
-    : worker_([this] { return next(); }, std::move(wake)) {}
-
-FolderReader::~FolderReader() {
-  const std::lock_guard lock(worker_.mutex());
-  ++ticket_;
-  request_.reset();
-}
-
-void FolderReader::read(const fs::path& folder, const ListingFilter& filter) {
-  {
-    const std::lock_guard lock(worker_.mutex());
-    ++ticket_;
-    request_ = Request{folder, filter};
-    listing_.reset();
-    reading_ = true;
-  }
-  worker_.notify();
-}
-
-bool FolderReader::is_reading() const {
-  const std::lock_guard lock(worker_.mutex());
-  return reading_;
-}
-
-std::optional<FolderListing> FolderReader::take() {
-  const std::lock_guard lock(worker_.mutex());
-  return std::exchange(listing_, std::nullopt);
-}
-
-Worker::Work FolderReader::next() {
-  if (!request_) return nullptr;
-  return [this, request = *std::exchange(request_, std::nullopt), ticket = ticket_] {
-    const auto is_wanted = [&] {
-      const std::lock_guard lock(worker_.mutex());
-      return ticket_ == ticket;
-    };
-    FolderListing listing = list_folder(request.folder, request.filter, is_wanted);
-    const std::lock_guard lock(worker_.mutex());
-    if (ticket_ != ticket) return;
-    listing_ = std::move(listing);
-    reading_ = false;
-  };
 }
 
 }  // namespace lapwing::viewer

@@ -2,14 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "files/file_purpose.h"
-#include "work/worker.h"
 
 namespace lapwing::viewer {
 
@@ -39,39 +36,7 @@ struct ListingFilter {
 /// case.
 bool comes_before(std::string_view a, std::string_view b);
 
-/// Reads `folder`. Follows links and leaves out broken ones. Calls `goes_on` before each entry; if
-/// it returns false, returns the entries so far, unsorted.
-FolderListing list_folder(const std::filesystem::path& folder, const ListingFilter& filter,
-                          const std::function<bool()>& goes_on = {});
-
-/// Reads folders on a background thread, so that a huge or remote folder does not delay a frame.
-/// Only the last request counts.
-class FolderReader {
- public:
-  /// `wake` is called on the reader's thread when there is a listing to take.
-  explicit FolderReader(std::function<void()> wake = {});
-  ~FolderReader();
-
-  /// Starts to read `folder` and drops the previous request.
-  void read(const std::filesystem::path& folder, const ListingFilter& filter);
-  bool is_reading() const;
-  /// Returns the listing once; nullopt while it is being read.
-  std::optional<FolderListing> take();
-
- private:
-  struct Request {
-    std::filesystem::path folder;
-    ListingFilter filter;
-  };
-  Worker::Work next();
-
-  // Guarded by the worker's mutex.
-  std::uint64_t ticket_ = 0;
-  std::optional<Request> request_;
-  std::optional<FolderListing> listing_;
-  bool reading_ = false;
-
-  Worker worker_;  // last: it uses all the others
-};
+/// Reads `folder`. Follows links and leaves out broken ones. Can be cancelled (check_cancelled).
+FolderListing list_folder(const std::filesystem::path& folder, const ListingFilter& filter);
 
 }  // namespace lapwing::viewer

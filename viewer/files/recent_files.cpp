@@ -9,7 +9,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
-#include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/file_bytes.h"
 #include "state/user_folder.h"
 
 namespace lapwing::viewer {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -11,7 +10,7 @@
 #include <vector>
 
 #include "files/file_purpose.h"
-#include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/file_bytes.h"
 
 namespace lapwing::viewer {
 

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Returns the camera's axes as rows: right, up and backward.
-Matrix3d axes_of(const Camera& camera) {
+Matrix3d rotation_of(const Camera& camera) {
   return camera.view().topLeftCorner<3, 3>();
 }
 
@@ -32,17 +32,22 @@ double length_per_pixel(const Camera& camera, const Vector2d& size) {
 // Returns the point under the cursor at the target's distance.
 Vector3d under_cursor(const Camera& camera, const Vector2d& cursor, const Vector2d& size) {
   const Ray ray = line_of_sight(camera, cursor, size);
-  const Vector3d backward = axes_of(camera).row(2);
+  const Vector3d backward = rotation_of(camera).row(2);
   const double along = backward.dot(camera.target - ray.origin) / backward.dot(ray.direction);
   return ray.origin + along * ray.direction;
 }
 
 }  // namespace
 
+ViewAxes axes_of(const Camera& camera) {
+  const Matrix3d axes = rotation_of(camera);
+  return {axes.row(2), axes.row(1)};
+}
+
 Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& size,
                const Vector3d& upward) {
   const double angle_per_pixel = std::numbers::pi / size.y();
-  const Matrix3d axes = axes_of(camera);
+  const Matrix3d axes = rotation_of(camera);
   const Vector3d right = axes.row(0);
   const Vector3d backward = axes.row(2);
   // The angle between `upward` and the direction to the eye. At 0 and pi the camera looks along it.
@@ -58,7 +63,7 @@ Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& siz
 }
 
 Camera panned(const Camera& camera, const Vector2d& pixels, const Vector2d& size) {
-  const Matrix3d axes = axes_of(camera);
+  const Matrix3d axes = rotation_of(camera);
   const Vector3d step = length_per_pixel(camera, size) *
                         (pixels.y() * axes.row(1) - pixels.x() * axes.row(0)).transpose();
   Camera moved = camera;

@@ -10,6 +10,9 @@ namespace lapwing::viewer {
 /// and far planes to `fit_depth`. Pixels are from the upper left corner of a picture of `size`
 /// pixels.
 
+/// Returns the axes of the view through the camera.
+ViewAxes axes_of(const Camera& camera);
+
 /// Turns the camera around its target after the cursor moved by `pixels`. Sideways motion turns
 /// around the world's `upward` direction. Vertical motion turns towards it or away, at most until
 /// the camera looks along it. The picture's height is half a turn.

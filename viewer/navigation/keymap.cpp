@@ -108,30 +108,12 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
       "save pictures from all around, or a video of them"},
      {'Q', kControl, Action::quit, "quit"}});
 
-std::string_view words(Motion motion) {
-  switch (motion) {
-    case Motion::orbit:
-      return "turn the view";
-    case Motion::pan:
-      return "move the view sideways";
-    case Motion::zoom:
-      return "zoom";
-  }
-  return {};
-}
+// In the order of Motion.
+constexpr std::array<std::string_view, 3> kMotions{"turn the view", "move the view sideways",
+                                                   "zoom"};
 
-std::string_view words(MouseButton button) {
-  switch (button) {
-    case MouseButton::left:
-      return "left";
-    case MouseButton::middle:
-      return "middle";
-    case MouseButton::right:
-      return "right";
-    case MouseButton::none:
-      break;
-  }
-  return {};
+std::string name_of(MouseButton button) {
+  return button == MouseButton::left ? "left" : button == MouseButton::middle ? "middle" : "right";
 }
 
 std::string words(const Modifiers& modifiers) {
@@ -142,35 +124,14 @@ std::string words(const Modifiers& modifiers) {
   return text;
 }
 
+// In the order of Key.
+constexpr std::array<std::string_view, 12> kKeyNames{"Escape", "Enter", "Tab",  "Backspace",
+                                                     "Delete", "Home",  "End",  "Left",
+                                                     "Right",  "Up",    "Down", "F1"};
+
 std::string key_name(int key) {
-  switch (key) {
-    case kEscape:
-      return "Escape";
-    case kEnter:
-      return "Enter";
-    case kTab:
-      return "Tab";
-    case kBackspace:
-      return "Backspace";
-    case kDelete:
-      return "Delete";
-    case kHome:
-      return "Home";
-    case kEnd:
-      return "End";
-    case kLeft:
-      return "Left";
-    case kRight:
-      return "Right";
-    case kUp:
-      return "Up";
-    case kDown:
-      return "Down";
-    case kF1:
-      return "F1";
-    default:
-      return std::string(1, static_cast<char>(key));
-  }
+  if (key < kEscape) return std::string(1, static_cast<char>(key));
+  return std::string(kKeyNames[static_cast<std::size_t>(key - kEscape)]);
 }
 
 // GizmoTool's keys.
@@ -231,8 +192,8 @@ std::optional<Action> action_of(const InputEvent& event) {
 std::vector<ControlLine> mouse_controls(const Keymap& keymap) {
   std::vector<ControlLine> lines;
   for (const DragBinding& binding : keymap.drags) {
-    lines.push_back({words(binding.modifiers) + std::string(words(binding.button)) + " drag",
-                     std::string(words(binding.motion))});
+    lines.push_back({words(binding.modifiers) + name_of(binding.button) + " drag",
+                     std::string(kMotions[static_cast<std::size_t>(binding.motion)])});
   }
   lines.push_back({"wheel", "zoom to what is under the cursor"});
   lines.push_back({words(kSizes) + "wheel", "size the disk chosen last, or the brush"});

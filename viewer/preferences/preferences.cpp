@@ -58,14 +58,10 @@ bool take(const Json& json, Theme& theme) {
   theme = json == "light" ? Theme::light : Theme::dark;
   return true;
 }
-bool take(const Json& json, std::string& text) {
-  if (!json.is_string()) return false;
-  text = json.get<std::string>();
-  return true;
-}
-bool take(const Json& json, bool& flag) {
-  if (!json.is_boolean()) return false;
-  flag = json.get<bool>();
+template <typename Value>
+bool take(const Json& json, Value& value) {
+  if (json.type() != Json(value).type()) return false;
+  value = json.get<Value>();
   return true;
 }
 template <typename Number>

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/modifiers/joined_request.h"
 #include "lapwing/laplacian/rotation.h"
@@ -79,6 +80,16 @@ MovedVertices moved_vertices(const Positions& before, const Positions& after) {
   return moved;
 }
 
+void place(const MovedVertices& moved, Positions& positions) {
+  for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
+    positions[moved.vertices[k]] = moved.positions[k];
+  }
+}
+
+bool any_moved(std::span<const HandleMove> moves) {
+  return !std::ranges::all_of(moves, &HandleMove::is_at_rest);
+}
+
 AppState open_state(Mesh mesh) {
   return open_state(std::make_shared<const Mesh>(std::move(mesh)));
 }
@@ -116,8 +127,7 @@ std::shared_ptr<const Mesh> surface_of(const AppState& state) {
 }
 
 bool is_moved(const AppState& state) {
-  return std::any_of(state.moves.begin(), state.moves.end(),
-                     [](const HandleMove& to) { return !to.is_at_rest(); });
+  return any_moved(state.moves);
 }
 
 bool needs_settling(const AppState& state) {
@@ -126,11 +136,7 @@ bool needs_settling(const AppState& state) {
 
 Positions positions_of(const AppState& state) {
   Positions positions = state.rest->positions;
-  if (!state.settled) return positions;
-  const MovedVertices& moved = *state.settled;
-  for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
-    positions[moved.vertices[k]] = moved.positions[k];
-  }
+  if (state.settled) place(*state.settled, positions);
   return positions;
 }
 
@@ -156,7 +162,18 @@ EditRegion edit_region(const AppState& state) {
 void renew_mirror(AppState& state) {
   state.mirrored = nullptr;
   if (!state.selection.mirror) return;
-  state.mirrored = mirrored_edit(step_on_surface(state), *surface_of(state));
+  const Mesh& surface = *surface_of(state);
+  try {
+    MirroredRequest both = mirrored_request(step_on_surface(state), surface);
+    MirroredEdit edit{
+        resolve_edit_region(both.request, surface), std::move(both.handle_images), {}};
+    for (const VertexSet& handle : edit.region.handles) {
+      edit.centroids.push_back(handle_frame(handle, surface.positions).centroid);
+    }
+    state.mirrored = std::make_shared<const MirroredEdit>(std::move(edit));
+  } catch (const InputError&) {
+    // The edit is not complete yet. Preparing it reports why.
+  }
 }
 
 Move shown_move(const AppState& state, std::size_t handle) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -9,18 +10,33 @@
 
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/modifiers/mirrored_request.h"
 #include "lapwing/deform/move.h"
-#include "lapwing/mesh/joined_surface.h"
+#include "lapwing/mesh/seams.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
 #include "state/carried_object.h"
 #include "state/edit_selection.h"
-#include "state/mirrored_edit.h"
 
 namespace lapwing::viewer {
 
 /// Parameters of the next edit.
 using EditParameters = DeformParameters;
+
+/// Remembers the options of settling while it is switched off.
+class LastSolveOptions {
+ public:
+  /// Returns what a user means by changing `before` to `after`: settling that is switched on again
+  /// keeps its options.
+  EditParameters meant(const EditParameters& before, EditParameters after) {
+    if (before.settle) options_ = *before.settle;
+    if (!before.settle && after.settle) after.settle = options_;
+    return after;
+  }
+
+ private:
+  SettleOptions options_;
+};
 
 /// The vertices that a result moves, and their new positions.
 struct MovedVertices {
@@ -39,9 +55,10 @@ struct MovedVertices {
 /// Returns the vertices whose bits differ between `before` and `after`, two poses of one mesh, with
 /// their positions in `after`.
 MovedVertices moved_vertices(const Positions& before, const Positions& after);
+/// Sets `positions` to those of `moved` where it moves a vertex.
+void place(const MovedVertices& moved, Positions& positions);
 
-/// The result of a step that is carried out as a whole: moved vertices, or a mesh with other
-/// triangles.
+/// The result of a whole step: moved vertices, or a mesh with other triangles.
 using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 
 /// How a handle moves, the path to that move, and whether its orientation is free.
@@ -62,14 +79,21 @@ struct HandleMove {
   bool operator==(const HandleMove&) const = default;
   bool is_at_rest() const { return move == Move(SimilarityMove{}); }
 };
+bool any_moved(std::span<const HandleMove> moves);
 
-/// Everything that a user edits, as a value. Large data is shared and never changed in place, so a
-/// copy costs as much as the selection.
+/// An edit with a mirror, on both sides of the plane.
+struct MirroredEdit {
+  EditRegion region;                       ///< for the DeformSolver
+  std::vector<std::size_t> handle_images;  ///< as in MirroredRequest
+  std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, which turn about them
+};
+
+/// Everything that a user edits, as a value. Large data is shared, so a copy costs as much as the
+/// selection.
 ///
-/// Edits follow one another. The user chooses parts on the mesh `rest` and moves the handles
-/// (`moves`). The result is computed elsewhere and arrives as `settled`. When something else is
-/// chosen, it becomes the rest shape of the next edit and a step of `steps`. Other operations are
-/// whole steps (`Apply`), which may change the triangles.
+/// The user chooses parts on the mesh `rest` and moves the handles (`moves`). The result arrives as
+/// `settled`. When something else is chosen, it becomes the rest shape of the next edit and a step
+/// of `steps`. Other operations are whole steps (`Apply`), which may change the triangles.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
   std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null if it has no seam
@@ -77,7 +101,7 @@ struct AppState {
   EditParameters parameters;
   std::vector<HandleMove> moves;       ///< one per handle, from the rest shape
   std::vector<CarriedObject> carried;  ///< carried by the open step or an earlier one
-  /// With a mirror, the selection on both sides (`renew_mirror`). Null without a mirror, and while
+  /// The selection on both sides of the mirror (`renew_mirror`). Null without a mirror, and while
   /// something is missing.
   std::shared_ptr<const MirroredEdit> mirrored;
   /// The result of `moves`. Null while nothing is moved, and until it is computed.
@@ -91,15 +115,14 @@ struct AppState {
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
 
-/// Sets the rest shape and joins its seams. Seams stay joined as they were if the faces are the
-/// same and the seams have not opened.
+/// Sets the rest shape and joins its seams. They stay joined as they were if the faces are the same
+/// and the seams are still closed.
 void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
 
 /// Returns null if seams are left as they are, or if there is none.
 const JoinedSurface* joined_seams(const AppState& state);
 /// Returns what is shown, chosen on and edited: the rest shape, with its seams joined if the
-/// parameters say so. Vertices keep their numbers and positions. Followers are in no triangle and
-/// are not chosen.
+/// parameters say so. Vertices keep their numbers; followers are in no triangle.
 std::shared_ptr<const Mesh> surface_of(const AppState& state);
 
 /// Computes `mirrored` from the selection. Takes up to a second.
@@ -120,22 +143,20 @@ CarriedFiles carried_of(const AppState& state);
 /// is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// Returns the motions for `DeformSolver::solve`: those of the recipe, bit for bit; with a mirror,
-/// those of the handles on both sides. A handle with free orientation has the rotation of the
-/// result.
+/// Returns the motions for `DeformSolver::solve`, with a mirror on both sides. A handle with free
+/// orientation has the rotation of the result.
 HandleMotions motions_of(const AppState& state);
 /// Returns the path to these motions, for `DeformSolver::solve_along`.
 std::vector<HandleMotions> path_of(const AppState& state);
 /// Sets `maps` to these motions for a frame of a drag, with `handle` moved by `move`. Allocates
-/// nothing once `maps` has one entry per handle. Linear in the handles' vertices.
+/// nothing once `maps` has one entry per handle.
 void maps_of(const AppState& state, std::size_t handle, const Move& move,
              std::vector<Eigen::Affine3d>& maps);
-/// Returns the handle's move on the surface of `positions_of`. It differs from the handle's own
-/// move if its orientation is free.
+/// Returns the handle's move on the surface of `positions_of`, with the rotation of the result if
+/// its orientation is free.
 Move shown_move(const AppState& state, std::size_t handle);
-/// Sets `dragged` to the handles that a frame moves while `handle` is dragged, ascending. With
-/// `from_rest`, if frames start from the rest shape, these include handles that are moved already.
-/// Allocates nothing once `dragged` has had that size.
+/// Sets `dragged` to the handles that a frame moves while `handle` is dragged, ascending. If frames
+/// start `from_rest`, these include handles that are moved already. Allocates only to grow.
 void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
                      std::vector<std::size_t>& dragged);
 /// Returns the centroid of the handle's vertices at rest. A move without a pivot turns about it.

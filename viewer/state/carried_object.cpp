@@ -16,8 +16,7 @@ std::shared_ptr<const AttachmentFile> open_carried(const std::filesystem::path& 
 }
 
 bool any_follows(std::span<const CarriedObject> objects) {
-  return std::any_of(objects.begin(), objects.end(),
-                     [](const CarriedObject& object) { return object.follows; });
+  return std::ranges::any_of(objects, &CarriedObject::follows);
 }
 
 std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects) {

@@ -25,23 +25,10 @@ bool is_nothing(const std::array<VertexSet, 2>& change) {
   return change[0].empty() && change[1].empty();
 }
 
-std::size_t bytes_of(const std::array<VertexSet, 2>& change) {
-  return (change[0].size() + change[1].size()) * sizeof(Index);
-}
-
 std::vector<Falloff> falloffs_of(const AppState& state) {
   std::vector<Falloff> falloffs;
   for (const ChosenHandle& handle : state.selection.handles) falloffs.push_back(handle.falloff);
   return falloffs;
-}
-
-// Leaves out attributes, which are small beside the rest.
-std::size_t bytes_of(const Mesh& mesh) {
-  const Topology& topology = mesh.topology();
-  const std::size_t numbers = mesh.face_starts().size() + mesh.face_vertices().size() +
-                              4 * topology.triangles.size() + topology.rings.values.size() +
-                              topology.vertex_triangles.values.size() + 2 * mesh.vertex_count();
-  return mesh.vertex_count() * sizeof(Eigen::Vector3d) + numbers * sizeof(Index);
 }
 
 }  // namespace
@@ -72,10 +59,9 @@ Change::Change(const AppState& before, const AppState& after)
     handles_.push_back(difference(handle_or_empty(before, h), handle_or_empty(after, h)));
   }
   if (before.rest != after.rest) compare_rest(before, after);
-  const auto differ = std::mismatch(before.steps.begin(), before.steps.end(), after.steps.begin(),
-                                    after.steps.end());
-  kept_steps_ = static_cast<std::size_t>(differ.first - before.steps.begin());
-  steps_ = {Steps(differ.first, before.steps.end()), Steps(differ.second, after.steps.end())};
+  const auto differ = std::ranges::mismatch(before.steps, after.steps);
+  kept_steps_ = static_cast<std::size_t>(differ.in1 - before.steps.begin());
+  steps_ = {Steps(differ.in1, before.steps.end()), Steps(differ.in2, after.steps.end())};
 }
 
 void Change::compare_rest(const AppState& before, const AppState& after) {
@@ -84,11 +70,8 @@ void Change::compare_rest(const AppState& before, const AppState& after) {
     surface_moved_ = true;
     return;
   }
-  MovedVertices there = moved_vertices(before.rest->positions, after.rest->positions);
-  RestChange rest{std::move(there.vertices), {}};
-  for (const Index v : rest.vertices) rest.positions[0].push_back(before.rest->positions[v]);
-  rest.positions[1] = std::move(there.positions);
-  rest_ = std::move(rest);
+  rest_ = {moved_vertices(after.rest->positions, before.rest->positions),
+           moved_vertices(before.rest->positions, after.rest->positions)};
   surface_moved_ = positions_of(before) != positions_of(after);
 }
 
@@ -98,20 +81,16 @@ bool Change::is_nothing() const {
            viewer::is_nothing(change.vertices);
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
-         std::all_of(handles_.begin(), handles_.end(), same) && !falloffs_ && !mirror_ &&
-         !mirrored_ && !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !carried_ &&
-         !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
+         std::ranges::all_of(handles_, same) && !falloffs_ && !mirror_ && !mirrored_ &&
+         !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !carried_ && !rest_ &&
+         !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
 bool Change::concerns_surface() const {
   // A commit moves the rest shape to where the surface was already.
   if (rest_ || triangles_) return surface_moved_;
   // A handle that comes or goes without having moved changes the list of moves only.
-  const auto moves_any = [](const std::vector<HandleMove>& moves) {
-    return std::any_of(moves.begin(), moves.end(),
-                       [](const HandleMove& to) { return !to.is_at_rest(); });
-  };
-  return settled_ || (moves_ && (moves_any((*moves_)[0]) || moves_any((*moves_)[1])));
+  return settled_ || (moves_ && (any_moved((*moves_)[0]) || any_moved((*moves_)[1])));
 }
 
 void Change::replace(ChosenRegion& region, const RegionChange& change, std::size_t from,
@@ -143,51 +122,12 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
   if (carried_) state.carried = (*carried_)[to];
   if (rest_) {
     auto mesh = std::make_shared<Mesh>(*state.rest);
-    for (std::size_t k = 0; k < rest_->vertices.size(); ++k) {
-      mesh->positions[rest_->vertices[k]] = rest_->positions[to][k];
-    }
+    place((*rest_)[to], mesh->positions);
     set_rest(state, std::move(mesh));
   }
   if (triangles_) set_rest(state, (*triangles_)[to]);
   state.steps.resize(kept_steps_);
   state.steps.insert(state.steps.end(), steps_[to].begin(), steps_[to].end());
-}
-
-std::size_t Change::bytes() const {
-  const auto bytes_of_region = [](const RegionChange& change) {
-    return sizeof change + bytes_of(change.added) + bytes_of(change.removed) +
-           bytes_of(change.vertices);
-  };
-  std::size_t total = sizeof *this + bytes_of_region(roi_) + bytes_of_region(belt_);
-  for (const RegionChange& handle : handles_) total += bytes_of_region(handle);
-  constexpr std::size_t kPosition = sizeof(Eigen::Vector3d);
-  if (falloffs_) {
-    for (const auto& falloffs : *falloffs_) {
-      for (const Falloff& falloff : falloffs) total += falloff.field.size() * sizeof(double);
-    }
-  }
-  if (settled_) {
-    // Each result is in two changes: the one that set it and the one that replaced it.
-    for (const Settled& result : *settled_) {
-      if (!result) continue;
-      total += result->vertices.size() * (sizeof(Index) + kPosition) / 2;
-      for (const auto& file : result->carried) total += file->positions().size() * kPosition / 2;
-    }
-  }
-  if (carried_) {
-    // The results hold the positions after each step.
-    for (const auto& objects : *carried_) {
-      for (const CarriedObject& object : objects) {
-        total += object.opened->positions().size() * kPosition / 2;
-      }
-    }
-  }
-  if (rest_) total += rest_->vertices.size() * (sizeof(Index) + 2 * kPosition);
-  if (triangles_) {
-    // Each mesh is in two changes, like a result.
-    for (const auto& mesh : *triangles_) total += bytes_of(*mesh) / 2;
-  }
-  return total;
 }
 
 }  // namespace lapwing::viewer

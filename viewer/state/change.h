@@ -8,9 +8,7 @@
 namespace lapwing::viewer {
 
 /// The changes of the state by one step, enough to go in either direction: differences of sets, and
-/// positions of moved vertices. If the triangles change, it keeps both meshes with their
-/// topologies, a few hundred bytes per vertex of each. Consecutive steps share the mesh between
-/// them.
+/// positions of moved vertices. If the triangles change, it keeps both meshes.
 class Change {
  public:
   Change() = default;
@@ -23,9 +21,6 @@ class Change {
   /// `redo` takes a state from before the step to after it; `undo` takes it back.
   void redo(AppState& state) const { replace(state, 0, 1); }
   void undo(AppState& state) const { replace(state, 1, 0); }
-
-  /// Returns about how much memory it uses.
-  std::size_t bytes() const;
 
  private:
   // The values before and after; not set if they are equal.
@@ -40,10 +35,6 @@ class Change {
     SetChange added;
     SetChange removed;
     SetChange vertices;
-  };
-  struct RestChange {
-    std::vector<Index> vertices;
-    std::array<Positions, 2> positions;
   };
   using Settled = std::shared_ptr<const MovedVertices>;
   using Steps = std::vector<std::shared_ptr<const Step>>;
@@ -66,7 +57,7 @@ class Change {
   Both<std::vector<HandleMove>> moves_;
   Both<Settled> settled_;
   Both<std::vector<CarriedObject>> carried_;
-  std::optional<RestChange> rest_;
+  Both<MovedVertices> rest_;                     // positions of the vertices that differ
   Both<std::shared_ptr<const Mesh>> triangles_;  // instead of `rest_`
   bool surface_moved_ = false;                   // by the change of the rest shape
   std::size_t kept_steps_ = 0;

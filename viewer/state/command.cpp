@@ -7,10 +7,10 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/modifiers/mirror.h"
+#include "lapwing/recipe/step.h"
 #include "lapwing/region/joined_regions.h"
-#include "lapwing/step/step.h"
-#include "state/step_text.h"
 #include "state/waypoints.h"
+#include "state/whole_step.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -70,17 +70,15 @@ void choose_seams_anew(AppState& state) {
 }
 
 std::vector<CarriedObject>::iterator find_carried(AppState& state, const fs::path& file) {
-  return std::find_if(state.carried.begin(), state.carried.end(),
-                      [&](const CarriedObject& object) { return object.file() == file; });
+  return std::ranges::find(state.carried, file, &CarriedObject::file);
 }
 
 // Returns whether an earlier step carries the file, so that a run of the recipe opens and saves it.
 bool was_carried(const AppState& state, const fs::path& file) {
-  return std::any_of(state.steps.begin(), state.steps.end(), [&](const auto& step) {
+  return std::ranges::any_of(state.steps, [&](const auto& step) {
     const auto* deform = std::get_if<DeformRequest>(step.get());
     return deform != nullptr &&
-           std::any_of(deform->carry.begin(), deform->carry.end(),
-                       [&](const CarrySpec& spec) { return spec.file == file; });
+           std::ranges::find(deform->carry, file, &CarrySpec::file) != deform->carry.end();
   });
 }
 
@@ -113,9 +111,7 @@ void commit(AppState& state) {
 void take_over(AppState& state, const MovedVertices& moved) {
   require_vertices(state, moved.vertices);
   auto mesh = std::make_shared<Mesh>(*state.rest);
-  for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
-    mesh->positions[moved.vertices[k]] = moved.positions[k];
-  }
+  place(moved, mesh->positions);
   set_rest(state, std::move(mesh));
   take_over(state, moved.carried);
   carry_selection_over(state);
@@ -137,6 +133,12 @@ VertexSet both_sides(const VertexSet& roi, const AppState& state) {
   return unite(roi, mirrored(roi, images));
 }
 
+void erase_handle(AppState& state, std::size_t handle) {
+  const auto offset = static_cast<std::ptrdiff_t>(handle);
+  state.selection.handles.erase(state.selection.handles.begin() + offset);
+  state.moves.erase(state.moves.begin() + offset);
+}
+
 // Removes vertices outside the ROI from handles and belt, because they could not move with it.
 // Without an ROI they stay.
 void let_go_outside_roi(AppState& state) {
@@ -146,9 +148,8 @@ void let_go_outside_roi(AppState& state) {
     return !subtract(region.vertices, held).empty();
   };
   const bool belt_leaves = !selection.belt_fraction && leaves(selection.belt, roi);
-  const bool handle_leaves =
-      std::any_of(selection.handles.begin(), selection.handles.end(),
-                  [&](const ChosenHandle& handle) { return leaves(handle, roi); });
+  const bool handle_leaves = std::ranges::any_of(
+      selection.handles, [&](const ChosenHandle& handle) { return leaves(handle, roi); });
   if (roi.empty() || (!belt_leaves && !handle_leaves)) return;
   const VertexSet held = both_sides(roi, state);
   for (std::size_t h = selection.handles.size(); h-- > 0;) {
@@ -156,9 +157,7 @@ void let_go_outside_roi(AppState& state) {
     if (!leaves(handle, held)) continue;
     VertexSet inside = intersect(handle.vertices, held);
     if (inside.empty()) {
-      const auto offset = static_cast<std::ptrdiff_t>(h);
-      selection.handles.erase(selection.handles.begin() + offset);
-      state.moves.erase(state.moves.begin() + offset);
+      erase_handle(state, h);
     } else {
       handle = repainted(handle, std::move(inside));
     }
@@ -218,9 +217,7 @@ struct Applier {
   void operator()(const RemoveHandle& command) const {
     require_handle(state, command.handle);
     commit(state);
-    const auto offset = static_cast<std::ptrdiff_t>(command.handle);
-    state.selection.handles.erase(state.selection.handles.begin() + offset);
-    state.moves.erase(state.moves.begin() + offset);
+    erase_handle(state, command.handle);
     renew_belt(state.selection, *state.rest, joined_seams(state));
   }
   void operator()(const SetBeltWidth& command) const {
@@ -349,20 +346,11 @@ struct Applier {
   }
 };
 
-// Whether a command may change the surface, the selection or the parameters. The mirrored edit
-// depends on these and is computed again. A revised state has its own.
-struct ChangesChoice {
-  template <class Any>
-  bool operator()(const Any&) const {
-    return true;
-  }
-  bool operator()(const MoveHandle&) const { return false; }
-  bool operator()(const MoveHandles&) const { return false; }
-  bool operator()(const Settle&) const { return false; }
-  bool operator()(const CarryAlong&) const { return false; }
-  bool operator()(const StopCarrying&) const { return false; }
-  bool operator()(const Revise&) const { return false; }
-};
+// Returns whether a command may change what the mirrored edit depends on: surface, selection or
+// parameters. A revised state has its own.
+bool changes_choice(const Command& command) {
+  return !is_one_of<MoveHandle, MoveHandles, Settle, CarryAlong, StopCarrying, Revise>(command);
+}
 
 std::string name_of(const Part& part) {
   if (part.role == Part::Role::roi) return "ROI";
@@ -405,8 +393,9 @@ struct CommandDescriber {
     const Falloff& falloff = command.falloff;
     const std::string of = "handle " + std::to_string(command.handle + 1);
     if (!falloff.field.empty()) return of + ": painted weights";
-    if (!falloff.transition) return of + with_number(": weight %.4g", falloff.weight);
-    return of + with_number(": falloff %.4g", falloff.transition->width);
+    if (falloff.transition) return of + with_number(": falloff %.4g", falloff.transition->width);
+    if (falloff.weight) return of + with_number(": weight %.4g", *falloff.weight);
+    return of + ": no weight";
   }
   std::string operator()(const RemoveHandle& command) const {
     return "remove handle " + std::to_string(command.handle + 1);
@@ -440,19 +429,15 @@ struct CommandDescriber {
 }  // namespace
 
 AppState apply(AppState state, const Command& command) {
-  // Renewing the mirrored edit takes up to a second, so compare with a copy first.
-  const bool changes_choice = std::visit(ChangesChoice{}, command);
-  if (!state.mirrored || !changes_choice) {
+  if (!changes_choice(command)) {
     std::visit(Applier{state}, command);
-    if (changes_choice) renew_mirror(state);
     return state;
   }
-  const std::shared_ptr<const Mesh> surface = surface_of(state);
-  const EditSelection selection = state.selection;
-  const EditParameters parameters = state.parameters;
+  // Renewing the mirrored edit takes up to a second, so compare with a copy first.
+  const AppState before = state;
   std::visit(Applier{state}, command);
-  const bool same = surface_of(state) == surface && state.selection == selection &&
-                    state.parameters == parameters;
+  const bool same = before.mirrored && surface_of(state) == surface_of(before) &&
+                    state.selection == before.selection && state.parameters == before.parameters;
   if (!same) renew_mirror(state);
   return state;
 }

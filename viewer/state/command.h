@@ -51,10 +51,8 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
-/// Moves the handle from its rest position; `to_move` converts a motion and a turn to a move. The
-/// surface goes on from its current pose. The path of `to` holds the handle's waypoints since its
-/// last move. It extends the state's path, after that last move if this is far from the waypoint
-/// before.
+/// Moves the handle from its rest position. The path of `to` holds the waypoints since its last
+/// move and extends the state's path (`extend_path`).
 struct MoveHandle {
   std::size_t handle = 0;
   HandleMove to;
@@ -110,13 +108,17 @@ using Command = std::variant<Choose, Paint, SetFalloff, RemoveHandle, SetBeltWid
                              MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
                              CarryAlong, StopCarrying, Apply, Revise>;
 
+template <class... Kinds>
+bool is_one_of(const Command& command) {
+  return (std::holds_alternative<Kinds>(command) || ...);
+}
+
 /// Returns the state after `command`. Choosing, painting and applying first commit what is settled,
 /// so that parts are chosen on the visible surface. When the ROI changes, handles, and a belt
 /// chosen by hand, lose the vertices outside it. Moves, parameters, the belt's width and carried
-/// files require a new result from the same rest shape. Throws InputError if the state does not
-/// fit: a handle or carried file that does not exist, a result that nothing asked for or that is of
-/// another mesh, a choice, step or commit while a drag waits for its result; and what `resolve`
-/// throws. Has no side effects.
+/// files require a new result from the same rest shape. Throws what `resolve` throws, and
+/// InputError if the command does not fit the state, such as a choice while a drag waits for its
+/// result.
 AppState apply(AppState state, const Command& command);
 
 /// Returns the command's name in the history panel: "ROI: disk", "move handle 1", "settle".

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lapwing/step/step.h"
-#include "state/step_text.h"
+#include "lapwing/run/run_step.h"
+#include "state/whole_step.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -60,11 +60,10 @@ std::optional<MirrorPlane> plane_of(const DeformRequest& step, const Mesh& surfa
 
 // Returns whether the step's regions are chosen already.
 bool is_chosen(const AppState& state, const DeformRequest& step) {
-  DeformRequest there = open_step(state);
-  if (there.roi != step.roi || there.belt != step.belt) return false;
-  return std::equal(
-      there.handles.begin(), there.handles.end(), step.handles.begin(), step.handles.end(),
-      [](const MovedHandle& a, const MovedHandle& b) { return a.region == b.region; });
+  const DeformRequest there = open_step(state);
+  return there.roi == step.roi && there.belt == step.belt &&
+         std::ranges::equal(there.handles, step.handles, {}, &MovedHandle::region,
+                            &MovedHandle::region);
 }
 
 void grade_handles(History& history, const DeformRequest& step) {
@@ -126,17 +125,12 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress) {
 
 void carry_along(History& history, const std::vector<CarrySpec>& files) {
   const std::vector<CarriedObject> before = history.state().carried;
-  const auto has = [](const auto& all, const auto& is_it) {
-    return std::any_of(all.begin(), all.end(), is_it);
-  };
   for (const CarriedObject& object : before) {
-    const auto is_named = [&](const CarrySpec& spec) { return spec.file == object.file(); };
-    if (object.follows && !has(files, is_named)) history.perform(StopCarrying{object.file()});
+    const bool is_named = std::ranges::find(files, object.file(), &CarrySpec::file) != files.end();
+    if (object.follows && !is_named) history.perform(StopCarrying{object.file()});
   }
   for (const CarrySpec& spec : files) {
-    const auto at = std::find_if(before.begin(), before.end(), [&](const CarriedObject& object) {
-      return object.file() == spec.file;
-    });
+    const auto at = std::ranges::find(before, spec.file, &CarriedObject::file);
     if (at == before.end()) {
       history.perform(CarryAlong{open_carried(spec.file, spec.save)});
       continue;
@@ -196,7 +190,7 @@ void perform(History& history, const Recipe& recipe, const CarryOut& carry_out) 
   }
 }
 
-History restore(AppState start, const Draft& draft, const CarryOut& carry_out) {
+History from_draft(AppState start, const Draft& draft, const CarryOut& carry_out) {
   History history(std::move(start));
   for (const Step& step : draft.steps) perform(history, step, carry_out);
   perform(history, draft.open, draft.settled ? carry_out.solve : Solve{});

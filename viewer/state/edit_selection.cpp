@@ -79,10 +79,12 @@ void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface*
   if (!selection.belt_fraction) return;
   VertexSet belt;
   if (!selection.roi.vertices.empty()) {
-    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices,
-                               joined == nullptr ? mesh : joined->surface);
+    std::vector<VertexSet> handles;
+    for (const ChosenHandle& handle : selection.handles) handles.push_back(fully_held(handle));
+    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices, handles,
+                               joined == nullptr ? mesh : joined->surface)
+               .vertices;
   }
-  for (const ChosenRegion& handle : selection.handles) belt = subtract(belt, handle.vertices);
   selection.belt = painted(std::move(belt));
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lapwing/deform/modifiers/mirror.h"
-#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/mesh/seams.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/falloff.h"
 #include "lapwing/region/region_spec.h"
@@ -51,11 +51,6 @@ struct ChosenHandle : ChosenRegion {
 /// Returns the vertices that the handle holds with full weight. It turns and scales about them.
 VertexSet fully_held(const ChosenHandle& handle);
 
-struct EditSelection;
-/// Returns the vertices that handles hold with less than full weight, as `resolve_edit_region`
-/// finds them, without hard targets.
-std::vector<FalloffVertex> falloff_vertices(const EditSelection& selection, const Mesh& mesh);
-
 /// The regions of the next edit. Any of them may still be missing.
 struct EditSelection {
   ChosenRegion roi;
@@ -72,6 +67,10 @@ struct EditSelection {
 /// Fits a belt that is given by its width to the ROI and the handles. A belt chosen by hand stays.
 /// The cost is linear in the ROI, besides that of the geodesic distances.
 void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined = nullptr);
+
+/// Returns the vertices that handles hold with less than full weight, as `resolve_edit_region`
+/// finds them, without hard targets.
+std::vector<FalloffVertex> falloff_vertices(const EditSelection& selection, const Mesh& mesh);
 
 BeltSpec belt_spec(const EditSelection& selection);
 std::vector<HandleSpec> handle_specs(const EditSelection& selection);

@@ -99,10 +99,4 @@ bool History::unsaved() const {
   return false;
 }
 
-std::size_t History::bytes() const {
-  std::size_t total = 0;
-  for (const Recorded& step : steps_) total += step.name.size() + step.change.bytes();
-  return total;
-}
-
 }  // namespace lapwing::viewer

@@ -18,7 +18,6 @@ enum class Joining {
 };
 
 /// The state and the steps that led to it. Every step can be undone and redone, also after saving.
-/// A step takes memory only for what it changed.
 class History {
  public:
   explicit History(AppState start);
@@ -26,8 +25,8 @@ class History {
   const AppState& state() const { return state_; }
 
   /// Carries out `command` and drops undone steps. A command that changes nothing adds no step. A
-  /// result that the state waits for joins the step that asked for it and keeps that step's name;
-  /// undone steps then stay. Throws what `apply` throws, without any change.
+  /// result that the state waits for joins the step that asked for it, and undone steps stay.
+  /// Throws what `apply` throws, without any change.
   void perform(const Command& command, Joining joining = Joining::own_step);
 
   bool can_undo() const { return done_ > 0; }
@@ -53,9 +52,6 @@ class History {
   void mark_unsaved() { saved_at_.reset(); }
   /// Returns whether the surface differs from the one saved last or, before that, opened.
   bool unsaved() const;
-
-  /// Returns about how much memory the steps use.
-  std::size_t bytes() const;
 
  private:
   struct Recorded {

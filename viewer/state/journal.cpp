@@ -16,7 +16,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/json/parse_json.h"
-#include "state/append_file.h"
 #include "state/user_folder.h"
 #include "state/waypoints.h"
 
@@ -25,6 +24,33 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(file, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return true;
+}
+
+// Appends `bytes` and flushes them to the disk. On failure returns false, with errno set, and
+// restores the file's length, because a partial line would spoil those after it.
+bool append_to(FileDescriptor& file, std::string_view bytes) {
+  const off_t before = ::lseek(file.get(), 0, SEEK_END);
+  if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return true;
+  const int error = errno;
+  if (::ftruncate(file.get(), before) != 0) file.close();
+  errno = error;
+  return false;
+}
+
+// Without this a power cut may lose a new file of the folder.
+void flush_folder(const fs::path& folder) {
+  const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (file.is_open()) ::fsync(file.get());
+}
 
 constexpr int kJournalVersion = 3;
 constexpr int kOldestVersion = 2;  // without results
@@ -56,8 +82,7 @@ DeformRequest with_handle(DeformRequest step) {
 }
 
 std::size_t common_steps(const Draft& a, const Draft& b) {
-  const auto differ = std::mismatch(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end());
-  return static_cast<std::size_t>(differ.first - a.steps.begin());
+  return static_cast<std::size_t>(std::ranges::mismatch(a.steps, b.steps).in1 - a.steps.begin());
 }
 
 Json difference(const Draft& last, const Draft& next) {
@@ -117,13 +142,8 @@ MeshStamp stamp_from(const Json& json) {
 // Returns complete lines only: the last one may have been cut short.
 std::vector<std::string> lines_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
   std::vector<std::string> lines;
-  std::size_t start = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
+  for (std::string line; std::getline(in, line) && !in.eof();) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -142,8 +162,7 @@ Json json_of(std::uint64_t key, const KeptResult& where) {
 
 // A step in substeps or without settling gives the same bits when it is carried out again.
 bool wants_result(const AppState& state) {
-  return state.settled && state.parameters.settle &&
-         !goes_in_substeps(state.parameters, state.moves);
+  return state.settled && state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
 
 int create_locked(const fs::path& folder, fs::path& path) {
@@ -201,8 +220,8 @@ void Journal::record(const AppState& state) {
 void Journal::keep_result(const Draft& draft, const MovedVertices& result) {
   if (!open_results()) return;
   const auto start = static_cast<std::uint64_t>(::lseek(results_.get(), 0, SEEK_END));
-  if (!viewer::append(results_, bytes_of(result))) return;
-  viewer::append(file_, line_of(json_of(result_key(draft), {start, result.vertices.size()})));
+  if (!append_to(results_, bytes_of(result))) return;
+  append_to(file_, line_of(json_of(result_key(draft), {start, result.vertices.size()})));
 }
 
 bool Journal::open_results() {
@@ -219,7 +238,7 @@ void Journal::keep_results_of(const InterruptedEdit& edit) {
   fs::copy_file(results_of(edit.journal), results_of(path_), error);
   if (error || !open_results() || ::fsync(results_.get()) != 0) return;
   for (const auto& [key, where] : edit.results) {
-    viewer::append(file_, line_of(json_of(key, where)));
+    append_to(file_, line_of(json_of(key, where)));
   }
 }
 
@@ -245,14 +264,13 @@ void Journal::close() {
 }
 
 void Journal::append(const std::string& line) {
-  // `append` removes a partial line, which would spoil those after it.
-  if (!viewer::append(file_, line)) fail(path_, errno);
+  if (!append_to(file_, line)) fail(path_, errno);
 }
 
 std::size_t InterruptedEdit::step_count() const {
-  const bool is_moved =
-      std::any_of(draft.open.handles.begin(), draft.open.handles.end(),
-                  [](const MovedHandle& handle) { return handle.move != Move(SimilarityMove{}); });
+  const bool is_moved = std::ranges::any_of(draft.open.handles, [](const MovedHandle& handle) {
+    return handle.move != Move(SimilarityMove{});
+  });
   return draft.steps.size() + (is_moved ? 1 : 0);
 }
 
@@ -317,8 +335,7 @@ std::vector<InterruptedEdit> find_interrupted(const fs::path& folder) {
       edits.push_back(*std::move(edit));
     }
   }
-  std::stable_sort(edits.begin(), edits.end(),
-                   [](const auto& a, const auto& b) { return a.last_step > b.last_step; });
+  std::ranges::stable_sort(edits, std::greater{}, &InterruptedEdit::last_step);
   return edits;
 }
 

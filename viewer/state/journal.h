@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/file_bytes.h"
 #include "state/draft.h"
 #include "state/kept_results.h"
 
@@ -31,13 +31,11 @@ struct InterruptedEdit;
 
 /// An append-only record of one edit, so that a crash loses no step. Each line is JSON: first the
 /// mesh, then what each step changed in the draft, and where its settled surface is in the results
-/// file (kept_results.h). When `record` returns, the step is on the disk; so is its surface, unless
-/// writing it failed.
+/// file (kept_results.h). When `record` returns, the step is on the disk.
 class Journal {
  public:
-  /// Starts a journal in `folder`, creates the folder if it is missing, and locks the journal while
-  /// it is open. Throws IoError if it cannot be written, and InputError if the mesh's name is not
-  /// UTF-8.
+  /// Starts a journal in `folder`, which is created if it is missing, and locks the journal while
+  /// it is open. Throws IoError, and InputError if the mesh's name is not UTF-8.
   Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -50,11 +48,10 @@ class Journal {
   /// Copies the results of an edit that is restored. Call before the first `record`.
   void keep_results_of(const InterruptedEdit& edit);
 
-  /// Call this before the result replaces the mesh file. Keeps a copy of the file beside the
-  /// journal, because the steps start from it. Does nothing after the first time. Throws IoError.
+  /// Copies the mesh file beside the journal, because the steps start from it. Call this before the
+  /// result replaces the file. Does nothing after the first time. Throws IoError.
   void keep_mesh() { keep_mesh(mesh_.path); }
-  /// The same if the file was replaced before, so that the steps start from `mesh`. `mesh` may be
-  /// deleted then. Throws IoError.
+  /// The same if the file was replaced before and the steps start from `mesh`.
   void keep_mesh(const std::filesystem::path& mesh);
 
   /// Ends the edit, saved or given up: deletes the journal and the files beside it.
@@ -81,15 +78,14 @@ struct InterruptedEdit {
   std::filesystem::path opened;               ///< the mesh file that was opened
   MeshStamp mesh;                             ///< where the steps start: that file, or a copy of it
   bool mesh_is_unchanged = false;             ///< whether the file still matches `mesh`
-  Draft draft;                                ///< for `restore`
+  Draft draft;                                ///< for `restore_after_crash`
   KeptResults results;                        ///< in the results file
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
   /// Returns whether the file was saved over, so that `mesh` is a copy of the original.
   bool has_copy() const { return mesh.path != opened; }
-  /// Returns the number of edits in the recipe: the committed ones, and the open one if a handle is
-  /// moved.
+  /// Returns the number of committed edits, plus the open one if a handle is moved.
   std::size_t step_count() const;
 };
 
@@ -104,8 +100,7 @@ std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
 /// have ended.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
-/// Deletes the files of an edit that was given up, or that was restored and has a new journal
-/// (EditSession writes it).
+/// Deletes the files of an edit that was given up, or that was restored and has a new journal.
 void discard(const InterruptedEdit& edit);
 
 }  // namespace lapwing::viewer

@@ -10,8 +10,8 @@
 
 namespace lapwing::viewer {
 
-// Beside a journal, a results file holds the surfaces that its deforms settled to. Carrying a drag
-// out again along its path ends in the same minimum, but not in the same bits.
+// Beside a journal, a results file holds the surfaces that its deforms settled to, because carrying
+// out a drag again does not end in the same bits.
 
 /// The place of one result in the results file.
 struct KeptResult {

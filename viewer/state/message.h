@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/errors.h"
+
 namespace lapwing::viewer {
 
 /// How much attention a message needs.
@@ -29,5 +31,17 @@ struct Message {
 
 /// Shows a message to the user. An empty one clears the last.
 using Say = std::function<void(Message)>;
+
+/// Runs `act` and shows the Error that it throws. Returns whether it succeeded.
+template <class Act>
+bool say_errors(const Say& say, const Act& act) {
+  try {
+    act();
+    return true;
+  } catch (const Error& error) {
+    say(Message(error));
+    return false;
+  }
+}
 
 }  // namespace lapwing::viewer

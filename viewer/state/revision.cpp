@@ -39,10 +39,8 @@ Revision revision_of(const History& history, std::size_t index, const Step& step
     throw InputError("there is no step " + std::to_string(index + 1) + " to change, only " +
                      std::to_string(count));
   }
-  AppState start = apply(history.last_state([&](const AppState& state) {
-    return leads_to(state, draft.steps, index);
-  }),
-                         Commit{});
+  const auto is_before = [&](const AppState& state) { return leads_to(state, draft.steps, index); };
+  AppState start = apply(history.last_state(is_before), Commit{});
   const std::size_t done = start.steps.size();
   if (index < draft.steps.size()) {
     draft.steps[index] = step;

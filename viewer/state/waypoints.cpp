@@ -56,7 +56,7 @@ bool is_jump(const Move& from, const Move& to) {
   return (turn_vector(to) - turn_vector(from)).norm() > kJump;
 }
 
-bool goes_in_substeps(const EditParameters& parameters, std::span<const HandleMove> moves) {
+bool uses_substeps(const EditParameters& parameters, std::span<const HandleMove> moves) {
   double degrees = 0.0;
   bool has_path = false;
   for (const HandleMove& to : moves) {
@@ -88,7 +88,7 @@ void WaypointRecorder::add(const Move& move) {
 }
 
 void extend_path(AppState& state, std::size_t handle, const HandleMove& to) {
-  bool goes_on = !goes_in_substeps(state.parameters, state.moves);
+  bool goes_on = !uses_substeps(state.parameters, state.moves);
   Move last = state.moves[handle].move;
   for (const Move& waypoint : to.path)
     goes_on = goes_on && !is_jump(std::exchange(last, waypoint), waypoint);

@@ -3,26 +3,26 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/step/deform_step.h"
+#include "lapwing/recipe/step.h"
 #include "state/app_state.h"
 
 namespace lapwing::viewer {
 
 /// Returns whether the moves are made in substeps, each the rest shape of the next: if the
 /// parameters say so, or if a handle turns far and has no path.
-bool goes_in_substeps(const EditParameters& parameters, std::span<const HandleMove> moves);
+bool uses_substeps(const EditParameters& parameters, std::span<const HandleMove> moves);
 
 /// Returns the diagonal of the ROI at rest, the unit of distances. Linear in its vertices.
 double region_size(const AppState& state);
 
-/// Returns whether the surface may need a waypoint between the moves to end in the same minimum.
-/// This is so if the handle turns by 30 degrees or more, moves by a tenth of the region's size or
-/// more, or stretches by a quarter or more.
+/// Returns whether the surface may need a waypoint between the moves to end in the same minimum: if
+/// the handle turns by 30 degrees, moves by a tenth of the region's size, or stretches by a
+/// quarter.
 bool are_far_apart(const Move& from, const Move& to, const Eigen::Vector3d& handle_centroid,
                    double region_size);
 
-/// Returns whether a handle turns by more than 90 degrees between the moves. The way between them
-/// is then ambiguous, and the surface does not go on from its pose.
+/// Returns whether a handle turns by more than 90 degrees between the moves, so that the way
+/// between them is ambiguous.
 bool is_jump(const Move& from, const Move& to);
 
 /// Selects waypoints from the successive moves of a gesture: each is far from the one before, the

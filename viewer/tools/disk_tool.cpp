@@ -1,13 +1,15 @@
 #include "tools/disk_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/region/geodesic.h"
-#include "tools/hidden_place.h"
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
@@ -41,7 +43,75 @@ Vector3d barycentric(const Vector3d& a, const Vector3d& b, const Vector3d& c, co
   return {u, v, 1.0 - u - v};
 }
 
+constexpr std::size_t kGripCount = 8;
+constexpr double kGripReachPt = 8.0;
+
+Vector3d normal_of(const Triangle& t, std::span<const Vector3d> positions) {
+  const Vector3d ab = positions[t[1]] - positions[t[0]];
+  return ab.cross(positions[t[2]] - positions[t[0]]).stableNormalized();
+}
+
+// Returns two perpendicular unit tangents of the surface at a vertex.
+std::array<Vector3d, 2> directions_at(Index vertex, const Topology& topology,
+                                      std::span<const Vector3d> positions) {
+  Vector3d normal = Vector3d::Zero();
+  for (const Index t : topology.vertex_triangles[vertex]) {
+    normal += normal_of(topology.triangles[t], positions);
+  }
+  if (normal.squaredNorm() == 0.0) normal = Vector3d::UnitZ();
+  const Vector3d across = normal.unitOrthogonal();
+  return {across, normal.cross(across).normalized()};
+}
+
+// Returns the index of the nearest grip that faces the eye within a few points of `pixel`.
+std::optional<std::size_t> grip_at(std::span<const RimGrip> grips, const Vector2d& pixel,
+                                   const Projection& projection) {
+  std::optional<std::size_t> nearest;
+  double least = projection.in_pixels(kGripReachPt);
+  for (std::size_t k = 0; k < grips.size(); ++k) {
+    if (!grips[k].faces_eye(projection)) continue;
+    const auto place = projection.to_pixel(grips[k].position);
+    if (!place || (*place - pixel).norm() >= least) continue;
+    least = (*place - pixel).norm();
+    nearest = k;
+  }
+  return nearest;
+}
+
 }  // namespace
+
+std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Vector3d> positions,
+                               std::span<const double> distances, Index center, double radius) {
+  const auto [across, up] = directions_at(center, topology, positions);
+  struct Sector {
+    double off = std::numeric_limits<double>::infinity();  // angle from its middle, in sectors
+    RimGrip grip;
+  };
+  std::array<Sector, kGripCount> sectors;
+  for (const Triangle& t : topology.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = t[k];
+      const Index b = t[(k + 1) % 3];
+      if ((distances[a] <= radius) == (distances[b] <= radius)) continue;
+      if (!std::isfinite(distances[a]) || !std::isfinite(distances[b])) continue;
+      const double share = (radius - distances[a]) / (distances[b] - distances[a]);
+      const Vector3d place = positions[a] + share * (positions[b] - positions[a]);
+      const Vector3d from_center = place - positions[center];
+      const double turn =
+          std::atan2(from_center.dot(up), from_center.dot(across)) / (2.0 * std::numbers::pi);
+      const double at = (turn < 0.0 ? turn + 1.0 : turn) * kGripCount;
+      const double nearest = std::round(at);
+      Sector& sector = sectors[static_cast<std::size_t>(nearest) % kGripCount];
+      if (std::abs(at - nearest) >= sector.off) continue;
+      sector = {std::abs(at - nearest), {place, normal_of(t, positions)}};
+    }
+  }
+  std::vector<RimGrip> grips;
+  for (const Sector& sector : sectors) {
+    if (std::isfinite(sector.off)) grips.push_back(sector.grip);
+  }
+  return grips;
+}
 
 ToolAnswer DiskTool::handle(const InputEvent& event, const ToolScene& scene) {
   renew_grips(scene);
@@ -79,13 +149,10 @@ ToolAnswer DiskTool::drag(const InputEvent& event, const ToolScene& scene) {
   dragging_ = false;
   if (!size_before_) {
     has_moved_ = follows_hand_;
-    return chosen();
+    return chosen(false);
   }
   size_before_.reset();
-  if (!follows_hand_) return ToolAnswer::only_taken();
-  ToolAnswer answer = chosen();
-  answer.resizes = true;
-  return answer;
+  return follows_hand_ ? chosen(true) : ToolAnswer::only_taken();
 }
 
 // A disk that a grip was resizing gets its old radius back.
@@ -108,8 +175,7 @@ std::optional<std::size_t> DiskTool::grip_at_cursor(const Vector2d& pixel,
   return at;
 }
 
-// Shows grips only if the surface is settled and the state still has this disk. It may have been
-// undone, painted on or replaced.
+// Shows grips only if the surface is settled and the state still has this disk.
 void DiskTool::renew_grips(const ToolScene& scene) {
   if (dragging_ || center_ == kNoIndex || needs_settling(scene.state) ||
       !is_chosen(scene.state.selection)) {
@@ -123,11 +189,7 @@ void DiskTool::renew_grips(const ToolScene& scene) {
 }
 
 bool DiskTool::is_chosen(const EditSelection& selection) const {
-  const bool is_handle = part_.role == Part::Role::handle;
-  if (is_handle && part_.handle >= selection.handles.size()) return false;
-  const ChosenRegion& region = is_handle                        ? selection.handles[part_.handle]
-                               : part_.role == Part::Role::belt ? selection.belt
-                                                                : selection.roi;
+  const ChosenRegion& region = region_of(selection, part_);
   const auto* disk = std::get_if<GeodesicDisk>(&region.made.form);
   return disk != nullptr && *disk == GeodesicDisk{center_, radius_} && region.added.empty() &&
          region.removed.empty();
@@ -148,9 +210,11 @@ void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const To
   part_ = scene.part;
   center_ = pick.vertex;
   start_ = pressed_ = event.position;
-  if (radius_ == 0.0) radius_ = kFirstRadius * bounds_of(scene.positions).diagonal();
-  distances_ =
-      geodesic_distances(surface_of(scene.state)->topology(), scene.positions, {&center_, 1});
+  const Topology& topology = surface_of(scene.state)->topology();
+  if (radius_ == 0.0) {
+    radius_ = kFirstRadius * bounds_of(surface_positions(scene.positions, topology)).diagonal();
+  }
+  distances_ = geodesic_distances(topology, scene.positions, {&center_, 1});
 }
 
 // Returns the geodesic distance if the cursor is on the surface, else the distance across the view.
@@ -166,16 +230,15 @@ double DiskTool::radius_at(const Vector2d& pixel, const ToolScene& scene) const 
   return (pixel - start_).norm() * scene.projection.length_of_pixel(scene.positions[center_]);
 }
 
-ToolAnswer DiskTool::chosen() const {
-  return {.taken = true, .command = Choose{part_, {GeodesicDisk{center_, radius_}, "disk"}}};
+ToolAnswer DiskTool::chosen(bool resizes) const {
+  return {.taken = true,
+          .command = Choose{part_, {GeodesicDisk{center_, radius_}, "disk"}},
+          .resizes = resizes};
 }
 
 ToolAnswer DiskTool::resized(double steps) {
   radius_ *= std::pow(kFactorOfSize, steps);
-  if (dragging_) return ToolAnswer::only_taken();
-  ToolAnswer answer = chosen();
-  answer.resizes = true;
-  return answer;
+  return dragging_ ? ToolAnswer::only_taken() : chosen(true);
 }
 
 const char* DiskTool::hint(const AppState& state, const Part& part) const {
@@ -189,10 +252,7 @@ const char* DiskTool::hint(const AppState& state, const Part& part) const {
 }
 
 ToolMarks DiskTool::marks() const {
-  ToolMarks marks;
-  marks.grips = grips_;
-  marks.grip = hovered_;
-  return marks;
+  return {.grips = grips_, .grip = hovered_};
 }
 
 VertexSet DiskTool::live() const {

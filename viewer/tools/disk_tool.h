@@ -7,33 +7,34 @@
 
 namespace lapwing::viewer {
 
+/// Returns at most eight grips where `distances` from vertex `center` reach `radius`, in evenly
+/// spaced directions. `distances` has one entry per vertex, infinity if it cannot be reached.
+std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+                               std::span<const double> distances, Index center, double radius);
+
 /// Chooses a geodesic disk: press on its centre and drag to its rim, or click. [ and ], Control +
-/// wheel, and the grips on its rim resize the last disk, even after the scene has gone on to
-/// another part. Escape cancels a drag.
+/// wheel, and the grips on its rim resize the last disk, even while another part is chosen next.
+/// Escape cancels a drag.
 class DiskTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return dragging_; }
   const char* hint(const AppState& state, const Part& part) const override;
-  /// The vertices in the disk while it is dragged.
   VertexSet live() const override;
   std::size_t count_with(const VertexSet& chosen) const override {
     return dragging_ ? live().size() : chosen.size();
   }
-  /// Whether the last disk was clicked, so that its radius is still to be chosen. False during a
-  /// drag and before the first disk.
+  /// Returns whether the last disk was clicked, so that its radius is still to be chosen.
   bool may_change_choice() const override {
     return center_ != kNoIndex && !dragging_ && !has_moved_;
   }
-  /// The grips of the last disk, if it is still chosen.
+  /// Returns the grips of the last disk, if it is still chosen.
   ToolMarks marks() const override;
   bool follows_cursor() const override { return hover_changed_; }
-  /// Whether a press at `pixel` would start to drag a grip.
+  /// Returns whether a press at `pixel` would start to drag a grip.
   bool is_at_grip(const Eigen::Vector2d& pixel, const ToolScene& scene);
 
-  double radius() const { return radius_; }
-
-  /// Forgets the last disk, because the surface has changed or a part was chosen by other means.
+  /// Forgets the last disk.
   void reset() { *this = {}; }
 
  private:
@@ -46,7 +47,7 @@ class DiskTool final : public SceneTool {
   std::optional<std::size_t> grip_at_cursor(const Eigen::Vector2d& pixel,
                                             const ToolScene& scene) const;
   bool is_chosen(const EditSelection& selection) const;
-  ToolAnswer chosen() const;
+  ToolAnswer chosen(bool resizes) const;
   ToolAnswer resized(double steps);
 
   bool dragging_ = false;

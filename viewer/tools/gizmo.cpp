@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/plane_geometry.h"
+#include "tools/screen_geometry.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -28,9 +28,6 @@ constexpr double kPlaneEnd = 0.5;
 constexpr double kAlongSight = 0.98;
 constexpr double kEdgeOn = 0.2;
 constexpr int kRingPoints = 64;
-
-constexpr std::array kAxes{GizmoPart::x, GizmoPart::y, GizmoPart::z};
-constexpr std::array kPlanes{GizmoPart::without_x, GizmoPart::without_y, GizmoPart::without_z};
 
 double distance_to_line(const Vector2d& p, const GizmoLine& line) {
   if (is_plane(line.part) && is_in_polygon(p, line.pixels)) return 0.0;
@@ -98,11 +95,10 @@ void GizmoLines::add_rings(const Gizmo& gizmo, double arm, const Projection& pro
   const Vector3d toward_eye = projection.toward_eye(gizmo.center);
   for (int a = 0; a < 3; ++a) {
     const HalfRing half(gizmo, a, toward_eye);
-    add(kAxes[static_cast<std::size_t>(a)], false, kRingPoints / 2 + 1, projection,
-        [&](int k) -> Vector3d {
-          const double angle = angle_of(k) - 0.5 * std::numbers::pi;
-          return gizmo.center + arm * (std::cos(angle) * half.front + std::sin(angle) * half.side);
-        });
+    add(part_of_axis(a, false), false, kRingPoints / 2 + 1, projection, [&](int k) -> Vector3d {
+      const double angle = angle_of(k) - 0.5 * std::numbers::pi;
+      return gizmo.center + arm * (std::cos(angle) * half.front + std::sin(angle) * half.side);
+    });
   }
   add_circle(*projection.to_pixel(gizmo.center), projection.in_pixels(kViewRingPt));
 }
@@ -112,7 +108,7 @@ void GizmoLines::add_arms(const Gizmo& gizmo, double arm, const Projection& proj
   for (int a = 0; a < 3; ++a) {
     const Vector3d axis = arm * gizmo.axes.col(a);
     if (std::abs(gizmo.axes.col(a).dot(toward_eye)) > kAlongSight) continue;
-    add(kAxes[static_cast<std::size_t>(a)], false, 2, projection,
+    add(part_of_axis(a, false), false, 2, projection,
         [&](int k) -> Vector3d { return gizmo.center + (k == 0 ? kArmStart : 1.0) * axis; });
   }
   constexpr std::array<double, 4> kAlong{kPlaneStart, kPlaneEnd, kPlaneEnd, kPlaneStart};
@@ -121,7 +117,7 @@ void GizmoLines::add_arms(const Gizmo& gizmo, double arm, const Projection& proj
     if (std::abs(gizmo.axes.col(a).dot(toward_eye)) < kEdgeOn) continue;
     const Vector3d u = arm * gizmo.axes.col((a + 1) % 3);
     const Vector3d v = arm * gizmo.axes.col((a + 2) % 3);
-    add(kPlanes[static_cast<std::size_t>(a)], true, 4, projection, [&](int k) -> Vector3d {
+    add(part_of_axis(a, true), true, 4, projection, [&](int k) -> Vector3d {
       const auto corner = static_cast<std::size_t>(k);
       return gizmo.center + kAlong[corner] * u + kAcross[corner] * v;
     });
@@ -141,24 +137,24 @@ void GizmoLines::renew(const Gizmo& gizmo, const Projection& projection) {
 }
 
 int axis_of(GizmoPart part) {
-  switch (part) {
-    case GizmoPart::x:
-    case GizmoPart::without_x:
-      return 0;
-    case GizmoPart::y:
-    case GizmoPart::without_y:
-      return 1;
-    case GizmoPart::z:
-    case GizmoPart::without_z:
-      return 2;
-    default:
-      return -1;
-  }
+  if (part == GizmoPart::none || part == GizmoPart::view) return -1;
+  return (static_cast<int>(part) - static_cast<int>(GizmoPart::x)) % 3;
 }
 
 bool is_plane(GizmoPart part) {
-  return part == GizmoPart::without_x || part == GizmoPart::without_y ||
-         part == GizmoPart::without_z;
+  return part >= GizmoPart::without_x && part <= GizmoPart::without_z;
+}
+
+GizmoPart part_of_axis(int axis, bool plane) {
+  const GizmoPart first = plane ? GizmoPart::without_x : GizmoPart::x;
+  return static_cast<GizmoPart>(static_cast<int>(first) + axis);
+}
+
+std::optional<GizmoMode> mode_of_key(int key) {
+  if (key == 'W') return GizmoMode::translate;
+  if (key == 'E') return GizmoMode::rotate;
+  if (key == 'Q') return GizmoMode::scale;
+  return std::nullopt;
 }
 
 GizmoPart hit_gizmo(const Gizmo& gizmo, const Projection& projection, const Vector2d& pixel) {

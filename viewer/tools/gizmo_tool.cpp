@@ -12,9 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Tolerance in degrees: a half turn that is typed is not too far.
-constexpr double kRoundingDegrees = 1e-6;
-
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
 void append_direction(std::string& text, GizmoPart part, GizmoMode mode, GizmoAxes axes) {
@@ -36,25 +33,11 @@ int axis_of_key(int key) {
   return key >= 'X' && key <= 'Z' ? key - 'X' : -1;
 }
 
-GizmoPart part_of_axis(int axis, bool plane) {
-  const auto first = plane ? GizmoPart::without_x : GizmoPart::x;
-  return static_cast<GizmoPart>(static_cast<int>(first) + axis);
-}
-
 // Returns the drag that a key begins.
 std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
   if (key == 'G') return GizmoMode::translate;
   if (key == 'S') return GizmoMode::scale;
   if (key == 'R' && keys != GizmoKeys::maya) return GizmoMode::rotate;
-  return std::nullopt;
-}
-
-// Returns the gizmo that a key selects.
-std::optional<GizmoMode> mode_of_key(int key, GizmoKeys keys) {
-  if (key == 'W') return GizmoMode::translate;
-  if (key == 'E') return GizmoMode::rotate;
-  if (key == 'Q') return GizmoMode::scale;
-  if (key == 'R' && keys == GizmoKeys::maya) return GizmoMode::scale;
   return std::nullopt;
 }
 
@@ -115,7 +98,8 @@ ToolAnswer GizmoTool::handle_key(const InputEvent& event, const ToolScene& scene
   if (drag_) return handle_drag_key(event, scene);
   // Control+S and similar shortcuts are not the gizmo's.
   if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
-  if (const auto mode = mode_of_key(event.key, scene.keys)) {
+  const bool scales_in_maya = event.key == 'R' && scene.keys == GizmoKeys::maya;
+  if (const auto mode = mode_of_key(scales_in_maya ? 'Q' : event.key)) {
     mode_ = *mode;
     return ToolAnswer::only_taken();
   }
@@ -224,7 +208,7 @@ void GizmoTool::renew(const ToolScene& scene) {
   recorder_.add(*move_);
   // A jump is solved in substeps.
   turns_too_far_ = !scene.state.parameters.commit_every && !recorder_.has_jumped() &&
-                   turn_of(*move_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
+                   exceeds_settled_turn(turn_of(*move_).degrees);
 }
 
 ToolAnswer GizmoTool::confirm(const ToolScene& scene) {

@@ -11,11 +11,10 @@
 namespace lapwing::viewer {
 
 /// Moves a handle. Drag a part of the gizmo, or press G, R or S and move the mouse. X, Y or Z keeps
-/// to an axis, with Shift to a plane; numbers can be typed. Control snaps. W, E and Q (R in Maya)
-/// choose the gizmo. Enter or a click ends a drag, Escape or the right button cancels it.
-///
-/// X, Y and Z follow the gizmo's axes. The same key again uses the other axes (local in place of
-/// the world's, else the world's), and once more frees the drag.
+/// to an axis of the gizmo, with Shift to a plane; the same key again uses the other axes (local in
+/// place of the world's, else the world's), and once more frees the drag. Numbers can be typed.
+/// Control snaps. W, E and Q (R in Maya) choose the gizmo. Enter or a click ends a drag, Escape or
+/// the right button cancels it.
 class GizmoTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -26,8 +25,8 @@ class GizmoTool final : public SceneTool {
   void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
   /// The handle's move during a drag.
   const std::optional<Move>& move() const { return move_; }
-  /// The handle's orientation after the drag. It is free in a pull of the handle itself, unless the
-  /// user has turned it before. The gizmo and keys keep it.
+  /// The handle's orientation after the drag. A pull of the handle itself leaves it free, unless
+  /// the user has turned it before.
   HandleOrientation orientation() const {
     return pulls_ ? HandleOrientation::free : HandleOrientation::kept;
   }
@@ -45,11 +44,8 @@ class GizmoTool final : public SceneTool {
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
   /// Returns the gizmo as drawn. It follows its handle.
   Gizmo gizmo(const AppState& state, std::size_t handle) const;
-  /// Whether the drag has turned the handle farther from rest than the surface is sure to follow at
-  /// once (kLargestSettledTurnDegrees), and nothing is committed on the way.
-  bool turns_too_far() const { return turns_too_far_; }
   /// Writes the status line of a drag, as in "turn 45 degrees about x", and what to do if it turns
-  /// too far.
+  /// farther than the surface is sure to follow (kLargestSettledTurnDegrees).
   void read_out(std::string& text) const;
 
  private:

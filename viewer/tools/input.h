@@ -41,10 +41,15 @@ struct InputEvent {
   InputKind kind = InputKind::move;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   MouseButton button = MouseButton::none;
-  Modifiers modifiers;
+  Modifiers modifiers = {};
   int key = 0;          ///< for key events, which are presses
   char32_t text = 0;    ///< for text events
   double scroll = 0.0;  ///< for scroll events; positive away from the user
 };
+
+/// Returns whether the event comes from the mouse rather than the keyboard.
+inline bool is_of_pointer(const InputEvent& event) {
+  return event.kind != InputKind::key && event.kind != InputKind::text;
+}
 
 }  // namespace lapwing::viewer

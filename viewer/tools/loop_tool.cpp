@@ -1,7 +1,7 @@
 #include "tools/loop_tool.h"
 
 #include "lapwing/base/errors.h"
-#include "lapwing/region/edge_path.h"
+#include "lapwing/region/geodesic.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -46,11 +46,7 @@ const char* LoopTool::hint(const AppState&, const Part& part) const {
 }
 
 ToolMarks LoopTool::marks() const {
-  ToolMarks marks;
-  marks.line = line();
-  marks.line_is_done = closed_;
-  marks.dots = corners_;
-  return marks;
+  return {.line = line(), .line_is_done = closed_, .dots = corners_};
 }
 
 ToolAnswer LoopTool::click(const InputEvent& event, const ToolScene& scene) {
@@ -122,6 +118,8 @@ bool LoopTool::is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) co
   return first && (*first - pixel).norm() < scene.projection.in_pixels(kClosingPt);
 }
 
+// Returns the vertices of the line so far, up to the cursor. A closed line ends with its first
+// vertex.
 std::vector<Index> LoopTool::line() const {
   std::vector<Index> line;
   const auto append = [&line](const std::vector<Index>& piece) {

@@ -17,11 +17,6 @@ class LoopTool final : public SceneTool {
   bool follows_cursor() const override { return !corners_.empty(); }
 
   const std::vector<Index>& corners() const { return corners_; }
-  /// Returns the vertices of the line so far, up to the cursor. A closed line ends with its first
-  /// vertex.
-  std::vector<Index> line() const;
-  bool is_closed() const { return closed_; }
-
   void reset() { *this = {}; }
 
  private:
@@ -31,6 +26,7 @@ class LoopTool final : public SceneTool {
   ToolAnswer choose_side(Index inside, const ToolScene& scene);
   void take_back();
   void hover(const Eigen::Vector2d& pixel, const ToolScene& scene);
+  std::vector<Index> line() const;
   bool is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) const;
 
   std::vector<Index> corners_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/screen_selection.h"
+#include "tools/screen_geometry.h"
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
@@ -88,10 +88,9 @@ VertexSet PaintTool::seen(VertexSet vertices, const ToolScene& scene) const {
 }
 
 ToolAnswer PaintTool::finish(const ToolScene& scene) {
-  ToolAnswer answer = ToolAnswer::only_taken();
-  answer.command = paint(scene.state, scene.part, touched_, erases());
+  auto command = paint(scene.state, scene.part, touched_, erases());
   give_up();
-  return answer;
+  return {.taken = true, .command = std::move(command)};
 }
 
 void PaintTool::give_up() {
@@ -121,10 +120,8 @@ std::size_t PaintTool::count_with(const VertexSet& chosen) const {
 }
 
 ToolMarks PaintTool::marks() const {
-  ToolMarks marks;
-  marks.outline = outline();
-  if (options_.shape == Shape::brush) marks.brush_pt = options_.radius_pt;
-  return marks;
+  return {.outline = outline(),
+          .brush_pt = options_.shape == Shape::brush ? options_.radius_pt : 0.0};
 }
 
 std::vector<Vector2d> PaintTool::outline() const {

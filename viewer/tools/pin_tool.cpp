@@ -1,15 +1,10 @@
 #include "tools/pin_tool.h"
 
-#include "tools/hidden_place.h"
-
 namespace lapwing::viewer {
 namespace {
 
 // Radius of a pin's dot, and a margin for the hand.
 constexpr double kPinReachPt = 9.0;
-
-// With weight 1, a single vertex lags behind the cursor by part of an edge length.
-constexpr double kPinWeight = 10.0;
 
 }  // namespace
 
@@ -45,9 +40,7 @@ ToolAnswer PinTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (!pick) return ToolAnswer::passed_on();
   const std::size_t next = scene.state.selection.handles.size();
   answer.holds = next;
-  answer.command = Choose{{Part::Role::handle, next},
-                          {ListedVertices{{pick->vertex}}, "pin"},
-                          Falloff{.weight = kPinWeight}};
+  answer.command = Choose{{Part::Role::handle, next}, {ListedVertices{{pick->vertex}}, "pin"}};
   return answer;
 }
 

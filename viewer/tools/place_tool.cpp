@@ -100,32 +100,18 @@ ToolAnswer PlaceTool::handle(const InputEvent& event, const ToolScene& scene) {
 ToolAnswer PlaceTool::handle_key(const InputEvent& event) {
   if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
   const bool down = stage_ == Stage::set_down;
-  switch (event.key) {
-    case kEscape:
-      escape();
-      return ToolAnswer::only_taken();
-    case kEnter:
-      if (down) wish_ = Wish::apply;
-      set_down();
-      return ToolAnswer::only_taken();
-    case '[':
-      change([](TransplantDraft& draft) { draft.scale_by(1.0 / kFactorPerNotch); });
-      return ToolAnswer::only_taken();
-    case ']':
-      change([](TransplantDraft& draft) { draft.scale_by(kFactorPerNotch); });
-      return ToolAnswer::only_taken();
-    default:
-      break;
-  }
-  if (!down) return ToolAnswer::passed_on();
-  if (event.key == 'G') {
+  if (event.key == kEscape) {
+    escape();
+  } else if (event.key == kEnter) {
+    if (down) wish_ = Wish::apply;
+    set_down();
+  } else if (event.key == '[' || event.key == ']') {
+    const double factor = event.key == ']' ? kFactorPerNotch : 1.0 / kFactorPerNotch;
+    change([&](TransplantDraft& draft) { draft.scale_by(factor); });
+  } else if (down && event.key == 'G') {
     carry();
-  } else if (event.key == 'W') {
-    show(GizmoMode::translate);
-  } else if (event.key == 'E') {
-    show(GizmoMode::rotate);
-  } else if (event.key == 'Q') {
-    show(GizmoMode::scale);
+  } else if (const auto mode = mode_of_key(event.key); down && mode) {
+    show(*mode);
   } else {
     return ToolAnswer::passed_on();
   }
@@ -154,7 +140,7 @@ ToolAnswer PlaceTool::handle_scroll(const InputEvent& event) {
   return ToolAnswer::only_taken();
 }
 
-// Changes `way_`, too, while the part is carried, so that the next move of the cursor keeps the
+// Changes a carried part before snapping, too, so that the next move of the cursor keeps the
 // change.
 template <class Change>
 void PlaceTool::change(const Change& change) {

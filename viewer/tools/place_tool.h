@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "lapwing/transplant/surface_snap.h"
+#include "lapwing/transplant/surface_placement.h"
 #include "tools/gizmo_drag.h"
 #include "tools/scene_tool.h"
 #include "tools/transplant_draft.h"
@@ -17,10 +17,10 @@ struct TransplantHost {
   std::shared_ptr<const SurfaceSnap> surface;
 };
 
-/// Places a part on a surface. At first the part follows the cursor and stands on the surface under
-/// it. [ and ], or Control + wheel, scale it; Shift + wheel turns it. A click sets it down. Then a
-/// gizmo along the part's axes adjusts it (W, E, Q; Control snaps), and G picks it up again. Enter
-/// applies it. Escape cancels the drag, or else the placement.
+/// Places a part on a surface. At first the part follows the cursor on the surface. [ and ], or
+/// Control + wheel, scale it; Shift + wheel turns it. A click sets it down. Then a gizmo along the
+/// part's axes adjusts it (W, E, Q; Control snaps), and G picks it up again. Enter applies it.
+/// Escape cancels the drag, or else the placement.
 class PlaceTool final : public SceneTool {
  public:
   enum class Stage { empty, carried, set_down };

@@ -19,7 +19,10 @@ constexpr double kFar = 0.0;
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
 // Returns the distance along the ray (Moeller and Trumbore 1997); infinity if it misses.
-double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Ray& ray) {
+double distance_to(const Triangle& triangle, std::span<const Vector3d> positions, const Ray& ray) {
+  const Vector3d& a = positions[triangle[0]];
+  const Vector3d& b = positions[triangle[1]];
+  const Vector3d& c = positions[triangle[2]];
   const Vector3d p = ray.direction.cross(c - a);
   const double determinant = p.dot(b - a);
   if (determinant == 0.0) return kMiss;
@@ -78,10 +81,8 @@ std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const V
   double least = kMiss;
   Index first = kNoIndex;
   for (Index t = 0; t < topology.triangles.size(); ++t) {
-    const Triangle& corners = topology.triangles[t];
-    if (!counts(corners)) continue;
-    const double distance =
-        distance_to(positions[corners[0]], positions[corners[1]], positions[corners[2]], ray);
+    if (!counts(topology.triangles[t])) continue;
+    const double distance = distance_to(topology.triangles[t], positions, ray);
     if (distance >= least) continue;
     least = distance;
     first = t;
@@ -94,22 +95,16 @@ std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const V
 
 SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> positions,
                            Index triangle, const Vector3d& position) {
-  SurfacePoint pick{triangle, kNoIndex, position};
-  double least = std::numeric_limits<double>::infinity();
-  for (const Index v : topology.triangles[triangle]) {
-    const double squared = (positions[v] - position).squaredNorm();
-    if (squared >= least) continue;
-    least = squared;
-    pick.vertex = v;
-  }
-  return pick;
+  const Index nearest = std::ranges::min(topology.triangles[triangle], {}, [&](Index v) {
+    return (positions[v] - position).squaredNorm();
+  });
+  return {triangle, nearest, position};
 }
 
 std::optional<SurfacePoint> pick_triangle(const Topology& topology,
                                           std::span<const Vector3d> positions, Index triangle,
                                           const Ray& ray) {
-  const auto& [a, b, c] = topology.triangles[triangle];
-  const double distance = distance_to(positions[a], positions[b], positions[c], ray);
+  const double distance = distance_to(topology.triangles[triangle], positions, ray);
   if (distance == kMiss) return std::nullopt;
   return surface_point(topology, positions, triangle, ray.origin + distance * ray.direction);
 }

@@ -18,9 +18,8 @@ struct Ray {
 /// Maps between space and the window, in pixels from its upper left corner.
 /// `Camera::projection(aspect) * Camera::view()` gives the matrix: y down, depth 1 near and 0 far.
 ///
-/// Lengths for the hand and the eye (the reach of a click, the width of a line) are in points. A
-/// point is one pixel of an unscaled desktop, about 1/96 inch, and more pixels on a dense display.
-/// Names of such lengths end in `Pt` or `_pt`.
+/// Lengths for the hand and the eye, such as the reach of a click, are in points, and their names
+/// end in `Pt` or `_pt`. A point is one pixel of an unscaled desktop.
 class Projection {
  public:
   Projection(const Eigen::Matrix4d& clip_from_world, const Eigen::Vector2d& size_in_pixels,
@@ -51,7 +50,7 @@ struct SurfacePoint {
 };
 
 /// Returns the first point where `ray` meets the surface, from either side. Linear in its
-/// triangles; the window reads its ID picture instead if it can.
+/// triangles.
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
                                          std::span<const Eigen::Vector3d> positions,
                                          const Ray& ray);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lapwing/region/edge_path.h"
 #include "lapwing/region/geodesic.h"
 
 namespace lapwing::viewer {
@@ -115,9 +114,8 @@ const char* RulerTool::hint(const AppState&, const Part&) const {
 }
 
 ToolMarks RulerTool::marks() const {
-  ToolMarks marks;
-  if (from_ != kNoIndex && !has_both_ends()) marks.dots.push_back(from_);
-  return marks;
+  if (from_ == kNoIndex || has_both_ends()) return {};
+  return {.dots = {from_}};
 }
 
 }  // namespace lapwing::viewer

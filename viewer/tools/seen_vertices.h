@@ -15,9 +15,9 @@ struct TrianglePicture {
   Index height = 0;
 };
 
-/// Tells which vertices are visible in a picture. A visible vertex is in the window. At its pixel,
-/// or one beside it, no triangle is in front of it by more than the rounding to pixels explains.
-/// The arguments of the constructor must outlive this.
+/// Tells which vertices are visible in a picture: those in the window with no triangle in front of
+/// them, at their pixel or one beside it, by more than the rounding to pixels explains. The
+/// arguments of the constructor must outlive this.
 class SeenVertices {
  public:
   SeenVertices(const TrianglePicture& picture, const Topology& topology,

@@ -38,11 +38,15 @@ std::optional<Command> change(const Part& part, VertexSet added, VertexSet remov
 
 }  // namespace
 
+const ChosenRegion& region_of(const EditSelection& selection, const Part& part) {
+  static const ChosenRegion kNone;
+  if (part.role == Role::roi) return selection.roi;
+  if (part.role == Role::belt) return selection.belt;
+  return part.handle < selection.handles.size() ? selection.handles[part.handle] : kNone;
+}
+
 const VertexSet& vertices_of(const EditSelection& selection, const Part& part) {
-  static const VertexSet kNone;
-  if (part.role == Role::roi) return selection.roi.vertices;
-  if (part.role == Role::belt) return selection.belt.vertices;
-  return part.handle < selection.handles.size() ? selection.handles[part.handle].vertices : kNone;
+  return region_of(selection, part).vertices;
 }
 
 std::optional<Command> paint(const AppState& state, const Part& part, const VertexSet& vertices,
@@ -60,21 +64,19 @@ std::optional<Command> grow(const AppState& state, const Part& part) {
 
 std::optional<Command> shrink(const AppState& state, const Part& part) {
   const VertexSet& before = vertices_of(state.selection, part);
+  const std::shared_ptr<const Mesh> surface = surface_of(state);
   const std::vector<char> inside = vertex_mask(state.rest->vertex_count(), before);
   VertexSet outermost;
-  std::copy_if(before.begin(), before.end(), std::back_inserter(outermost), [&](Index v) {
-    const auto ring = surface_of(state)->topology().rings[v];
-    return std::any_of(ring.begin(), ring.end(), [&](Index w) { return !inside[w]; });
+  std::ranges::copy_if(before, std::back_inserter(outermost), [&](Index v) {
+    return !std::ranges::all_of(surface->topology().rings[v], [&](Index w) { return inside[w]; });
   });
   return paint(state, part, outermost, true);
 }
 
 std::optional<Command> choose_all(const AppState& state, const Part& part) {
-  const VertexSet& before = vertices_of(state.selection, part);
-  if (part.role != Role::roi) {
-    return change(part, allowed(state, part, subtract(all_vertices(state), before)), {});
-  }
-  if (before.size() == all_vertices(state).size()) return std::nullopt;
+  const VertexSet all = all_vertices(state);
+  if (part.role != Role::roi) return paint(state, part, all, false);
+  if (state.selection.roi.vertices.size() == all.size()) return std::nullopt;
   return Choose{part, {AllVertices{}, "ROI"}};
 }
 

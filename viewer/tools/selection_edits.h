@@ -6,7 +6,8 @@
 
 namespace lapwing::viewer {
 
-/// Returns the vertices of `part`; none for a handle that does not exist yet.
+/// Return the region and the vertices of `part`; empty for a handle that does not exist yet.
+const ChosenRegion& region_of(const EditSelection& selection, const Part& part);
 const VertexSet& vertices_of(const EditSelection& selection, const Part& part);
 
 /// Returns the command that adds `vertices` to the part, or removes them. A handle or belt gains

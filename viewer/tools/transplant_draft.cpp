@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "lapwing/mesh/transform.h"
-#include "lapwing/parts/part_library.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/step/transplant_step.h"
-#include "lapwing/transplant/place_at.h"
+#include "lapwing/run/run_step.h"
+#include "lapwing/transplant/part_library.h"
 #include "lapwing/transplant/placed_part.h"
+#include "lapwing/transplant/surface_placement.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -62,8 +62,7 @@ TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double di
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host);
 
 /// Returns the mean outward normal of the triangles within `radius` along the surface, weighted by
-/// nearness, so that small detail does not tilt a part. If there are none, returns the normal of
-/// the point's triangle.
+/// nearness, so that small detail does not tilt a part; else the normal of the point's triangle.
 Eigen::Vector3d normal_around(const SurfacePoint& point, double radius, const Topology& topology,
                               const Positions& positions);
 

@@ -7,9 +7,9 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
-#include "files/file_words.h"
-#include "files/typed_path.h"
-#include "window/theme.h"
+#include "files/path_text.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -33,10 +33,6 @@ void remove_last_letter(std::string& text) {
   const auto is_inside = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   while (!text.empty() && is_inside(text.back())) text.pop_back();
   if (!text.empty()) text.pop_back();
-}
-
-bool is_pressed_now(ImGuiKey key) {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
 // Returns the folders from the root down to `folder`.
@@ -67,7 +63,8 @@ std::string in_words(const FileKind& kind) {
 
 }  // namespace
 
-BrowserPanel::BrowserPanel(std::function<void()> wake) : reader_(std::move(wake)) {}
+BrowserPanel::BrowserPanel(std::function<void()> wake)
+    : reader_([] { return std::make_unique<CpuKernels>(); }, std::move(wake)) {}
 
 void BrowserPanel::open(PathRequest request, std::string trouble) {
   request_ = std::move(request);
@@ -105,7 +102,9 @@ void BrowserPanel::list() {
   if (!words.kinds.empty()) filter.kind = words.kinds[kind_];
   filter.shows_hidden = shows_hidden_;
   filter.folders_only = words.wants == Wants::folder;
-  reader_.read(folder_, filter);
+  reader_.start([folder = folder_, filter](const std::shared_ptr<Kernels>&, const Progress&) {
+    return list_folder(folder, filter);
+  });
 }
 
 void BrowserPanel::take(const InputEvent& event) {
@@ -154,7 +153,7 @@ std::optional<fs::path> BrowserPanel::draw() {
   const ImVec2 size(std::min(kBrowserLetters.x * letter, viewport.WorkSize.x - letter),
                     std::min(kBrowserLetters.y * letter, viewport.WorkSize.y - letter));
   ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-  ImGui::SetNextWindowPos(viewport.GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+  center_next_window(ImGuiCond_Appearing);
   // ImGui identifies the window by the name after ###, so the title may change.
   const std::string title = std::string(words_of(request_->purpose).title) + "###browser";
   bool open = true;
@@ -163,8 +162,8 @@ std::optional<fs::path> BrowserPanel::draw() {
                           ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin(title.c_str(), &open, kFlags)) {
     // The key that closed another dialog or opened this one is no answer here.
-    const bool escapes = !ImGui::IsWindowAppearing() && is_pressed_now(ImGuiKey_Escape) &&
-                         !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool escapes =
+        is_pressed(ImGuiKey_Escape) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     chosen = draw_inside();
     if (escapes) open = false;
   }
@@ -191,19 +190,11 @@ std::optional<fs::path> BrowserPanel::draw_inside() {
   bool accepts = draw_list();
   ImGui::EndChild();
   accepts = draw_field() || accepts;
-  if (!trouble_.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::error));
-    ImGui::TextWrapped("%s", trouble_.c_str());
-    ImGui::PopStyleColor();
-  }
+  if (!trouble_.empty()) draw_colored(Tone::error, trouble_);
   draw_filter();
   const std::string button(words.button);
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const auto width_of = [&](const char* label) {
-    return ImGui::CalcTextSize(label).x + 2.0F * style.FramePadding.x;
-  };
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width_of(button.c_str()) -
-                  width_of("Cancel") - style.ItemSpacing.x);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button_width(button.c_str()) -
+                  button_width("Cancel") - ImGui::GetStyle().ItemSpacing.x);
   const bool cancels = ImGui::Button("Cancel");
   ImGui::SameLine();
   accepts = ImGui::Button(button.c_str()) || std::exchange(enter_pressed_, false) || accepts;
@@ -221,8 +212,7 @@ void BrowserPanel::draw_way() {
   if (ImGui::Button("Up") && folder_.has_parent_path()) wanted = folder_.parent_path();
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width_of = [&](const fs::path& step) {
-    return ImGui::CalcTextSize(name_of_step(step).c_str()).x + 2.0F * style.FramePadding.x +
-           style.ItemInnerSpacing.x;
+    return button_width(name_of_step(step).c_str()) + style.ItemInnerSpacing.x;
   };
   float left = ImGui::GetContentRegionAvail().x - width_of("Up") - style.ItemSpacing.x;
   std::size_t first = way.size();
@@ -275,7 +265,7 @@ bool BrowserPanel::draw_list() {
     return false;
   }
   if (!is_of_folder || listing_.entries.empty()) {
-    const bool reads = !is_of_folder || reader_.is_reading();
+    const bool reads = !is_of_folder || reader_.status().busy;
     ImGui::TextDisabled("%s", reads ? "Reading the folder..." : "Nothing here that fits.");
     return false;
   }

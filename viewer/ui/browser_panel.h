@@ -8,6 +8,7 @@
 
 #include "files/folder_listing.h"
 #include "tools/input.h"
+#include "work/job.h"
 
 struct ImGuiInputTextCallbackData;
 
@@ -70,7 +71,7 @@ class BrowserPanel {
   std::optional<PathRequest> request_;
   std::filesystem::path folder_;
   FolderListing listing_;
-  FolderReader reader_;
+  Job<FolderListing> reader_;
   std::string typed_;
   std::string trouble_;
   std::size_t kind_ = 0;  // index into the purpose's kinds

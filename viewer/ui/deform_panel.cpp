@@ -1,11 +1,11 @@
 #include <imgui.h>
 
-#include "lapwing/step/step.h"
+#include "lapwing/recipe/step.h"
 #include "state/waypoints.h"
-#include "ui/explain.h"
-#include "ui/gizmo_panel.h"
+#include "ui/draw_gizmo.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -1,11 +1,16 @@
+// The tab of the display: colours, background, preferences.
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <imgui.h>
+#include <string>
 #include <utility>
 
 #include "lapwing/base/srgb.h"
+#include "navigation/keymap.h"
 #include "ui/panels.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -49,20 +54,12 @@ void choose_in_pairs(const char* label, Value& value,
 }  // namespace
 
 std::optional<PoseMeasure> measure_of(Coloring coloring) {
-  switch (coloring) {
-    case Coloring::plain:
-    case Coloring::regions:
-      break;
-    case Coloring::displacement:
-      return PoseMeasure::displacement;
-    case Coloring::rotation:
-      return PoseMeasure::rotation;
-    case Coloring::detail:
-      return PoseMeasure::detail;
-    case Coloring::stretch:
-      return PoseMeasure::stretch;
-  }
-  return {};
+  // In the order of Coloring, whose first two show no measure.
+  constexpr std::array kMeasures{PoseMeasure::displacement, PoseMeasure::rotation,
+                                 PoseMeasure::detail, PoseMeasure::stretch};
+  const auto number = static_cast<std::size_t>(coloring);
+  if (number < 2) return {};
+  return kMeasures[number - 2];
 }
 
 SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
@@ -87,6 +84,12 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
     ImGui::SameLine();
     ImGui::Checkbox("File's colours", &style.file_colors);
   }
+  ImGui::SetNextItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
+  ImGui::SliderFloat("Feature angle", &choices.feature_angle, 0.0F, 180.0F, "%.0f degrees",
+                     ImGuiSliderFlags_AlwaysClamp);
+  // A change makes the surface again, which takes too long for every frame.
+  if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_feature_angle(choices.feature_angle);
+  explain("Edges whose faces meet at a larger angle look hard.");
   choose_in_pairs(
       "Colour", choices.coloring,
       std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
@@ -109,6 +112,29 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
       "Background", choices.background,
       std::array{std::pair{"gradient", Background::gradient}, std::pair{"white", Background::white},
                  std::pair{"black", Background::transparent}});
+}
+
+void draw_preferences_panel(Preferences& preferences) {
+  choose("theme", preferences.theme, {{"dark", Theme::dark}, {"light", Theme::light}});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("mouse as in");
+  for (const Keymap& keymap : keymaps()) {
+    const std::string name(keymap.name);
+    stay_on_line(ImGui::CalcTextSize(name.c_str()).x + 1.5F * ImGui::GetFrameHeight(), right_end());
+    if (ImGui::RadioButton(name.c_str(), preferences.mouse == name)) preferences.mouse = name;
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("unit");
+  for (const char* unit : {"", "mm", "cm", "m", "in"}) {
+    ImGui::SameLine();
+    const char* name = *unit == '\0' ? "none" : unit;
+    if (ImGui::RadioButton(name, preferences.unit == unit)) preferences.unit = unit;
+    explain("Written behind lengths; files hold numbers without a unit.");
+  }
+  ImGui::Checkbox("guide at the picture", &preferences.shows_guide);
+  explain("What to do now, step by step.");
+  ImGui::Checkbox("the desktop's file dialogs", &preferences.uses_system_dialogs);
+  explain("Where it has any (zenity, kdialog); otherwise the viewer's own.");
 }
 
 }  // namespace lapwing::viewer

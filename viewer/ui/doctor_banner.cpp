@@ -6,7 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "window/theme.h"
+#include "ui/widgets.h"
 #include "work/doctor_text.h"
 
 namespace lapwing::viewer {
@@ -26,12 +26,6 @@ constexpr ImGuiWindowFlags kBanner =
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_AlwaysAutoResize;
 
-void write_problem(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
-
 // Draws a tooltip with the name and the meaning of each finding.
 void draw_findings(const CheckReport& report) {
   ImGui::BeginTooltip();
@@ -39,10 +33,8 @@ void draw_findings(const CheckReport& report) {
   for (const Defect& defect : report.defects) {
     const DefectInfo& info = describe(defect.kind);
     if (info.severity == Severity::info) continue;
-    ImGui::TextUnformatted(info.name.data(), info.name.data() + info.name.size());
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextUnformatted(info.meaning.data(), info.meaning.data() + info.meaning.size());
-    ImGui::PopStyleColor();
+    ImGui::TextUnformatted(std::string(info.name).c_str());
+    ImGui::TextDisabled("%s", std::string(info.meaning).c_str());
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -118,8 +110,8 @@ std::optional<BannerWish> DoctorBanner::draw(Editor& editor, const Eigen::Vector
   height_ = 0.0;
   if (state_ == State::ignored) return {};
   const float letter = ImGui::GetFontSize();
-  const ImVec2 at(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
-  const ImVec2 free(static_cast<float>(free_size.x()), static_cast<float>(free_size.y()));
+  const ImVec2 at = to_imgui(corner);
+  const ImVec2 free = to_imgui(free_size);
   const float width = std::min((is_empty() ? kEmptyLetters : kBannerLetters) * letter, free.x);
   if (is_empty()) {
     ImGui::SetNextWindowPos({at.x + 0.5F * free.x, at.y + 0.5F * free.y}, ImGuiCond_Always,
@@ -147,7 +139,7 @@ std::optional<BannerWish> DoctorBanner::draw(Editor& editor, const Eigen::Vector
 }
 
 std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
-  write_problem(problems_);
+  draw_colored(Tone::warning, problems_);
   if (ImGui::IsItemHovered()) draw_findings(report_);
   ImGui::TextWrapped("%s", hindrance_.c_str());
   std::optional<BannerWish> wish;
@@ -182,7 +174,7 @@ std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
     }
     state_ = State::ignored;
   }
-  if (!trouble_.empty()) write_problem(trouble_);
+  if (!trouble_.empty()) draw_colored(Tone::warning, trouble_);
   return wish;
 }
 
@@ -210,7 +202,7 @@ std::optional<BannerWish> DoctorBanner::draw_preview(Editor& editor) {
 }
 
 std::optional<BannerWish> DoctorBanner::draw_empty() {
-  write_problem("There is nothing to see here.");
+  draw_colored(Tone::warning, "There is nothing to see here.");
   ImGui::TextWrapped("%s", emptiness_in_words(name_, report_.statistics).c_str());
   if (ImGui::Button("Open another file...")) return BannerWish::open_another;
   return {};

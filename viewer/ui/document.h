@@ -5,9 +5,9 @@
 
 #include "editing/detail_transfer_tool.h"
 #include "editing/editor.h"
-#include "editing/transplant_desk.h"
+#include "editing/transplant_tool.h"
+#include "files/load_file.h"
 #include "ui/doctor_banner.h"
-#include "ui/load_file.h"
 
 namespace lapwing::viewer {
 
@@ -35,7 +35,7 @@ struct Document {
   Editor editor;
   DoctorBanner banner;
   DetailTransferTool desk;
-  TransplantDesk transplant;
+  TransplantTool transplant;
   /// Where Save writes without asking: chosen by the first save, so that the opened file is never
   /// replaced by accident. Empty until then.
   std::filesystem::path save_path;

@@ -1,7 +1,8 @@
-#include "ui/domain_picture.h"
-
 #include <algorithm>
 #include <imgui.h>
+
+#include "lapwing/coating/layered_coat.h"
+#include "ui/panels.h"
 
 namespace lapwing::viewer {
 namespace {

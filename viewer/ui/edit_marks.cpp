@@ -1,8 +1,8 @@
 #include <array>
 #include <filesystem>
 #include <imgui.h>
-#include <utility>
 
+#include "ui/draw_gizmo.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -10,157 +10,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr ImU32 kHighlight = IM_COL32(255, 220, 90, 255);
-constexpr ImU32 kLine = IM_COL32(255, 240, 200, 255);
-constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
-constexpr ImU32 kGround = IM_COL32(20, 20, 24, 225);
 constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
 constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
 constexpr ImU32 kMirror = IM_COL32(90, 190, 255, 28);
-constexpr double kThickPt = 2.5;
-// Padding around text, in letters of the font.
-constexpr float kPaddingLetters = 0.27F;
-
-ImU32 color_of(GizmoPart part) {
-  constexpr std::array kAxes{IM_COL32(235, 80, 80, 255), IM_COL32(120, 205, 80, 255),
-                             IM_COL32(90, 150, 250, 255)};
-  const int axis = axis_of(part);
-  return axis < 0 ? IM_COL32(235, 235, 235, 255) : kAxes[static_cast<std::size_t>(axis)];
-}
-
-// Draws text on a dark background, so that it is readable over anything.
-void draw_words(ImDrawList& list, const Vector2d& place, const std::string& words) {
-  const ImVec2 from{static_cast<float>(place.x()), static_cast<float>(place.y())};
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  const float padding = kPaddingLetters * ImGui::GetFontSize();
-  list.AddRectFilled({from.x - padding, from.y - 0.5F * padding},
-                     {from.x + size.x + padding, from.y + size.y + 0.5F * padding}, kGround,
-                     ImGui::GetStyle().FrameRounding);
-  list.AddText(from, kLine, words.c_str());
-}
-
-// Draws at pixels of the picture, with sizes in points.
-class Pen {
- public:
-  Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Vector2d>& points,
-      const Vector2d& corner = Vector2d::Zero())
-      : list_(*ImGui::GetBackgroundDrawList()),
-        projection_(view.projection()),
-        corner_(corner),
-        unit_(pixels_per_unit),
-        units_per_point_(view.pixels_per_point / pixels_per_unit),
-        points_(points) {}
-
-  const Projection& projection() const { return projection_; }
-
-  // A dark line below makes it show on every surface.
-  void line(std::span<const Vector2d> pixels, bool closed, ImU32 color, double thickness_pt) {
-    if (pixels.size() < 2) return;
-    for (const auto& [shade, width_pt] :
-         {std::pair{kShade, thickness_pt + 2.0}, std::pair{color, thickness_pt}}) {
-      for (const Vector2d& pixel : pixels) list_.PathLineTo(at(pixel));
-      list_.PathStroke(shade, closed ? ImDrawFlags_Closed : ImDrawFlags_None, units(width_pt));
-    }
-  }
-
-  void area(std::span<const Vector2d> pixels, ImU32 color) {
-    for (const Vector2d& pixel : pixels) list_.PathLineTo(at(pixel));
-    list_.PathFillConvex(color);
-  }
-
-  void circle(const Vector2d& pixel, double radius_pt, ImU32 color) {
-    list_.AddCircle(at(pixel), units(radius_pt), kShade, 0, units(kThickPt + 1.0));
-    list_.AddCircle(at(pixel), units(radius_pt), color, 0, units(kThickPt - 1.0));
-  }
-
-  void dot(const Vector2d& pixel, ImU32 color) {
-    list_.AddCircleFilled(at(pixel), units(5.0), kShade);
-    list_.AddCircleFilled(at(pixel), units(4.0), color);
-  }
-
-  // Draws text to the right of the pixel and below it.
-  void text(const Vector2d& pixel, const Vector2d& offset_pt, const std::string& words) {
-    draw_words(list_, (corner_ + pixel) / unit_ + units_per_point_ * offset_pt, words);
-  }
-
-  // Returns the pixels of points, valid until the next call.
-  std::span<const Vector2d> pixels_of(std::span<const Eigen::Vector3d> points) {
-    points_.clear();
-    for (const Eigen::Vector3d& point : points) {
-      if (const auto pixel = projection_.to_pixel(point)) points_.push_back(*pixel);
-    }
-    return points_;
-  }
-
-  // Returns the pixels of vertices, valid until the next call.
-  std::span<const Vector2d> pixels_of(const Editor& editor, std::span<const Index> vertices) {
-    points_.clear();
-    for (const Index v : vertices) {
-      if (const auto pixel = projection_.to_pixel(editor.positions()[v])) points_.push_back(*pixel);
-    }
-    return points_;
-  }
-
- private:
-  ImVec2 at(const Vector2d& pixel) const {
-    const Vector2d place = (corner_ + pixel) / unit_;
-    return {static_cast<float>(place.x()), static_cast<float>(place.y())};
-  }
-
-  float units(double points) const { return static_cast<float>(units_per_point_ * points); }
-
-  ImDrawList& list_;
-  const Projection projection_;
-  const Vector2d corner_;
-  const double unit_;  // ImGui's unit, in pixels
-  const double units_per_point_;
-  std::vector<Vector2d>& points_;
-};
-
-// Draws a box at the end of an arm that scales, an arrowhead at one that moves.
-void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) {
-  constexpr double kHalfWidthPt = 5.0;
-  constexpr double kHeadPt = 12.0;
-  const Vector2d& end = line.pixels.back();
-  const Vector2d direction = (end - line.pixels.front()).normalized();
-  const Vector2d along = pen.projection().in_pixels(kHalfWidthPt) * direction;
-  const Vector2d across(-along.y(), along.x());
-  if (mode == GizmoMode::scale) {
-    const std::array<Vector2d, 4> box{end - along - across, end + along - across,
-                                      end + along + across, end - along + across};
-    pen.area(box, color);
-  } else {
-    const Vector2d tip = end + pen.projection().in_pixels(kHeadPt) * direction;
-    pen.area(std::array<Vector2d, 3>{tip, end + across, end - across}, color);
-  }
-}
-
-// `taken_part` is under the cursor, or dragged.
-void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& lines) {
-  lines.renew(gizmo, pen.projection());
-  for (const GizmoLine& line : lines.lines()) {
-    if (line.pixels.size() < 2) continue;
-    const bool taken = line.part == taken_part;
-    const ImU32 color = taken ? kHighlight : color_of(line.part);
-    if (is_plane(line.part)) {
-      pen.area(line.pixels, (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, taken ? 170 : 90));
-    }
-    pen.line(line.pixels, line.closed, color, kThickPt);
-    const bool arm = !line.closed && axis_of(line.part) >= 0 && !is_plane(line.part);
-    if (arm && gizmo.mode != GizmoMode::rotate) draw_arm_end(pen, line, gizmo.mode, color);
-  }
-}
-
-void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout) {
-  const GizmoTool& tool = editor.gizmo_tool();
-  const Gizmo gizmo = tool.gizmo(editor.state(), editor.handle());
-  draw_gizmo(pen, gizmo, tool.part(), lines);
-  if (!tool.is_dragging()) return;
-  if (const auto center = pen.projection().to_pixel(gizmo.center)) {
-    tool.read_out(readout);
-    pen.text(*center, {24.0, 24.0}, readout);
-  }
-}
 
 void draw_ruler(Pen& pen, const Editor& editor, std::string& readout) {
   const RulerTool& ruler = editor.ruler_tool();
@@ -299,7 +151,7 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   }
 }
 
-void EditMarks::draw_transplant(const TransplantDesk& desk, const ViewFrame& view,
+void EditMarks::draw_transplant(const TransplantTool& desk, const ViewFrame& view,
                                 double pixels_per_unit) {
   const PlaceTool& tool = desk.tool();
   if (!desk.has_part() || !tool.draft().stands) return;

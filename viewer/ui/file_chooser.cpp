@@ -3,8 +3,9 @@
 #include <imgui.h>
 #include <utility>
 
-#include "files/typed_path.h"
+#include "files/path_text.h"
 #include "lapwing/base/errors.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 
@@ -74,13 +75,11 @@ void FileChooser::take_answer() {
 
 // Draws a window that says why keys do nothing here.
 void FileChooser::draw_waiting() {
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+  center_next_window();
   const std::string title = std::string(words_of(request_.purpose).title) + "###waiting";
   bool browses = false;
   bool cancels = false;
-  if (ImGui::Begin(title.c_str(), nullptr,
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                       ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::Begin(title.c_str(), nullptr, kDialog)) {
     ImGui::TextUnformatted("Choose in the window that the desktop has opened.");
     browses = ImGui::Button("Choose here instead");
     ImGui::SameLine();

@@ -2,29 +2,14 @@
 
 #include <imgui.h>
 
-#include "files/file_words.h"
+#include "files/path_text.h"
 #include "ui/panels.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
-namespace {
-
-constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
-
-void place_in_the_middle() {
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
-}
-
-// The key that led to the dialog, in the frame before, is no answer to it.
-bool is_pressed(ImGuiKey key) {
-  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
-
-}  // namespace
-
 std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file) {
   std::optional<bool> choice;
-  place_in_the_middle();
+  center_next_window();
   if (ImGui::Begin("Write over it?", nullptr, kDialog)) {
     ImGui::Text("There is a file %s already.", file.filename().c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.c_str());
@@ -39,7 +24,7 @@ std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file) {
 
 std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
   std::optional<UnsavedChoice> choice;
-  place_in_the_middle();
+  center_next_window();
   if (ImGui::Begin("Not saved", nullptr, kDialog)) {
     ImGui::Text("%s has been edited and not saved.", name.c_str());
     ImGui::TextDisabled("Enter saves, Delete discards, Escape cancels.");
@@ -56,7 +41,7 @@ std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
 std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const InterruptedEdit> edits) {
   using What = InterruptedChoice::What;
   std::optional<InterruptedChoice> choice;
-  place_in_the_middle();
+  center_next_window();
   if (ImGui::Begin("Interrupted edits", nullptr, kDialog)) {
     ImGui::TextDisabled("These edits were not closed properly. Restoring runs their steps again.");
     ImGui::TextDisabled("Enter restores the latest.");

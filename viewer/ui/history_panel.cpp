@@ -2,9 +2,8 @@
 #include <cstdio>
 #include <imgui.h>
 
-#include "ui/choose.h"
-#include "ui/explain.h"
 #include "ui/panels.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 
@@ -16,12 +15,11 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
   if (ImGui::Button("Redo")) editor.redo();
   explain(Action::redo);
   std::optional<PathPurpose> purpose;
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
-  stay_on_line(ImGui::CalcTextSize("Save recipe").x + padding, right);
+  const float right = right_end();
+  stay_on_line(button_width("Save recipe"), right);
   if (ImGui::Button("Save recipe")) purpose = PathPurpose::save_recipe;
   explain(Action::save_recipe);
-  stay_on_line(ImGui::CalcTextSize("Replay").x + padding, right);
+  stay_on_line(button_width("Replay"), right);
   if (ImGui::Button("Replay")) purpose = PathPurpose::replay_recipe;
   explain(Action::replay_recipe);
 

@@ -1,15 +1,38 @@
+// The tab of the mesh: sizes, findings of the doctor, carried objects.
+
 #include <algorithm>
 #include <cstdio>
 #include <imgui.h>
 
-#include "ui/explain.h"
 #include "ui/panels.h"
+#include "ui/widgets.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer {
 namespace {
 
-void row(const char* label, const std::string& value) {
+// The colour of carried objects (shaders/target.glsl).
+const ImVec4 kCarriedColor{0.36F, 0.68F, 0.58F, 1.0F};
+
+// Returns true if the object's button was pressed.
+bool draw_object(const CarriedObject& object, std::size_t number) {
+  ImGui::PushID(static_cast<int>(number));
+  const char* verb = object.follows ? "Remove" : "Follow";
+  draw_swatch(kCarriedColor);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(object.file().filename().c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", object.file().c_str());
+  const std::size_t count = object.rest->positions().size();
+  ImGui::TextDisabled("%zu %s%s", count, count == 1 ? "vertex" : "vertices",
+                      object.follows ? "" : ", stays");
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("Remove").x -
+                  2.0F * ImGui::GetStyle().FramePadding.x);
+  const bool pressed = ImGui::SmallButton(verb);
+  ImGui::PopID();
+  return pressed;
+}
+
+void mesh_row(const char* label, const std::string& value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", label);
@@ -26,14 +49,14 @@ std::string number(double value) {
 // Adds rows for the colours in the mesh's file.
 void color_rows(const OpenedMesh& opened) {
   const MeshAttributes& attributes = opened.mesh->attributes();
-  if (!attributes.vertex_colors.empty()) row("colours", "of vertices");
-  if (!attributes.face_colors.empty()) row("colours", "of faces");
+  if (!attributes.vertex_colors.empty()) mesh_row("colours", "of vertices");
+  if (!attributes.face_colors.empty()) mesh_row("colours", "of faces");
   if (!opened.colors || opened.colors->colors.materials.empty()) return;
   const std::vector<FileMaterial>& materials = opened.colors->colors.materials;
   const auto with_image = std::ranges::count_if(
       materials, [](const FileMaterial& material) { return material.image != kNoIndex; });
-  row("materials",
-      std::to_string(materials.size()) + " (with images: " + std::to_string(with_image) + ")");
+  mesh_row("materials",
+           std::to_string(materials.size()) + " (with images: " + std::to_string(with_image) + ")");
 }
 
 Tone tone_of(Severity severity) {
@@ -57,21 +80,46 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
   const MeshStatistics& s = document.report.statistics;
   const std::string behind = unit.empty() ? "" : " " + unit;
   if (ImGui::BeginTable("mesh", 2, ImGuiTableFlags_SizingFixedFit)) {
-    row("name", document.opened.name);
-    row("vertices", std::to_string(s.vertices));
-    row("faces", std::to_string(s.faces));
-    if (s.triangles != s.faces) row("triangles", std::to_string(s.triangles));
-    row("parts", std::to_string(s.component_sizes.size()));
-    row("boundaries", std::to_string(s.boundary_loops));
-    if (s.genus) row("genus", std::to_string(*s.genus));
+    mesh_row("name", document.opened.name);
+    mesh_row("vertices", std::to_string(s.vertices));
+    mesh_row("faces", std::to_string(s.faces));
+    if (s.triangles != s.faces) mesh_row("triangles", std::to_string(s.triangles));
+    mesh_row("parts", std::to_string(s.component_sizes.size()));
+    mesh_row("boundaries", std::to_string(s.boundary_loops));
+    if (s.genus) mesh_row("genus", std::to_string(*s.genus));
     const Eigen::Vector3d size = s.bounds.max - s.bounds.min;
-    row("size", number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
-    row("mean edge", number(s.mean_edge_length) + behind);
+    mesh_row("size",
+             number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
+    mesh_row("mean edge", number(s.mean_edge_length) + behind);
     color_rows(document.opened);
     ImGui::EndTable();
   }
   if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor finds no problem.");
   for (const Defect& defect : document.report.defects) draw_defect(defect);
+}
+
+std::optional<Action> draw_carried_panel(Editor& editor) {
+  std::optional<Action> wanted;
+  std::optional<std::size_t> pressed;
+  const std::vector<CarriedObject>& objects = editor.state().carried;
+  if (objects.empty()) ImGui::TextDisabled("Files that follow the surface.");
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (draw_object(objects[k], k)) pressed = k;
+  }
+  if (ImGui::Button("Add...")) wanted = Action::carry_file;
+  if (!objects.empty()) {
+    ImGui::SameLine();
+    if (ImGui::Button("Save carried objects")) wanted = Action::save_carried;
+  }
+  if (pressed) {
+    const CarriedObject object = objects[*pressed];
+    if (object.follows) {
+      editor.perform(StopCarrying{object.file()});
+    } else {
+      editor.perform(CarryAlong{object.rest});
+    }
+  }
+  return wanted;
 }
 
 }  // namespace lapwing::viewer

@@ -1,26 +1,30 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
-#include "editing/desk_guides.h"
 #include "editing/detail_transfer_tool.h"
 #include "editing/editor.h"
+#include "editing/guide.h"
+#include "editing/part_library_view.h"
 #include "files/file_purpose.h"
 #include "files/recent_files.h"
 #include "lapwing/gpu/devices.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
 #include "preferences/preferences.h"
-#include "state/last_solve_options.h"
+#include "state/app_state.h"
 #include "ui/document.h"
 #include "ui/messages.h"
-#include "ui/part_pictures.h"
 #include "ui/turntable_recording.h"
 #include "window/app.h"
+#include "window/ui_renderer.h"
 
 namespace lapwing::viewer {
 
@@ -47,10 +51,15 @@ float status_height();
 /// Draws name, sizes and the findings of the mesh doctor. Lengths have `unit`, unless it is empty.
 void draw_mesh_panel(const Document& document, const std::string& unit);
 
-/// A part of the window, in ImGui's units.
+/// A part of the window, in ImGui's units unless stated otherwise.
 struct PictureArea {
   Eigen::Vector2d corner;  ///< upper left
   Eigen::Vector2d size;
+
+  bool holds(const Eigen::Vector2d& point) const {
+    return (point.array() >= corner.array()).all() &&
+           (point.array() < (corner + size).array()).all();
+  }
 };
 
 /// Draws what the tools choose, and the tools, along the top of the area, in as many rows as
@@ -72,20 +81,38 @@ struct ResultWish {
 /// shown.
 ResultWish draw_result_panel(Editor& editor, bool points);
 
+/// The pictures of a shelf's parts on the device.
+class PartPictures {
+ public:
+  /// Updates the pictures to those of `shelf`, on `context`, which must outlive them. Call it
+  /// before panels are laid out.
+  void renew(const PartLibraryView& library, gpu::Context& context);
+  /// Releases everything on the device.
+  void release();
+
+  /// Returns the picture of the shelf's item `k`; null if it has none.
+  const UiPicture* of(std::size_t k) const { return pictures_[k].get(); }
+
+ private:
+  std::vector<std::unique_ptr<UiPicture>> pictures_;
+  std::uint64_t version_ = 0;  // of the shelf
+};
+
 /// Draws the parts, the one being placed, and how it is joined. Returns the purpose if the user
 /// wants to choose a path.
-std::optional<PathPurpose> draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures,
+std::optional<PathPurpose> draw_transplant_panel(TransplantTool& desk, const PartPictures& pictures,
                                                  Editor& editor, PanelDrafts& drafts);
 /// Draws Apply, Cancel and the result of an open transplant.
-void draw_transplant_result(TransplantDesk& desk, Editor& editor);
+void draw_transplant_result(TransplantTool& desk, Editor& editor);
 
 /// Draws the coat or mix of `task`: its source, target and parameters. If none is open, draws how
 /// to begin one. Returns the purpose if the user wants to open another source.
 std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task);
 /// Draws Apply, Cancel and the result of an open coat or mix.
 void draw_layer_result(DetailTransferTool& desk, Editor& editor);
-/// Draws the part of the panel for the weight of a mix.
-void draw_mix_weight(DetailTransferTool& desk, Editor& editor);
+/// Draws the domain with the edges of both patches, the source's below, as wide as the panel.
+/// Without `layers`, draws only the frame.
+void draw_domain(const LayeredCoat* layers, std::size_t source);
 
 /// Draws the files that follow the surface. Returns the action if the user wants to add one or save
 /// them.
@@ -104,22 +131,19 @@ struct DisplayChoices {
   SurfaceStyle style{.file_colors = true};
   Background background = Background::gradient;
   Coloring coloring = Coloring::regions;
+  float feature_angle = static_cast<float>(kFeatureAngleDegrees);
 };
 /// Returns the style that shows `editor` as chosen.
 SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor);
 void draw_display_panel(DisplayChoices& choices, Editor& editor);
-
-/// Draws the times of the parts of a frame.
-void draw_timings_panel(const FrameTimings& timings);
 
 /// Draws the device, the numbers of the solver and the times of a frame in a separate window. Sets
 /// `open` to false when the user closes it.
 void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings& timings,
                         const Certificate* certificate, bool& open);
 
-/// Draws messages, the newest last.
-void draw_log_panel(std::span<const Message> messages);
-/// The same in a separate window. Sets `open` to false when the user closes it.
+/// Draws all messages, the newest last, in a separate window. Sets `open` to false when the user
+/// closes it.
 void draw_messages_panel(const Messages& messages, bool& open);
 /// Draws warnings and errors at the upper right corner of the picture until they are closed, and
 /// the note at the lower left corner, where it lets the mouse through.
@@ -143,7 +167,7 @@ class EditMarks {
   void draw_pane_names(const DetailTransferTool& desk, const std::string& target,
                        const PictureArea& area, double width);
   /// Draws the loops of a transplant's part and hole, and the part's gizmo.
-  void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
+  void draw_transplant(const TransplantTool& desk, const ViewFrame& view, double pixels_per_unit);
 
  private:
   GizmoLines gizmo_;

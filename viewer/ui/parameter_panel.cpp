@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <imgui.h>
 
-#include "ui/explain.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {

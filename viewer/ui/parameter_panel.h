@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lapwing/step/key_visitor.h"
+#include "lapwing/recipe/key_visitor.h"
 
 namespace lapwing::viewer {
 

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "ui/panels.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -16,7 +17,7 @@ constexpr float kFieldLetters = 9.0F;
 constexpr float kProgressLetters = 24.0F;
 
 bool begin_dialog(const char* title, bool& open) {
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+  center_next_window(ImGuiCond_Appearing);
   return ImGui::Begin(title, &open,
                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
 }
@@ -30,8 +31,7 @@ void ask_for_size(PicturePlan& plan) {
 
 // Returns whether the button or Enter accepts the plan. Then the dialog closes.
 bool is_accepted(PicturePlan& plan) {
-  const bool enters = !ImGui::IsAnyItemActive() && !ImGui::IsWindowAppearing() &&
-                      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+  const bool enters = !ImGui::IsAnyItemActive() && is_pressed(ImGuiKey_Enter);
   const bool accepted = ImGui::Button("Save as...") || enters;
   if (accepted) plan.open = false;
   return accepted;
@@ -86,11 +86,9 @@ bool draw_turntable_progress(const TurntableRecording* recording) {
   const bool is_shown = ImGui::IsPopupOpen(kTitle);
   if (recording == nullptr && !is_shown) return false;
   if (!is_shown) ImGui::OpenPopup(kTitle);
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+  center_next_window();
   bool give_up = false;
-  if (ImGui::BeginPopupModal(kTitle, nullptr,
-                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                                 ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::BeginPopupModal(kTitle, nullptr, kDialog)) {
     if (recording == nullptr) {
       ImGui::CloseCurrentPopup();
     } else {

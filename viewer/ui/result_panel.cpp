@@ -1,10 +1,10 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <imgui.h>
 
-#include "ui/explain.h"
 #include "ui/panels.h"
-#include "window/theme.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -84,7 +84,7 @@ void draw_number(const char* label, const char* format, double number, const cha
   ImGui::TableNextColumn();
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), format, number);
-  ImGui::TextUnformatted(text.data());
+  ImGui::TextUnformatted(std::isnan(number) ? "none" : text.data());
 }
 
 void draw_numbers(const Editor& editor, const Certificate& certificate) {
@@ -102,7 +102,7 @@ void draw_numbers(const Editor& editor, const Certificate& certificate) {
   draw_number("turn", "%.1f deg", certificate.largest_rotation_degrees,
               "The largest rotation of a vertex's ring from rest.");
   draw_number("detail", "%.3f", certificate.detail_error,
-              "How much of the details is lost: 0 for none of them.");
+              "How much of the details is lost: 0 for nothing. A flat surface has no details.");
   draw_number(
       "stretch", "%.3f", certificate.edge_stretch,
       "By how much edges are longer or shorter than at rest, in the mean: 0 for not at all.");
@@ -111,9 +111,7 @@ void draw_numbers(const Editor& editor, const Certificate& certificate) {
 
 // Returns true if the user wants to see the warning's vertices.
 bool draw_warning(const CertificateWarning& warning) {
-  ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
-  ImGui::TextWrapped("%s", warning.text.c_str());
-  ImGui::PopStyleColor();
+  draw_colored(Tone::warning, warning.text);
   if (warning.vertices.empty()) return false;
   const bool pressed = ImGui::SmallButton("show me");
   explain("Frames these vertices and points at them.");

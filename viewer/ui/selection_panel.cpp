@@ -2,10 +2,9 @@
 #include <imgui.h>
 #include <utility>
 
-#include "ui/choose.h"
-#include "ui/explain.h"
+#include "editing/editor_actions.h"
 #include "ui/panels.h"
-#include "ui/part_colors.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -85,6 +84,27 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   if (chosen) editor.perform(SetBeltWidth{0.01 * *chosen});
 }
 
+// Draws the weight of a handle, if it has one. Sets `let_go` when a drag of the slider ends.
+bool draw_handle_weight(std::optional<double>& weight, bool& let_go) {
+  bool is_soft = weight.has_value();
+  bool changed = ImGui::Checkbox(is_soft ? "##soft" : "soft", &is_soft);
+  explain("Lets the surface hold the handle back, by its weight. Otherwise the handle arrives.");
+  if (changed) {
+    weight = is_soft ? std::optional(1.0) : std::nullopt;
+    let_go = true;
+  }
+  if (!weight) return changed;
+  ImGui::SameLine();
+  float shown = static_cast<float>(*weight);
+  if (ImGui::SliderFloat("weight", &shown, 0.01F, 100.0F, "%.3g", ImGuiSliderFlags_Logarithmic)) {
+    weight = static_cast<double>(shown);
+    changed = true;
+  }
+  explain("How firmly this handle holds, beside the surface and the others.");
+  let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
+  return changed;
+}
+
 // Draws how firmly the current handle holds. A whole drag of a slider is one step of the history.
 void draw_falloff(Editor& editor, PanelDrafts& drafts) {
   const std::size_t handle = editor.handle();
@@ -98,19 +118,14 @@ void draw_falloff(Editor& editor, PanelDrafts& drafts) {
   Falloff falloff = drafts.falloff ? drafts.falloff->falloff : now;
   const Transition transition = falloff.transition.value_or(Transition{});
   float width = static_cast<float>(transition.width);
-  float weight = static_cast<float>(falloff.weight);
   const float longest = 0.25F * static_cast<float>(editor.shown().opened_bounds().diagonal());
   bool let_go = false;
   bool changed = ImGui::SliderFloat("falloff", &width, 0.0F, longest,
                                     width > 0.0F ? "%.3g" : "none", ImGuiSliderFlags_None);
   explain("Length beyond the handle over which its hold fades.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
-  changed |=
-      ImGui::SliderFloat("weight", &weight, 0.01F, 100.0F, "%.3g", ImGuiSliderFlags_Logarithmic);
-  explain("How firmly this handle holds, beside the surface and the others.");
-  let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
+  changed |= draw_handle_weight(falloff.weight, let_go);
   if (changed) {
-    falloff.weight = static_cast<double>(weight);
     falloff.transition.reset();
     if (width > 0.0F)
       falloff.transition = Transition{static_cast<double>(width), transition.profile};
@@ -156,26 +171,22 @@ void draw_buttons(Editor& editor) {
   struct Button {
     const char* label;
     Action action;
-    void (Editor::*does)();
   };
-  constexpr std::array kButtons{Button{"New edit", Action::new_edit, &Editor::new_edit},
-                                Button{"All", Action::select_all, &Editor::select_all},
-                                Button{"None", Action::clear, &Editor::clear},
-                                Button{"Grow", Action::grow, &Editor::grow},
-                                Button{"Shrink", Action::shrink, &Editor::shrink},
-                                Button{"Invert", Action::invert, &Editor::invert},
-                                Button{"Remove", Action::remove_handle, &Editor::remove_handle}};
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  constexpr std::array kButtons{
+      Button{"New edit", Action::new_edit},   Button{"All", Action::select_all},
+      Button{"None", Action::clear},          Button{"Grow", Action::grow},
+      Button{"Shrink", Action::shrink},       Button{"Invert", Action::invert},
+      Button{"Remove", Action::remove_handle}};
+  const float right = right_end();
   const Part& part = editor.part();
   const bool has_handle =
       part.role == Role::handle && part.handle < editor.state().selection.handles.size();
   bool first = true;
   for (const Button& button : kButtons) {
     if (button.action == Action::remove_handle && !has_handle) continue;
-    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
-    if (!first) stay_on_line(ImGui::CalcTextSize(button.label).x + padding, right);
+    if (!first) stay_on_line(button_width(button.label), right);
     first = false;
-    if (ImGui::Button(button.label)) (editor.*button.does)();
+    if (ImGui::Button(button.label)) perform_on(editor, button.action);
     explain(button.action);
   }
 }

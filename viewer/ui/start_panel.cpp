@@ -2,8 +2,9 @@
 #include <array>
 #include <imgui.h>
 
-#include "files/typed_path.h"
+#include "files/path_text.h"
 #include "ui/panels.h"
+#include "ui/widgets.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer {
@@ -90,7 +91,7 @@ std::vector<fs::path> find_samples() {
 
 std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
   std::optional<Choice> choice;
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+  center_next_window();
   ImGui::Begin(
       "Open a mesh", open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);

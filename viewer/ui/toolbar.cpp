@@ -1,18 +1,12 @@
 #include <imgui.h>
 
-#include "ui/choose.h"
-#include "ui/explain.h"
 #include "ui/panels.h"
-#include "ui/part_colors.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
 
 using Role = Part::Role;
-
-float button_width(const char* label) {
-  return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-}
 
 // Draws a button that makes the tools choose `part`, with its colour on the surface.
 void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color,
@@ -31,8 +25,7 @@ double draw_toolbar(Editor& editor, const PictureArea& area) {
                                     ImGuiWindowFlags_NoBringToFrontOnFocus |
                                     ImGuiWindowFlags_NoFocusOnAppearing;
   const ImGuiStyle& style = ImGui::GetStyle();
-  ImGui::SetNextWindowPos(
-      {static_cast<float>(area.corner.x()), static_cast<float>(area.corner.y())});
+  ImGui::SetNextWindowPos(to_imgui(area.corner));
   const float across = static_cast<float>(area.size.x());
   // The height follows from the rows, and is known after the layout.
   ImGui::SetNextWindowSizeConstraints({across, 0.0F}, {across, 1e6F});

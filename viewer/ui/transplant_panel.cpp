@@ -4,14 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "files/typed_path.h"
-#include "lapwing/step/step.h"
-#include "state/step_text.h"
-#include "ui/choose.h"
-#include "ui/explain.h"
+#include "files/path_text.h"
+#include "lapwing/recipe/step.h"
+#include "state/whole_step.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
-#include "window/theme.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -26,14 +24,12 @@ constexpr ImU32 kInHand = IM_COL32(255, 220, 90, 255);
 constexpr ImU32 kHovered = IM_COL32(255, 240, 200, 160);
 
 void draw_trouble(const std::string& text) {
-  if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
+  if (!text.empty()) draw_colored(Tone::warning, text);
 }
 
 // Draws the picture and name of a part. Returns true as soon as it is pressed.
-bool draw_part(const PartShelf::Item& item, const UiPicture* picture, bool in_hand, float side) {
+bool draw_part(const PartLibraryView::Item& item, const UiPicture* picture, bool in_hand,
+               float side) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size{side, side + ImGui::GetTextLineHeight()};
   ImGui::InvisibleButton("part", size);
@@ -59,16 +55,16 @@ bool draw_part(const PartShelf::Item& item, const UiPicture* picture, bool in_ha
   return pressed && item.trouble.empty();
 }
 
-bool is_in_hand(const TransplantDesk& desk, const PartShelf::Item& item) {
+bool is_in_hand(const TransplantTool& desk, const PartLibraryView::Item& item) {
   return desk.has_part() && desk.tool().draft().part->file == item.file;
 }
 
-void draw_strip(TransplantDesk& desk, const PartPictures& pictures) {
+void draw_strip(TransplantTool& desk, const PartPictures& pictures) {
   const float side = kPictureLetters * ImGui::GetFontSize();
-  const auto items = desk.shelf().items();
+  const auto items = desk.library().items();
   if (items.empty()) {
     ImGui::TextWrapped("No parts in %s yet: add a mesh file with a hole, or cut the ROI out.",
-                       desk.shelf().folder().c_str());
+                       desk.library().folder().c_str());
     return;
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -96,12 +92,12 @@ void draw_strip(TransplantDesk& desk, const PartPictures& pictures) {
   if (taken) desk.take_part(*taken);
 }
 
-std::optional<PathPurpose> draw_more_parts(TransplantDesk& desk, Editor& editor,
+std::optional<PathPurpose> draw_more_parts(TransplantTool& desk, Editor& editor,
                                            PanelDrafts& drafts) {
   std::optional<PathPurpose> purpose;
-  PartShelf& shelf = desk.shelf();
+  PartLibraryView& library = desk.library();
   if (!ImGui::TreeNode("More parts")) return purpose;
-  ImGui::TextWrapped("folder: %s", with_tilde(shelf.folder()).c_str());
+  ImGui::TextWrapped("folder: %s", with_tilde(library.folder()).c_str());
   if (ImGui::Button("Another folder...")) purpose = PathPurpose::parts_folder;
   if (ImGui::Button("Use a file...")) purpose = PathPurpose::use_part;
   ImGui::SameLine();
@@ -113,14 +109,14 @@ std::optional<PathPurpose> draw_more_parts(TransplantDesk& desk, Editor& editor,
   const AppState& state = editor.state();
   const bool can_cut = !state.selection.roi.vertices.empty() && !needs_settling(state);
   if (ImGui::Button("Cut") && can_cut && !drafts.part_name.empty()) {
-    shelf.cut(state, spec_of(state.selection.roi, "the ROI"), drafts.part_name);
+    library.cut(state, spec_of(state.selection.roi, "the ROI"), drafts.part_name);
   }
   if (!can_cut) ImGui::TextDisabled("choose an ROI to cut one out");
   ImGui::TreePop();
   return purpose;
 }
 
-void draw_place(TransplantDesk& desk, Editor& editor) {
+void draw_place(TransplantTool& desk, Editor& editor) {
   PlaceTool& tool = desk.tool();
   if (!editor.has_in_hand(tool)) {
     if (ImGui::Button("Place by hand")) editor.lend(tool);
@@ -139,7 +135,7 @@ void draw_place(TransplantDesk& desk, Editor& editor) {
   }
 }
 
-void draw_hole(TransplantDesk& desk, const Editor& editor) {
+void draw_hole(TransplantTool& desk, const Editor& editor) {
   TransplantDraft& draft = desk.tool().draft();
   bool chosen = draft.chosen_hole.has_value() || desk.takes_roi();
   ImGui::AlignTextToFramePadding();
@@ -174,7 +170,7 @@ void draw_computed(TransplantDraft& draft) {
   ImGui::TreePop();
 }
 
-void draw_draft(TransplantDesk& desk, Editor& editor) {
+void draw_draft(TransplantTool& desk, Editor& editor) {
   TransplantDraft& draft = desk.tool().draft();
   ImGui::Separator();
   const std::string name = draft.part->file.filename().string();
@@ -189,7 +185,7 @@ void draw_draft(TransplantDesk& desk, Editor& editor) {
   draw_computed(draft);
 }
 
-void draw_steps(TransplantDesk& desk, const Editor& editor) {
+void draw_steps(TransplantTool& desk, const Editor& editor) {
   const auto& steps = editor.state().steps;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (!std::holds_alternative<TransplantStep>(*steps[k])) continue;
@@ -203,11 +199,26 @@ void draw_steps(TransplantDesk& desk, const Editor& editor) {
 
 }  // namespace
 
-std::optional<PathPurpose> draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures,
+void PartPictures::renew(const PartLibraryView& library, gpu::Context& context) {
+  if (version_ == library.version()) return;
+  version_ = library.version();
+  pictures_.clear();
+  for (const PartLibraryView::Item& item : library.items()) {
+    pictures_.push_back(item.picture ? std::make_unique<UiPicture>(context, *item.picture)
+                                     : nullptr);
+  }
+}
+
+void PartPictures::release() {
+  pictures_.clear();
+  version_ = 0;
+}
+
+std::optional<PathPurpose> draw_transplant_panel(TransplantTool& desk, const PartPictures& pictures,
                                                  Editor& editor, PanelDrafts& drafts) {
   ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_strip(desk, pictures);
-  draw_trouble(desk.shelf().message());
+  draw_trouble(desk.library().message());
   const auto purpose = draw_more_parts(desk, editor, drafts);
   if (!desk.is_open()) draw_steps(desk, editor);
   if (desk.has_part()) {
@@ -219,7 +230,7 @@ std::optional<PathPurpose> draw_transplant_panel(TransplantDesk& desk, const Par
   return purpose;
 }
 
-void draw_transplant_result(TransplantDesk& desk, Editor& editor) {
+void draw_transplant_result(TransplantTool& desk, Editor& editor) {
   const bool carries_out = editor.session().is_carrying_out();
   if (desk.tool().stage() == Stage::set_down && !carries_out) {
     if (ImGui::Button("Apply")) return desk.apply(editor);

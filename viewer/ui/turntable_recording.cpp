@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "lapwing/kernels/cpu_kernels.h"
+
 namespace lapwing::viewer {
 
 TurntableRecording::TurntableRecording(Order order, const Turntable& way, gpu::Context& context,
@@ -15,66 +17,36 @@ TurntableRecording::TurntableRecording(Order order, const Turntable& way, gpu::C
                            .height = options.height,
                            .per_second = order_.per_second,
                            .transparent = options.background == Background::transparent})),
-      worker_([this] { return next(); }, std::move(wake)) {}
+      job_([] { return std::make_unique<CpuKernels>(); }, std::move(wake)) {}
 
-TurntableRecording::~TurntableRecording() {
-  const std::lock_guard lock(worker_.mutex());
-  given_up_ = true;
+void TurntableRecording::take_written() {
+  try {
+    const std::optional<bool> was_last = job_.take();
+    if (!was_last) return;
+    is_writing_ = false;
+    done_ = *was_last;
+    if (!done_) ++written_;
+  } catch (...) {
+    failed_ = true;
+    throw;
+  }
 }
 
 void TurntableRecording::go_on(Surface& surface, const SurfacePaint& paint,
                                std::span<const CarriedDrawing> carried) {
-  {
-    const std::lock_guard lock(worker_.mutex());
-    if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
-    if (waiting_ || drawn_ == order_.count) return;
+  take_written();
+  if (done_ || failed_) return;
+  if (!waiting_ && drawn_ < order_.count) {
+    waiting_ = std::make_shared<const Image>(
+        renderer_.render(surface, paint, way_.camera(drawn_, order_.count), carried));
+    ++drawn_;
   }
-  Image image = renderer_.render(surface, paint, way_.camera(drawn_, order_.count), carried);
-  ++drawn_;
-  {
-    const std::lock_guard lock(worker_.mutex());
-    waiting_ = std::move(image);
-  }
-  worker_.notify();
-}
-
-int TurntableRecording::written() const {
-  const std::lock_guard lock(worker_.mutex());
-  return written_;
-}
-
-bool TurntableRecording::is_done() const {
-  const std::lock_guard lock(worker_.mutex());
-  return done_;
-}
-
-Worker::Work TurntableRecording::next() {
-  if (given_up_) return {};
-  if (waiting_) {
-    return [this, image = *std::exchange(waiting_, std::nullopt)] {
-      carry_out([&] { writer_->write(image); });
-    };
-  }
-  if (written_ < order_.count || std::exchange(finishes_, true)) return {};
-  return [this] { carry_out([this] { writer_->finish(); }); };
-}
-
-void TurntableRecording::carry_out(const std::function<void()>& work) {
-  std::exception_ptr error;
-  try {
-    work();
-  } catch (...) {
-    error = std::current_exception();
-  }
-  const std::lock_guard lock(worker_.mutex());
-  if (error) {
-    error_ = error;
-    given_up_ = true;
-  } else if (finishes_) {
-    done_ = true;
-  } else {
-    ++written_;
-  }
+  if (std::exchange(is_writing_, true)) return;
+  job_.start([this, image = std::exchange(waiting_, nullptr)](const std::shared_ptr<Kernels>&,
+                                                              const Progress&) {
+    image ? writer_->write(*image) : writer_->finish();
+    return image == nullptr;
+  });
 }
 
 }  // namespace lapwing::viewer

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "lapwing/render/frame_writer.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/turntable.h"
-#include "work/worker.h"
+#include "work/job.h"
 
 namespace lapwing::viewer {
 
@@ -27,35 +25,29 @@ class TurntableRecording {
   /// Throws what open_frames and ImageRenderer throw.
   TurntableRecording(Order order, const Turntable& way, gpu::Context& context,
                      const RenderOptions& options, std::function<void()> wake);
-  ~TurntableRecording();
 
   /// Call this once a frame. Draws the next picture, unless one waits to be written. Throws, once,
   /// what writing threw.
   void go_on(Surface& surface, const SurfacePaint& paint, std::span<const CarriedDrawing> carried);
 
   const Order& order() const { return order_; }
-  int written() const;
-  bool is_done() const;
+  int written() const { return written_; }
+  bool is_done() const { return done_; }
 
  private:
-  Worker::Work next();
-  void carry_out(const std::function<void()>& work);
+  void take_written();
 
   Order order_;
   Turntable way_;
   ImageRenderer renderer_;
-  std::unique_ptr<FrameWriter> writer_;  // used by the worker
+  std::unique_ptr<FrameWriter> writer_;  // used by the job
   int drawn_ = 0;
-
-  // Guarded by the worker's mutex.
-  std::optional<Image> waiting_;
+  std::shared_ptr<const Image> waiting_;  // drawn, but not given to the job
   int written_ = 0;
-  bool finishes_ = false;
+  bool is_writing_ = false;
   bool done_ = false;
-  bool given_up_ = false;
-  std::exception_ptr error_;
-
-  Worker worker_;  // last: it uses all the others
+  bool failed_ = false;
+  Job<bool> job_;  // last: it uses the writer. Its result tells whether that was the end.
 };
 
 }  // namespace lapwing::viewer

@@ -142,6 +142,7 @@ void ViewerApp::say_of_colors() {
 void ViewerApp::take_preferred_tools() {
   Editor& editor = document_->editor;
   editor.set_gizmo_keys(gizmo_keys());
+  editor.set_feature_angle(display_.feature_angle);
   editor.set_settles_while_dragging(preferences_.settles_while_dragging);
   editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
   editor.paint_tool().options().through = preferences_.paints_through;
@@ -230,45 +231,9 @@ Scene ViewerApp::scene() {
     beside.style.pixels_per_point = scene.style.pixels_per_point;
     beside.corner = area->corner;
     beside.size = area->size;
-    scene.moving = scene.moving || view.is_moving();
+    scene.moving = scene.moving || view.holds_mouse();
   }
   return scene;
-}
-
-VkExtent2D ViewerApp::window_size() const {
-  return {static_cast<std::uint32_t>(size_.x()), static_cast<std::uint32_t>(size_.y())};
-}
-
-RenderOptions ViewerApp::picture_options(VkExtent2D size) const {
-  RenderOptions options;
-  options.width = size.width;
-  options.height = size.height;
-  options.background = display_.background;
-  options.style = shown_style();
-  // Lines keep their share of the picture, as in the window.
-  options.style.pixels_per_point =
-      static_cast<float>(pixels_per_point_ * static_cast<double>(size.height) / size_.y());
-  if (options.style.color == SurfaceColor::scalar) {
-    options.legend_title = legend_title(*measure_of(display_.coloring));
-  }
-  return options;
-}
-
-void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) const {
-  const Editor& editor = document_->editor;
-  Camera camera = view_frame().camera;
-  // No panel covers a part of this picture.
-  camera.target_across = 0.0;
-  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera,
-                               picture_options(size), editor.carried().drawn()));
-}
-
-void ViewerApp::carry_out_order() {
-  // The first frame has been shown when the second one is laid out.
-  if (!order_ || !document_ || frames_shown_ < 1) return;
-  save_picture(order_->path, order_->size.value_or(window_size()));
-  document_->editor.session().close();
-  quit_ = true;
 }
 
 }  // namespace lapwing::viewer

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "files/load_file.h"
 #include "files/recent_files.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
@@ -16,7 +17,6 @@
 #include "preferences/preferences.h"
 #include "ui/document.h"
 #include "ui/file_chooser.h"
-#include "ui/load_file.h"
 #include "ui/messages.h"
 #include "ui/panels.h"
 #include "ui/turntable_recording.h"
@@ -40,7 +40,7 @@ struct KeptFiles {
 };
 
 /// The viewer: the open document, its view, and the panels around it. There is a source file per
-/// concern: viewer_app (the document), viewer_files (reading and writing), viewer_turntable,
+/// concern: viewer_app (the document), viewer_files (reading and writing), viewer_pictures,
 /// viewer_input (mouse and keys), viewer_menus, viewer_sidebar, viewer_dialogs (over the picture),
 /// and viewer_frame (the rest of a frame).
 class ViewerApp final : public App {
@@ -108,11 +108,6 @@ class ViewerApp final : public App {
   /// again.
   void hear(Message message);
   void save_repaired(const std::filesystem::path& path);
-  void save_chosen_picture(const std::filesystem::path& path);
-  /// Returns the options of a picture as the view shows it.
-  RenderOptions picture_options(VkExtent2D size) const;
-  void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
-  void carry_out_order();
   /// Shows a message in a toast and adds it to the log.
   void say(Message message);
   void say(const WriteReport& report);
@@ -120,18 +115,22 @@ class ViewerApp final : public App {
   void say_of_colors();
   void take_preferred_tools();
 
-  // A turntable.
+  // Pictures and turntables.
+  PicturePlan window_picture() const;
+  /// Returns the options of a picture as the view shows it.
+  RenderOptions picture_options(VkExtent2D size) const;
+  void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
+  void save_chosen_picture(const std::filesystem::path& path);
+  void carry_out_order();
   void save_turntable(const std::filesystem::path& path);
   void record_turntable();
   void give_up_turntable(const std::string& why);
-  void draw_turntable();
 
   // Mouse and keys.
   void perform(Action action);
   void drag_to(const InputEvent& event);
   void escape();
   bool asks() const;
-  PicturePlan window_picture() const;
   bool is_covered() const;
   void look_from(View view);
   void frame_all();
@@ -148,16 +147,8 @@ class ViewerApp final : public App {
   bool is_inside(const Bounds& bounds) const;
   double covered_share() const;
   double sidebar_pixels() const;
-  /// The part of the window that shows the source of a coat or mix.
-  struct Area {
-    Eigen::Vector2d corner;
-    Eigen::Vector2d size;
-    bool holds(const Eigen::Vector2d& pixel) const {
-      return (pixel.array() >= corner.array()).all() &&
-             (pixel.array() < (corner + size).array()).all();
-    }
-  };
-  std::optional<Area> source_area() const;
+  /// The part of the window that shows the source of a coat or mix, in pixels.
+  std::optional<PictureArea> source_area() const;
   std::optional<bool> handle_source(const InputEvent& event);
 
   // The menu.
@@ -187,11 +178,9 @@ class ViewerApp final : public App {
   PictureArea picture_area() const;
   void draw_marks();
   void draw_over_picture();
-  void draw_machine(const FrameTimings& last);
   void keep_preferences();
   void draw_status();
   const std::string& status_text();
-  const std::string& state_text();
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
@@ -199,8 +188,6 @@ class ViewerApp final : public App {
   /// height.
   double draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end);
   void draw_unsaved();
-  void draw_picture();
-  VkExtent2D window_size() const;
 
   std::shared_ptr<gpu::Context> context_;
   KeptFiles kept_;
@@ -225,7 +212,6 @@ class ViewerApp final : public App {
   bool show_machine_ = false;
   bool show_messages_ = false;
   bool show_start_ = true;
-  Task task_ = Task::deform;           ///< the tab in front
   std::optional<Task> task_to_show_;   ///< the tab to bring to the front
   Task begun_task_ = Task::deform;     ///< the task that is open
   std::optional<Camera> view_before_;  ///< before vertices were shown
@@ -261,7 +247,6 @@ class ViewerApp final : public App {
   Messages messages_;
   std::string status_line_;  ///< reused from frame to frame
   std::string state_line_;
-  std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
   std::exception_ptr order_failure_;  ///< an error that another device would not fix
   int frames_shown_ = 0;              ///< of the document

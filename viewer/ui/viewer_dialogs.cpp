@@ -1,9 +1,8 @@
-// Dialogs and the banner over the picture.
+// Which dialogs are open, what their answers do, and the banner over the picture.
 
 #include <cmath>
-#include <imgui.h>
+#include <utility>
 
-#include "files/typed_path.h"
 #include "navigation/camera_motion.h"
 #include "ui/viewer_app.h"
 
@@ -19,20 +18,66 @@ Camera looking_at_side(const Camera& camera, const Eigen::Vector3d& side,
                        const Eigen::Vector3d& up) {
   constexpr double kTowardsBefore = 0.4;
   constexpr double kParallel = 0.98;
-  const Eigen::Matrix4d view = camera.view();
-  const Eigen::Vector3d before = view.block<1, 3>(2, 0).transpose();
-  const Eigen::Vector3d toward_eye = (side + kTowardsBefore * before).normalized();
+  const ViewAxes before = axes_of(camera);
+  const Eigen::Vector3d toward_eye = (side + kTowardsBefore * before.toward_eye).normalized();
   // If the view goes along the mesh's up axis, keep what is up on the screen.
-  const Eigen::Vector3d on_screen = view.block<1, 3>(1, 0).transpose();
   const bool along_up = std::abs(toward_eye.dot(up)) > kParallel;
-  return looking_from(camera, {toward_eye, along_up ? on_screen : up});
+  return looking_from(camera, {toward_eye, along_up ? before.up : up});
 }
 
 }  // namespace
 
-void ViewerApp::draw_picture() {
-  if (chooser_.is_open()) return;
-  if (draw_picture_panel(picture_plan_)) ask_for_path(PathPurpose::save_picture);
+void ViewerApp::draw_dialogs() {
+  if (!interrupted_.empty()) {
+    draw_interrupted();
+  } else if (show_start_ && !chooser_.is_open() && !loader_.status().busy) {
+    draw_start();
+  }
+  if (overwriting_) {
+    // Before the dialogs that lead to it, because a key pressed there is no answer here.
+    if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
+  } else {
+    const auto plans = [this](const PicturePlan& plan) {
+      return plan.open && document_ && !chooser_.is_open();
+    };
+    if (plans(picture_plan_) && draw_picture_panel(picture_plan_)) {
+      ask_for_path(PathPurpose::save_picture);
+    }
+    if (plans(turntable_plan_.picture) && draw_turntable_panel(turntable_plan_)) {
+      ask_for_path(PathPurpose::save_turntable);
+    }
+    if (const auto chosen = chooser_.draw()) use_path(*chosen);
+    if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
+  }
+  if (draw_turntable_progress(recording_.get())) give_up_turntable("cancelled");
+  if (show_controls_) draw_controls_list(keymap(), show_controls_);
+}
+
+void ViewerApp::draw_interrupted() {
+  using What = InterruptedChoice::What;
+  const auto choice = draw_interrupted_panel(interrupted_);
+  if (!choice) return;
+  if (choice->what == What::later) return interrupted_.clear();
+  const InterruptedEdit edit = interrupted_[choice->edit];
+  interrupted_.erase(interrupted_.begin() + static_cast<std::ptrdiff_t>(choice->edit));
+  if (choice->what == What::discard) return discard(edit);
+  interrupted_.clear();
+  leave_for([this, edit] {
+    load({edit.opened}, [edit](Kernels& kernels, const Progress& progress) {
+      return load_interrupted(edit, kernels, progress);
+    });
+  });
+}
+
+void ViewerApp::draw_unsaved() {
+  const auto choice = draw_unsaved_panel(document_->opened.name);
+  if (!choice) return;
+  if (*choice == UnsavedChoice::save && document_->save_path.empty()) {
+    return ask_for_path(PathPurpose::save_mesh);
+  }
+  const auto action = std::exchange(leaving_for_, nullptr);
+  if (*choice == UnsavedChoice::save) return save_to(document_->save_path, action);
+  if (*choice == UnsavedChoice::discard) action();
 }
 
 void ViewerApp::draw_start() {
@@ -46,23 +91,6 @@ void ViewerApp::draw_start() {
   } else {
     ask_for_path(PathPurpose::open);
   }
-}
-
-void ViewerApp::draw_recent_menu() {
-  if (!ImGui::BeginMenu("Open recent")) return;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
-  if (ImGui::IsWindowAppearing()) recent_.reload();
-  std::optional<std::filesystem::path> chosen;
-  for (const RecentFiles::Item& item : recent_.items()) {
-    if (ImGui::MenuItem(with_tilde(item.path).c_str(), nullptr, false, item.is_there)) {
-      chosen = item.path;
-    }
-  }
-  if (recent_.items().empty()) ImGui::TextDisabled("What you open is listed here.");
-  ImGui::Separator();
-  if (ImGui::MenuItem("Forget these", nullptr, false, !recent_.items().empty())) recent_.clear();
-  ImGui::EndMenu();
-  if (chosen) open(*chosen);
 }
 
 double ViewerApp::draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end) {

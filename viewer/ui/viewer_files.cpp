@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "files/typed_path.h"
+#include "files/path_text.h"
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
 
@@ -58,7 +58,7 @@ fs::path ViewerApp::folder_to_ask_in(PathPurpose purpose) const {
   std::vector<fs::path> folders;
   if (document_) {
     if (purpose == PathPurpose::parts_folder)
-      folders.push_back(document_->transplant.shelf().folder());
+      folders.push_back(document_->transplant.library().folder());
     if (purpose == PathPurpose::save_mesh) folders.push_back(document_->save_path.parent_path());
     if (document_->opened.file) folders.push_back(document_->opened.file->path.parent_path());
   }
@@ -84,7 +84,7 @@ std::vector<BrowserPlace> ViewerApp::places(PathPurpose purpose) const {
     add("Open mesh", document_->opened.file->path.parent_path());
   }
   if (!samples_.empty()) add("Samples", samples_.front().parent_path());
-  if (document_) add("Parts", document_->transplant.shelf().folder());
+  if (document_) add("Parts", document_->transplant.library().folder());
   add("Computer", "/");
   if (purpose != PathPurpose::open) return places;
   for (const RecentFiles::Item& item : recent_.items()) {
@@ -221,6 +221,10 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
   last_folder_ = path.parent_path();
   chosen_ = chosen;
   const auto ask = [this] { chooser_.ask_again({}); };
+  const auto write_by = [&](void (ViewerApp::*save)(const fs::path&)) {
+    const auto write = [this, path, save] { (this->*save)(path); };
+    write_to(path, write, ask);
+  };
   switch (chosen.purpose) {
     case PathPurpose::open:
       open(path, {}, PathPurpose::open);
@@ -230,12 +234,10 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
           path, [this, path] { save_to(path, std::exchange(leaving_for_, nullptr)); }, ask);
       break;
     case PathPurpose::save_recipe:
-      write_to(
-          path, [this, path] { save_recipe(path); }, ask);
+      write_by(&ViewerApp::save_recipe);
       break;
     case PathPurpose::save_picture:
-      write_to(
-          path, [this, path] { save_chosen_picture(path); }, ask);
+      write_by(&ViewerApp::save_chosen_picture);
       break;
     case PathPurpose::save_turntable: {
       const fs::path first = is_video(path) ? path : frame_file(path, 1, turntable_plan_.count);
@@ -257,17 +259,16 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
       document_->editor.carry_along({path});
       break;
     case PathPurpose::parts_folder:
-      document_->transplant.shelf().open(path);
+      document_->transplant.library().open(path);
       break;
     case PathPurpose::use_part:
       document_->transplant.take_part(path);
       break;
     case PathPurpose::add_part:
-      document_->transplant.shelf().add(path);
+      document_->transplant.library().add(path);
       break;
     case PathPurpose::save_repaired:
-      write_to(
-          path, [this, path] { save_repaired(path); }, ask);
+      write_by(&ViewerApp::save_repaired);
       break;
   }
 }
@@ -290,17 +291,6 @@ void ViewerApp::save_repaired(const fs::path& path) {
     open(path, {});
   } catch (const Error& error) {
     ask_again(PathPurpose::save_repaired, path, error.what());
-  }
-}
-
-void ViewerApp::save_chosen_picture(const fs::path& path) {
-  const VkExtent2D size{static_cast<std::uint32_t>(picture_plan_.width),
-                        static_cast<std::uint32_t>(picture_plan_.height)};
-  try {
-    save_picture(path, size);
-    say("saved " + path.string());
-  } catch (const Error& error) {
-    ask_again(PathPurpose::save_picture, path, error.what());
   }
 }
 

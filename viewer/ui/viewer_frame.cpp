@@ -8,7 +8,7 @@
 
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
-#include "ui/window_flags.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -86,7 +86,11 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   free.corner.y() += banner_height_;
   free.size.y() -= banner_height_ + guide_height_;
   draw_toasts(messages_, free);
-  if (show_machine_) draw_machine(last);
+  if (show_machine_) {
+    const Certificate* certificate =
+        document_ ? document_->editor.session().certificate() : nullptr;
+    draw_machine_panel(context_->description(), last, certificate, show_machine_);
+  }
   if (show_messages_) draw_messages_panel(messages_, show_messages_);
   if (document_) ++frames_shown_;
   keep_preferences();
@@ -136,11 +140,6 @@ void ViewerApp::draw_over_picture() {
   guide_height_ = draw_guide(guide, picture_area());
 }
 
-void ViewerApp::draw_machine(const FrameTimings& last) {
-  const Certificate* certificate = document_ ? document_->editor.session().certificate() : nullptr;
-  draw_machine_panel(context_->description(), last, certificate, show_machine_);
-}
-
 // Writes changed preferences once no mouse button is down.
 void ViewerApp::keep_preferences() {
   if (document_) {
@@ -168,7 +167,7 @@ void ViewerApp::update_document() {
   if (!document_) return;
   Editor& editor = document_->editor;
   DetailTransferTool& desk = document_->desk;
-  TransplantDesk& transplant = document_->transplant;
+  TransplantTool& transplant = document_->transplant;
   editor.update();
   // Both preview on the surface, so the one begun last closes the other.
   if (desk.is_open() && transplant.is_open()) {
@@ -178,58 +177,12 @@ void ViewerApp::update_document() {
   desk.update(editor);
   transplant.update(editor);
   document_->banner.update(editor, desk.is_open() || transplant.is_open());
-  part_pictures_.renew(transplant.shelf(), *context_);
+  part_pictures_.renew(transplant.library(), *context_);
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size, pixels_per_point_);
   camera_.target_across = covered_share();
   // The free part of the window has changed.
   if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
-}
-
-void ViewerApp::draw_dialogs() {
-  if (!interrupted_.empty()) {
-    draw_interrupted();
-  } else if (show_start_ && !chooser_.is_open() && !loader_.status().busy) {
-    draw_start();
-  }
-  if (overwriting_) {
-    // Before the dialogs that lead to it, because a key pressed there is no answer here.
-    if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
-  } else {
-    if (picture_plan_.open && document_) draw_picture();
-    if (turntable_plan_.picture.open && document_) draw_turntable();
-    if (const auto chosen = chooser_.draw()) use_path(*chosen);
-    if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
-  }
-  if (draw_turntable_progress(recording_.get())) give_up_turntable("cancelled");
-  if (show_controls_) draw_controls_list(keymap(), show_controls_);
-}
-
-void ViewerApp::draw_interrupted() {
-  using What = InterruptedChoice::What;
-  const auto choice = draw_interrupted_panel(interrupted_);
-  if (!choice) return;
-  if (choice->what == What::later) return interrupted_.clear();
-  const InterruptedEdit edit = interrupted_[choice->edit];
-  interrupted_.erase(interrupted_.begin() + static_cast<std::ptrdiff_t>(choice->edit));
-  if (choice->what == What::discard) return discard(edit);
-  interrupted_.clear();
-  leave_for([this, edit] {
-    load({edit.opened}, [edit](Kernels& kernels, const Progress& progress) {
-      return load_interrupted(edit, kernels, progress);
-    });
-  });
-}
-
-void ViewerApp::draw_unsaved() {
-  const auto choice = draw_unsaved_panel(document_->opened.name);
-  if (!choice) return;
-  if (*choice == UnsavedChoice::save && document_->save_path.empty()) {
-    return ask_for_path(PathPurpose::save_mesh);
-  }
-  const auto action = std::exchange(leaving_for_, nullptr);
-  if (*choice == UnsavedChoice::save) return save_to(document_->save_path, action);
-  if (*choice == UnsavedChoice::discard) action();
 }
 
 // Returns what is open and chosen, and what to do if no guide says it.
@@ -254,13 +207,6 @@ const std::string& ViewerApp::status_text() {
   return text;
 }
 
-// Returns what the worker does and what a drag shows.
-const std::string& ViewerApp::state_text() {
-  state_line_.clear();
-  if (document_) append_state(state_line_, document_->editor);
-  return state_line_;
-}
-
 void ViewerApp::draw_status() {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(
@@ -272,7 +218,9 @@ void ViewerApp::draw_status() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
   if (ImGui::Begin("Status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) {
     // The state changes its width with every frame. At the right end it moves no other word.
-    const std::string& state = state_text();
+    std::string& state = state_line_;
+    state.clear();
+    if (document_) append_state(state, document_->editor);
     const float at =
         viewport.WorkSize.x - style.WindowPadding.x - ImGui::CalcTextSize(state.c_str()).x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();

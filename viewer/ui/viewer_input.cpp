@@ -1,6 +1,7 @@
 // Mouse and keys: the editor's tools come first, then the camera.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 
@@ -28,6 +29,21 @@ constexpr double kLeastFree = 0.5;
 // Room around a single framed vertex, in diagonals of the mesh.
 constexpr double kSurroundings = 0.02;
 
+constexpr auto kViews =
+    std::to_array<std::pair<Action, View>>({{Action::view_front, View::front},
+                                            {Action::view_back, View::back},
+                                            {Action::view_right, View::right},
+                                            {Action::view_left, View::left},
+                                            {Action::view_top, View::top},
+                                            {Action::view_bottom, View::bottom},
+                                            {Action::view_three_quarter, View::three_quarter}});
+constexpr auto kAskedPaths = std::to_array<std::pair<Action, PathPurpose>>(
+    {{Action::open, PathPurpose::open},
+     {Action::save_as, PathPurpose::save_mesh},
+     {Action::save_recipe, PathPurpose::save_recipe},
+     {Action::replay_recipe, PathPurpose::replay_recipe},
+     {Action::carry_file, PathPurpose::carry_file}});
+
 }  // namespace
 
 void ViewerApp::resize(const Vector2d& size, double pixels_per_point) {
@@ -46,12 +62,12 @@ Vector3d ViewerApp::upward() const {
   return up_axis_ == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ();
 }
 
-std::optional<ViewerApp::Area> ViewerApp::source_area() const {
+std::optional<PictureArea> ViewerApp::source_area() const {
   if (!document_ || !document_->desk.is_open() || document_->desk.view() == nullptr) return {};
   const double left = std::round(sidebar_pixels());
   const double width = std::floor(0.5 * (size_.x() - left));
   if (width < 1.0) return {};
-  return Area{{left, 0.0}, {width, size_.y()}};
+  return PictureArea{{left, 0.0}, {width, size_.y()}};
 }
 
 // Returns the covered share of the window's width, which is also the offset of the free part's
@@ -86,7 +102,8 @@ void ViewerApp::use_mouse_of(const std::string& keymap) {
 
 void ViewerApp::frame_all() {
   if (!document_) return;
-  Positions points = document_->editor.positions();
+  const Editor& editor = document_->editor;
+  Positions points = surface_positions(editor.positions(), surface_of(editor.state())->topology());
   document_->editor.carried().append_positions(points);
   frame_points(points);
 }
@@ -109,13 +126,10 @@ void ViewerApp::frame(std::span<const Index> vertices) {
 }
 
 void ViewerApp::frame_points(std::span<const Vector3d> points) {
-  Framing framing;
-  framing.field_of_view = camera_.field_of_view;
-  framing.orthographic = camera_.orthographic;
-  framing.legend = covered_share();
-  const Eigen::Matrix4d view = camera_.view();
-  const ViewAxes axes{view.block<1, 3>(2, 0).transpose(), view.block<1, 3>(1, 0).transpose()};
-  camera_ = fit(points, axes, size_.x() / size_.y(), framing);
+  const Framing framing{.field_of_view = camera_.field_of_view,
+                        .orthographic = camera_.orthographic,
+                        .legend = covered_share()};
+  camera_ = fit(points, axes_of(camera_), size_.x() / size_.y(), framing);
   camera_.target_across = framing.legend;
   if (!show_panels_) return;
   // Keep the points clear of menu and tools, too.
@@ -252,14 +266,15 @@ void ViewerApp::escape() {
   loader_.cancel();
 }
 
-// Returns a plan for a picture as large as the window.
-PicturePlan ViewerApp::window_picture() const {
-  return {document_ != nullptr, static_cast<int>(size_.x()), static_cast<int>(size_.y())};
-}
-
 void ViewerApp::perform(Action action) {
   if (document_ && perform_on(document_->editor, action)) return;
   if (document_ && perform_on(document_->desk, document_->editor, action)) return;
+  for (const auto& [own, view] : kViews) {
+    if (own == action) return look_from(view);
+  }
+  for (const auto& [own, purpose] : kAskedPaths) {
+    if (own == action) return ask_for_path(purpose);
+  }
   const double step = kOrbitShare * size_.y();
   switch (action) {
     case Action::frame_all:
@@ -270,20 +285,6 @@ void ViewerApp::perform(Action action) {
         return frame(vertices);
       }
       return frame_all();
-    case Action::view_front:
-      return look_from(View::front);
-    case Action::view_back:
-      return look_from(View::back);
-    case Action::view_right:
-      return look_from(View::right);
-    case Action::view_left:
-      return look_from(View::left);
-    case Action::view_top:
-      return look_from(View::top);
-    case Action::view_bottom:
-      return look_from(View::bottom);
-    case Action::view_three_quarter:
-      return look_from(View::three_quarter);
     case Action::toggle_projection:
       camera_.orthographic = !camera_.orthographic;
       return;
@@ -318,27 +319,13 @@ void ViewerApp::perform(Action action) {
     case Action::take_up_part:
       if (document_) document_->transplant.take_up_last(document_->editor);
       return;
-    case Action::open:
-      return ask_for_path(PathPurpose::open);
     case Action::save:
       if (!document_) return;
       if (document_->save_path.empty()) return ask_for_path(PathPurpose::save_mesh);
       save_to(document_->save_path);
       return;
-    case Action::save_as:
-      if (document_) ask_for_path(PathPurpose::save_mesh);
-      return;
-    case Action::save_recipe:
-      if (document_) ask_for_path(PathPurpose::save_recipe);
-      return;
-    case Action::replay_recipe:
-      if (document_) ask_for_path(PathPurpose::replay_recipe);
-      return;
     case Action::open_source:
       if (document_ && document_->desk.is_open()) ask_for_path(PathPurpose::open_source);
-      return;
-    case Action::carry_file:
-      if (document_) ask_for_path(PathPurpose::carry_file);
       return;
     case Action::save_carried:
       if (document_) save_carried();

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <string>
 
+#include "files/path_text.h"
 #include "ui/viewer_app.h"
 
 namespace lapwing::viewer {
@@ -78,6 +79,22 @@ void ViewerApp::draw_file_menu() {
   if (ImGui::MenuItem("Samples and shapes...")) show_start_ = true;
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
+}
+
+void ViewerApp::draw_recent_menu() {
+  if (!begin_menu("Open recent")) return;
+  if (ImGui::IsWindowAppearing()) recent_.reload();
+  std::optional<std::filesystem::path> chosen;
+  for (const RecentFiles::Item& item : recent_.items()) {
+    if (ImGui::MenuItem(with_tilde(item.path).c_str(), nullptr, false, item.is_there)) {
+      chosen = item.path;
+    }
+  }
+  if (recent_.items().empty()) ImGui::TextDisabled("What you open is listed here.");
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget these", nullptr, false, !recent_.items().empty())) recent_.clear();
+  ImGui::EndMenu();
+  if (chosen) open(*chosen);
 }
 
 void ViewerApp::draw_edit_menu() {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ui/viewer_app.h"
-#include "ui/window_flags.h"
+#include "ui/widgets.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -106,7 +106,6 @@ void ViewerApp::draw_tabs() {
     const bool wanted = task_to_show_ == tab.task;
     if (!ImGui::BeginTabItem(tab.name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0))
       continue;
-    if (wanted || !task_to_show_) task_ = tab.task;
     ImGui::BeginChild(tab.name);
     draw_task(tab.task);
     ImGui::EndChild();

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "lapwing/gpu/context.h"
+#include "lapwing/render/point_cloud.h"
 #include "lapwing/render/surface.h"
+#include "lapwing/render/surface_paint.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -15,6 +17,11 @@ VkOffset3D corner_of(VkExtent2D extent) {
   return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height), 1};
 }
 
+constexpr double kTimeToSpare = MovingResolution::kLongestFrame / 2.0;
+// A single slow frame may have compiled a shader, or waited for something else.
+constexpr int kSlowFrames = 2;
+constexpr int kMostPatience = 256;
+
 }  // namespace
 
 PictureSource picture_way(const PictureNeed& need) {
@@ -23,6 +30,57 @@ PictureSource picture_way(const PictureNeed& need) {
   }
   const bool jumps = need.only_view_changed && need.fine_is_slow;
   return need.moving || jumps ? PictureSource::quick : PictureSource::fine;
+}
+
+void MovingResolution::took(double milliseconds) {
+  slow_ = milliseconds > kLongestFrame ? slow_ + 1 : 0;
+  fast_ = milliseconds < kTimeToSpare ? fast_ + 1 : 0;
+  if (slow_ >= kSlowFrames && pixels_ < kCoarsest) {
+    ++pixels_;
+    slow_ = 0;
+    patience_ = std::min(2 * patience_, kMostPatience);
+  } else if (fast_ >= patience_ && pixels_ > 1) {
+    --pixels_;
+    fast_ = 0;
+  }
+}
+
+SceneContents::Seen SceneContents::seen(const SurfaceScene& scene) {
+  Seen all;
+  // Without a surface only the background shows, whatever the camera.
+  if (scene.surface == nullptr) return all;
+  all.surface = scene.surface->revision();
+  all.paint = scene.paint->revision();
+  all.camera = scene.camera;
+  all.style = scene.style;
+  all.style.sides = Sides::both;
+  return all;
+}
+
+void SceneContents::take(const Scene& scene) {
+  main_ = seen(scene);
+  carried_.clear();
+  for (const CarriedDrawing& drawing : scene.carried) {
+    carried_.push_back(drawing.surface != nullptr ? drawing.surface->revision() : 0);
+    carried_.push_back(drawing.paint != nullptr ? drawing.paint->revision() : 0);
+    carried_.push_back(drawing.points != nullptr ? drawing.points->revision() : 0);
+  }
+  beside_.reset();
+  corner_.setZero();
+  size_.setZero();
+  if (scene.beside) {
+    beside_ = seen(*scene.beside);
+    corner_ = scene.beside->corner;
+    size_ = scene.beside->size;
+  }
+  background_ = scene.background;
+}
+
+bool SceneContents::differs_in_view_alone(const SceneContents& other) const {
+  SceneContents here = *this;
+  here.main_.camera = other.main_.camera;
+  if (here.beside_ && other.beside_) here.beside_->camera = other.beside_->camera;
+  return here == other && *this != other;
 }
 
 CachedPicture::Drawing::Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples,

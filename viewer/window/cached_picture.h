@@ -1,14 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/render/device_image.h"
 #include "lapwing/render/draw_scope.h"
 #include "lapwing/render/renderer.h"
 #include "window/app.h"
-#include "window/moving_resolution.h"
-#include "window/scene_contents.h"
 
 namespace lapwing::viewer {
 
@@ -29,10 +29,64 @@ struct PictureNeed {
   bool fine_is_slow = false;       ///< a fine picture takes longer than a frame may
 };
 
-/// Returns how to get the picture. It is redrawn if its contents have changed: quickly while
-/// something moves, or if the view jumps (as by the wheel) and antialiasing is slow. At rest it is
-/// redrawn finely.
+/// Returns how to get the picture. Changed contents are drawn quickly while something moves, or if
+/// the view jumps (as by the wheel) and antialiasing is slow. At rest they are drawn finely.
 PictureSource picture_way(const PictureNeed& need);
+
+/// Chooses the resolution while something moves: coarser if frames take too long, and finer again
+/// if there is time to spare. Persists from one motion to the next.
+class MovingResolution {
+ public:
+  /// In milliseconds on the device. A longer frame is noticeable.
+  static constexpr double kLongestFrame = 50.0;
+  /// Most window pixels, across and down, per pixel drawn.
+  static constexpr std::uint32_t kCoarsest = 2;
+
+  /// Window pixels, across and down, per pixel drawn.
+  std::uint32_t pixels_per_pixel() const { return pixels_; }
+
+  /// Reports the time of a frame at this resolution.
+  void took(double milliseconds);
+
+ private:
+  std::uint32_t pixels_ = 1;
+  int slow_ = 0;  ///< frames in a row that took too long
+  int fast_ = 0;  ///< frames in a row with time to spare
+  /// Value of fast_ at which the picture gets finer. Doubles whenever it gets coarser, so that a
+  /// mesh whose triangles take the time, and not its pixels, does not go back and forth.
+  int patience_ = 4;
+};
+
+/// What a picture of a scene depends on, as a value: surfaces, carried objects and their colours
+/// (by revision), cameras, styles, background. It does not depend on quality (`Scene::moving`,
+/// `SurfaceStyle::sides`), nor on the panels and marks over it.
+class SceneContents {
+ public:
+  /// Takes the contents of `scene`. Allocates nothing if as much is carried as before.
+  void take(const Scene& scene);
+
+  bool operator==(const SceneContents&) const = default;
+  /// Whether only the cameras differ.
+  bool differs_in_view_alone(const SceneContents& other) const;
+
+ private:
+  struct Seen {
+    std::uint64_t surface = 0;
+    std::uint64_t paint = 0;
+    Camera camera;
+    SurfaceStyle style;
+
+    bool operator==(const Seen&) const = default;
+  };
+  static Seen seen(const SurfaceScene& scene);
+
+  Seen main_;
+  std::vector<std::uint64_t> carried_;
+  std::optional<Seen> beside_;
+  Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
+  Background background_ = Background::gradient;
+};
 
 /// Options for benchmarks and tests. The window uses the defaults.
 struct PaintingOptions {
@@ -62,8 +116,6 @@ class CachedPicture {
   /// Reports how long the device took to draw and show the last frame in that way.
   void took(PictureSource way, double milliseconds);
 
-  /// Makes the next frame redraw the picture.
-  void forget() { shown_ = nullptr; }
   /// Whether the picture was drawn quickly, so that it will be redrawn at rest.
   bool is_quick() const { return shown_ == &quick_; }
   /// Window pixels, across and down, per pixel of the picture.
@@ -83,6 +135,8 @@ class CachedPicture {
     std::optional<DrawScope> scope;
   };
 
+  /// Makes the next frame redraw the picture.
+  void forget() { shown_ = nullptr; }
   void fit(Drawing& drawing, std::uint32_t pixels) const;
   void draw_beside(VkCommandBuffer commands, const Drawing& drawing, const SideScene& scene,
                    Background background) const;

@@ -2,14 +2,26 @@
 
 #include <vector>
 
-#include "window/desktop_event.h"
+#include <Eigen/Core>
 
 namespace lapwing::viewer {
 
+/// An event of the desktop for a window, in GLFW's numbers.
+struct DesktopEvent {
+  enum class Kind { move, enter, button, scroll, key, text, focus };
+
+  Kind kind = Kind::move;
+  Eigen::Vector2d cursor = Eigen::Vector2d::Zero();  ///< position at the event, in screen units
+  int code = 0;                                      ///< the button, the key, or the character
+  int scancode = 0;                                  ///< for keys
+  int action = 0;     ///< of buttons and keys; for `enter` and `focus` 1 if gained, 0 if lost
+  int modifiers = 0;  ///< pressed at the event
+  Eigen::Vector2d scroll = Eigen::Vector2d::Zero();
+};
+
 /// The input that the panels get for one frame. They see mouse and keys only as these are at each
-/// frame: they would miss a click within a frame, take two clicks for one, and see a click before a
-/// move at the wrong place. Where a key goes also depends on the click before it. So an event that
-/// does not fit waits until the panels have been laid out.
+/// frame, so they would miss a click within a frame or take two for one. An event that does not fit
+/// waits until the panels have been laid out.
 class FrameInput {
  public:
   /// Whether the panels can tell `event` from the events since the last layout, in this order. The

@@ -37,8 +37,6 @@ class FramePainter {
   /// How the last frame got its picture.
   PictureSource way() const { return way_; }
   const CachedPicture& picture() const { return picture_; }
-  /// Makes the next frame redraw its picture.
-  void forget_picture() { picture_.forget(); }
 
  private:
   void fit_to(VkExtent2D pixels);

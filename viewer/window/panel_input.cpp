@@ -10,13 +10,8 @@
 #include <imgui_internal.h>
 
 namespace lapwing::viewer {
-namespace {
-
-using Kind = DesktopEvent::Kind;
-
-}  // namespace
-
 void PanelInput::hand_on(const DesktopEvent& event) {
+  using Kind = DesktopEvent::Kind;
   frame_.add(event);
   cursor_ = event.cursor;
   switch (event.kind) {
@@ -94,6 +89,38 @@ bool PanelInput::want_keys() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return context.WantTextInputNextFrame == 1 && context.ActiveId != 0 &&
          context.ActiveId == context.InputTextState.ID;
+}
+
+bool PictureInput::gets(InputKind kind, MouseButton button, const Eigen::Vector2d& cursor) {
+  switch (kind) {
+    case InputKind::move:
+      return true;
+    case InputKind::press:
+      return gets_press(button, cursor);
+    case InputKind::release:
+      return gets_release(button);
+    case InputKind::scroll:
+      return !PanelInput::want_mouse(cursor);
+    case InputKind::key:
+      // The text of a key goes where the key went, even if that opened a field.
+      types_into_panel_ = PanelInput::want_keys();
+      return !types_into_panel_;
+    case InputKind::text:
+      return !types_into_panel_;
+  }
+  return false;
+}
+
+bool PictureInput::gets_press(MouseButton button, const Eigen::Vector2d& cursor) {
+  if (dragging_ != MouseButton::none || PanelInput::want_mouse(cursor)) return false;
+  dragging_ = button;
+  return true;
+}
+
+bool PictureInput::gets_release(MouseButton button) {
+  if (dragging_ != button) return false;
+  dragging_ = MouseButton::none;
+  return true;
 }
 
 }  // namespace lapwing::viewer

@@ -29,8 +29,8 @@ ImVec4 gray(float level, float opacity = 1.0F) {
   return {level, level, std::min(1.02F * level, 1.0F), opacity};
 }
 
-// The colours in which the themes differ.
-struct Palette {
+// Gray levels in which the themes differ.
+struct Grays {
   float text;
   float quiet_text;
   float window;
@@ -41,37 +41,23 @@ struct Palette {
   float step;
   float header;
   float button;
+};
+// The colours in which the themes differ.
+struct Palette {
+  Grays gray;
   ImVec4 accent;         // behind text
   ImVec4 strong_accent;  // behind text that is pressed
   ImVec4 mark;           // of check marks and grips, without text on it
   std::array<ImVec4, 3> tones;
 };
 
-const Palette kDark{0.92F,
-                    0.64F,
-                    0.16F,
-                    0.13F,
-                    0.12F,
-                    0.28F,
-                    0.21F,
-                    0.03F,
-                    0.22F,
-                    0.26F,
+const Palette kDark{{0.92F, 0.64F, 0.16F, 0.13F, 0.12F, 0.28F, 0.21F, 0.03F, 0.22F, 0.26F},
                     {0.17F, 0.36F, 0.58F, 1.0F},
                     {0.13F, 0.30F, 0.52F, 1.0F},
                     {0.36F, 0.62F, 0.92F, 1.0F},
                     {ImVec4{0.92F, 0.92F, 0.96F, 1.0F}, ImVec4{0.95F, 0.76F, 0.30F, 1.0F},
                      ImVec4{1.0F, 0.56F, 0.52F, 1.0F}}};
-const Palette kLight{0.09F,
-                     0.33F,
-                     0.94F,
-                     0.98F,
-                     0.90F,
-                     0.70F,
-                     0.86F,
-                     -0.03F,
-                     0.88F,
-                     0.82F,
+const Palette kLight{{0.09F, 0.33F, 0.94F, 0.98F, 0.90F, 0.70F, 0.86F, -0.03F, 0.88F, 0.82F},
                      {0.62F, 0.78F, 0.96F, 1.0F},
                      {0.52F, 0.71F, 0.93F, 1.0F},
                      {0.13F, 0.40F, 0.74F, 1.0F},
@@ -82,29 +68,29 @@ const Palette* current = &kDark;
 
 void set_colors(ImGuiStyle& style, const Palette& p) {
   const auto set = [&](ImGuiCol which, const ImVec4& color) { style.Colors[which] = color; };
-  set(ImGuiCol_Text, gray(p.text));
-  set(ImGuiCol_TextDisabled, gray(p.quiet_text));
-  set(ImGuiCol_WindowBg, gray(p.window));
-  set(ImGuiCol_PopupBg, gray(p.popup));
-  set(ImGuiCol_MenuBarBg, gray(p.menu));
-  set(ImGuiCol_Border, gray(p.border));
-  set(ImGuiCol_FrameBg, gray(p.frame));
-  set(ImGuiCol_FrameBgHovered, gray(p.frame + p.step));
-  set(ImGuiCol_FrameBgActive, gray(p.frame + 2.0F * p.step));
-  set(ImGuiCol_TitleBg, gray(p.header));
-  set(ImGuiCol_TitleBgActive, gray(p.header));
-  set(ImGuiCol_Header, gray(p.header));
-  set(ImGuiCol_HeaderHovered, gray(p.header + p.step));
-  set(ImGuiCol_HeaderActive, gray(p.header + 2.0F * p.step));
-  set(ImGuiCol_Button, gray(p.button));
+  set(ImGuiCol_Text, gray(p.gray.text));
+  set(ImGuiCol_TextDisabled, gray(p.gray.quiet_text));
+  set(ImGuiCol_WindowBg, gray(p.gray.window));
+  set(ImGuiCol_PopupBg, gray(p.gray.popup));
+  set(ImGuiCol_MenuBarBg, gray(p.gray.menu));
+  set(ImGuiCol_Border, gray(p.gray.border));
+  set(ImGuiCol_FrameBg, gray(p.gray.frame));
+  set(ImGuiCol_FrameBgHovered, gray(p.gray.frame + p.gray.step));
+  set(ImGuiCol_FrameBgActive, gray(p.gray.frame + 2.0F * p.gray.step));
+  set(ImGuiCol_TitleBg, gray(p.gray.header));
+  set(ImGuiCol_TitleBgActive, gray(p.gray.header));
+  set(ImGuiCol_Header, gray(p.gray.header));
+  set(ImGuiCol_HeaderHovered, gray(p.gray.header + p.gray.step));
+  set(ImGuiCol_HeaderActive, gray(p.gray.header + 2.0F * p.gray.step));
+  set(ImGuiCol_Button, gray(p.gray.button));
   set(ImGuiCol_ButtonHovered, p.accent);
   set(ImGuiCol_ButtonActive, p.strong_accent);
-  set(ImGuiCol_Tab, gray(p.header));
+  set(ImGuiCol_Tab, gray(p.gray.header));
   set(ImGuiCol_TabHovered, p.accent);
   set(ImGuiCol_TabActive, p.accent);
-  set(ImGuiCol_TabUnfocused, gray(p.header));
+  set(ImGuiCol_TabUnfocused, gray(p.gray.header));
   set(ImGuiCol_TabUnfocusedActive, p.accent);
-  set(ImGuiCol_Separator, gray(p.border));
+  set(ImGuiCol_Separator, gray(p.gray.border));
   set(ImGuiCol_SeparatorHovered, p.mark);
   set(ImGuiCol_SeparatorActive, p.mark);
   set(ImGuiCol_CheckMark, p.mark);
@@ -112,7 +98,7 @@ void set_colors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_SliderGrabActive, p.strong_accent);
   set(ImGuiCol_PlotHistogram, p.accent);
   set(ImGuiCol_TextSelectedBg, p.accent);
-  set(ImGuiCol_TableHeaderBg, gray(p.header));
+  set(ImGuiCol_TableHeaderBg, gray(p.gray.header));
   // The picture stays visible behind a modal dialog.
   set(ImGuiCol_ModalWindowDimBg, {});
 }

@@ -141,7 +141,7 @@ void UiRenderer::draw(VkCommandBuffer commands, VkExtent2D extent, const ImDrawD
                                              : std::array{atlas_width_, atlas_height_};
         const gpu::Buffer* pixels = picture != nullptr ? &picture->pixels() : &*atlas_;
         const GraphicsPipeline& pipeline = picture != nullptr ? pictures_ : texts_;
-        pipeline.draw(commands, {&corners_, &vertices_, pixels}, push, command.ElemCount, first);
+        pipeline.draw(commands, {corners_, vertices_, *pixels}, push, command.ElemCount, first);
       }
       first += command.ElemCount;
     }

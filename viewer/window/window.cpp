@@ -13,10 +13,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
-#include "lapwing/base/errors.h"
 #include "lapwing/gpu/instance.h"
-#include "window/panel_input.h"
-#include "window/window_error.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -138,52 +135,37 @@ struct WindowCallbacks {
     add(handle, {.kind = Kind::move, .modifiers = pressed_modifiers(handle)});
   }
 
-  static void on_scroll(GLFWwindow* handle, double x, double y) {
-    add(handle, {.kind = Kind::scroll, .modifiers = pressed_modifiers(handle), .scroll = {x, y}});
-  }
-
-  static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    add(handle, {.kind = Kind::key,
-                 .code = key,
-                 .scancode = scancode,
-                 .action = action,
-                 .modifiers = mods});
-  }
-
-  static void on_text(GLFWwindow* handle, unsigned int character) {
-    add(handle, {.kind = Kind::text, .code = static_cast<int>(character)});
-  }
-
-  static void on_focus(GLFWwindow* handle, int focused) {
-    add(handle, {.kind = Kind::focus, .action = focused});
-  }
-
-  static void on_enter(GLFWwindow* handle, int entered) {
-    add(handle, {.kind = Kind::enter, .action = entered});
-  }
-
-  static void on_drop(GLFWwindow* handle, int count, const char** paths) {
-    of(handle).changed_ = true;
-    for (int i = 0; i < count; ++i) of(handle).dropped_.emplace_back(paths[i]);
-  }
-
-  static void on_close(GLFWwindow* handle) { of(handle).changed_ = true; }
-  static void on_resize(GLFWwindow* handle, int, int) { of(handle).changed_ = true; }
-  static void on_refresh(GLFWwindow* handle) { of(handle).changed_ = true; }
-  static void on_scale(GLFWwindow* handle, float, float) { of(handle).changed_ = true; }
-
   static void install(GLFWwindow* handle) {
     glfwSetMouseButtonCallback(handle, on_button);
     glfwSetCursorPosCallback(handle, on_move);
-    glfwSetScrollCallback(handle, on_scroll);
-    glfwSetKeyCallback(handle, on_key);
-    glfwSetCharCallback(handle, on_text);
-    glfwSetWindowFocusCallback(handle, on_focus);
-    glfwSetCursorEnterCallback(handle, on_enter);
-    glfwSetDropCallback(handle, on_drop);
-    glfwSetWindowCloseCallback(handle, on_close);
+    glfwSetScrollCallback(handle, [](GLFWwindow* own, double x, double y) {
+      add(own, {.kind = Kind::scroll, .modifiers = pressed_modifiers(own), .scroll = {x, y}});
+    });
+    glfwSetKeyCallback(handle, [](GLFWwindow* own, int key, int scancode, int action, int mods) {
+      add(own, {.kind = Kind::key,
+                .code = key,
+                .scancode = scancode,
+                .action = action,
+                .modifiers = mods});
+    });
+    glfwSetCharCallback(handle, [](GLFWwindow* own, unsigned int character) {
+      add(own, {.kind = Kind::text, .code = static_cast<int>(character)});
+    });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* own, int focused) {
+      add(own, {.kind = Kind::focus, .action = focused});
+    });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* own, int entered) {
+      add(own, {.kind = Kind::enter, .action = entered});
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* own, int count, const char** paths) {
+      of(own).changed_ = true;
+      of(own).dropped_.insert(of(own).dropped_.end(), paths, paths + count);
+    });
+    glfwSetWindowCloseCallback(handle, [](GLFWwindow* own) { of(own).changed_ = true; });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* own) { of(own).changed_ = true; });
+    const auto on_resize = [](GLFWwindow* own, int, int) { of(own).changed_ = true; };
     glfwSetFramebufferSizeCallback(handle, on_resize);
-    glfwSetWindowRefreshCallback(handle, on_refresh);
+    const auto on_scale = [](GLFWwindow* own, float, float) { of(own).changed_ = true; };
     glfwSetWindowContentScaleCallback(handle, on_scale);
   }
 };

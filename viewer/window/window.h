@@ -9,13 +9,19 @@
 
 #include <volk.h>
 
+#include "lapwing/base/errors.h"
 #include "tools/input.h"
 #include "window/panel_input.h"
-#include "window/picture_input.h"
 
 struct GLFWwindow;
 
 namespace lapwing::viewer {
+
+/// No window can be opened: there is no display, or it refuses.
+class WindowError : public Error {
+ public:
+  using Error::Error;
+};
 
 /// A window of the desktop, by GLFW, and its input. One at a time, on the main thread.
 class Window {
@@ -32,9 +38,8 @@ class Window {
   /// Creates a surface, which the caller must destroy. Throws GpuError.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// From now on, the loss of the display (its server ends, its connection breaks) ends the program
-  /// at once, with `code` and a message on standard error. There is no orderly shutdown, because
-  /// drawing waits for the display, too.
+  /// From now on, the loss of the display ends the program at once, with `code` and a message on
+  /// standard error. An orderly shutdown would wait for the display, too.
   static void exit_when_display_goes(int code);
 
   /// Waits for an event, at most `seconds`.

@@ -5,15 +5,13 @@
 #include <mutex>
 #include <optional>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "state/carried_object.h"
 
 namespace lapwing::viewer {
 
-/// Carries objects along with successive deforms of a surface, by the AttachmentDeformer of a run
-/// and with the same bits. Finds once per object what it follows on the rest surface. After that, a
-/// deform costs a rotation fit per vertex that may move and a mean per point. Threads may share
-/// one.
+/// Carries objects along with successive deforms of a surface, with the bits of a run. Finds once
+/// per object what it follows on the rest surface. Threads may share one.
 class AttachmentCache {
  public:
   /// Returns where `objects`, at rest with the surface of `rest`, are after it moved to `deformed`,
@@ -24,8 +22,8 @@ class AttachmentCache {
                                                   const Deformed& deformed,
                                                   const Progress& progress);
 
-  /// Limit per object, 128 MB. If the points of an object follow more, such as those of a large one
-  /// far from a fine surface, it is carried, too, but what it follows is found each time.
+  /// Limit per object, 128 MB. If the points of an object follow more, what they follow is found
+  /// again for each deform.
   static constexpr std::size_t kMostShares = 8'000'000;
 
  private:

@@ -21,21 +21,19 @@ struct DraggedFrame {
 };
 
 /// Computes in the background where the carried objects go while their surface is dragged
-/// (AttachmentCache). Computes one frame at a time and skips those in between, so objects lag
-/// behind the surface by at most that time.
-///
-/// Call all members from one thread, the window's. They return at once, except the destructor,
-/// which waits until the current object is done.
+/// (AttachmentCache), one frame at a time, skipping those in between. Call all members from one
+/// thread, the window's. They return at once, except the destructor, which waits until the current
+/// object is done.
 class AttachmentFollower {
  public:
   /// `wake` is called on the worker when a frame is done.
   explicit AttachmentFollower(std::function<void()> wake = {});
 
-  /// Asks for the objects of `state` in `frame`, a drag by a response of `preparation`. Does
-  /// nothing if this was asked for last, or if a frame is under way.
+  /// Asks for the objects of `state` in `frame`. Does nothing if this was asked for last, or if a
+  /// frame is under way.
   void follow(const AppState& state, const Preparation& preparation, const DraggedFrame& frame);
-  /// Returns their places in the last finished frame, in the order of AppState::carried, once;
-  /// nothing until it is finished. Throws the exception of the computation, once.
+  /// Returns their places, in the order of AppState::carried, once; nothing until they are
+  /// computed. Throws the exception of the computation, once.
   std::optional<std::vector<Positions>> take() { return job_.take(); }
   /// Cancels the frame under way and drops one that was not taken.
   void cancel();

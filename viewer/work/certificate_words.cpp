@@ -7,6 +7,11 @@
 namespace lapwing::viewer {
 namespace {
 
+// Beyond this factor of growth or shrinkage of a ring, details are crowded or pulled apart.
+constexpr double kMostRingScale = 2.0;
+// Above this share of lost details, the difference from the rest shape is visible.
+constexpr double kMostDetailLost = 0.25;
+
 std::string formatted(const char* format, double a) {
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), format, a);
@@ -23,9 +28,7 @@ std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& 
   for (const Index t : triangles) {
     corners.insert(corners.end(), topology.triangles[t].begin(), topology.triangles[t].end());
   }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  return corners;
+  return make_vertex_set(std::move(corners));
 }
 
 CertificateWarning not_settled(const Certificate& certificate) {

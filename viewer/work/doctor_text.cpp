@@ -1,47 +1,16 @@
 #include "work/doctor_text.h"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
-#include <utility>
 #include <vector>
+
+#include "lapwing/base/counted.h"
+#include "lapwing/base/printable_text.h"
 
 namespace lapwing::viewer {
 namespace {
 
-std::string with_commas(std::size_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
-  return digits;
-}
-
-// The doctor's words are plural: "faces that repeat a vertex".
 std::string counted(std::size_t count, std::string_view plural) {
-  std::string words(plural);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kSingular{
-      {{"vertices", "vertex"},
-       {"faces", "face"},
-       {"edges", "edge"},
-       {" that repeat ", " that repeats "},
-       {" that cut ", " that cuts "}}};
-  if (count == 1) {
-    // The first noun is what is counted: "edges with more than two faces".
-    std::size_t first = std::string::npos;
-    std::pair<std::string_view, std::string_view> noun;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto at = words.find(kSingular[k].first);
-      if (at >= first) continue;
-      first = at;
-      noun = kSingular[k];
-    }
-    if (first != std::string::npos) words.replace(first, noun.first.size(), noun.second);
-    for (std::size_t k = 3; k < kSingular.size(); ++k) {
-      const auto at = words.find(kSingular[k].first);
-      if (at != std::string::npos)
-        words.replace(at, kSingular[k].first.size(), kSingular[k].second);
-    }
-  }
-  return with_commas(count) + " " + words;
+  return grouped(count) + " " + (count == 1 ? singular(plural) : std::string(plural));
 }
 
 std::string joined(const std::vector<std::string>& parts, std::string_view before_last) {

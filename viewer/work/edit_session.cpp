@@ -5,14 +5,14 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
-#include "lapwing/io/gltf_layout.h"
-#include "lapwing/io/real_path.h"
+#include "lapwing/io/gltf_scene.h"
+#include "lapwing/io/paths.h"
 #include "lapwing/io/source_file.h"
 #include "lapwing/recipe/recipe.h"
-#include "lapwing/session/run_recipe.h"
-#include "lapwing/step/step_files.h"
+#include "lapwing/recipe/recipe_files.h"
+#include "lapwing/run/run_recipe.h"
 #include "state/draft.h"
-#include "state/step_text.h"
+#include "state/whole_step.h"
 
 namespace lapwing::viewer {
 
@@ -84,27 +84,15 @@ bool same_choice(const AppState& a, const AppState& b) {
 
 EditSession::EditSession(History history, std::optional<MeshStamp> file, const fs::path& journals,
                          Preparation::MakeKernels make_kernels, std::function<void()> wake,
-                         Preparation::Upload upload)
+                         Preparation::Upload upload, const InterruptedEdit* restored)
     : history_(std::move(history)),
-      file_(std::move(file)),
+      file_(restored != nullptr ? file_of(*restored) : std::move(file)),
       preparation_(make_kernels, wake, std::move(upload)),
       carrying_out_(make_kernels, wake),
       checking_recipe_(std::move(make_kernels), std::move(wake)) {
-  start_journal(journals, nullptr);
-  follow();
-}
-
-EditSession::EditSession(const InterruptedEdit& edit, History history, const fs::path& journals,
-                         Preparation::MakeKernels make_kernels, std::function<void()> wake,
-                         Preparation::Upload upload)
-    : history_(std::move(history)),
-      file_(file_of(edit)),
-      preparation_(make_kernels, wake, std::move(upload)),
-      carrying_out_(make_kernels, wake),
-      checking_recipe_(std::move(make_kernels), std::move(wake)) {
-  start_journal(journals, &edit);
-  if (edit.has_copy()) {
-    original_ = FileBytes::read(edit.mesh.path);
+  start_journal(journals, restored);
+  if (restored != nullptr && restored->has_copy()) {
+    original_ = FileBytes::read(restored->mesh.path);
     // The history does not tell which state was saved over the file.
     history_.mark_unsaved();
   }
@@ -281,10 +269,6 @@ void EditSession::settle_live(std::span<const HandleMove> moves,
   preparation_.settle_live(dragged, std::move(from), rests);
 }
 
-std::optional<LiveResult> EditSession::take_live_result() {
-  return preparation_.take_live_result();
-}
-
 const Certificate* EditSession::certificate() const {
   return state().settled ? state().settled->certificate.get() : nullptr;
 }
@@ -314,9 +298,8 @@ WriteReport EditSession::save(const fs::path& path) {
   WriteReport report = write_carried(carried, path, files);
   WriteReport of_mesh = write_mesh(mesh_of(state()), path, files);
   files.commit();
-  std::move(of_mesh.not_carried.begin(), of_mesh.not_carried.end(),
-            std::back_inserter(report.not_carried));
-  std::move(of_mesh.notes.begin(), of_mesh.notes.end(), std::back_inserter(report.notes));
+  std::ranges::move(of_mesh.not_carried, std::back_inserter(report.not_carried));
+  std::ranges::move(of_mesh.notes, std::back_inserter(report.notes));
   history_.mark_saved();
   return report;
 }

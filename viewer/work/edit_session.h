@@ -23,34 +23,27 @@ struct StepTaken {
   std::vector<std::string> warnings;
 };
 
-/// One mesh being edited: its history, the journal that records every step, the worker that
-/// prepares and settles the state, and the one that carries out whole steps. Everything except
-/// drawing.
+/// One mesh being edited: its history, its journal, the worker that prepares and settles, and the
+/// one that carries out whole steps. Everything except drawing.
 class EditSession {
  public:
   /// `file` is what was opened. Without it, for a generated mesh, there is no journal. `journals`
-  /// is a folder. The other arguments are those of Preparation.
+  /// is a folder. Continues an interrupted edit if it was `restored` to `history`
+  /// (`restore_after_crash`), and copies its results and its copy of the mesh. `discard` may follow
+  /// unless there is a `warning`. The other arguments are those of Preparation.
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
-              Preparation::Upload upload = {});
-
-  /// Continues an interrupted edit; `history` is the result of `restore`. Journals under the name
-  /// of the opened mesh. Keeps the results of the edit and its copy of the mesh, if there is one,
-  /// so that `discard(edit)` may follow unless there is a `warning`.
-  EditSession(const InterruptedEdit& edit, History history, const std::filesystem::path& journals,
-              Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
-              Preparation::Upload upload = {});
+              Preparation::Upload upload = {}, const InterruptedEdit* restored = nullptr);
 
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
   const Preparation& preparation() const { return preparation_; }
-  /// Returns the opened file, where saving goes. For a restored edit, this is not the copy from
-  /// which its steps start. Empty for a generated mesh.
+  /// Returns the opened file, where saving goes. Empty for a generated mesh.
   std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
   /// Performs a command. Throws what `apply` throws. If the state then waits for a result, as it
-  /// may after undo and redo, too, the result is under way on return. It starts from the pose
-  /// `shown`, the surface on the screen, if that is given.
+  /// may after undo and redo, the result is under way on return. It starts from the pose `shown`,
+  /// the surface on the screen, if that is given.
   void perform(const Command& command, Joining joining = Joining::own_step,
                std::shared_ptr<const DragState> shown = nullptr);
   void undo();
@@ -82,35 +75,32 @@ class EditSession {
   /// Sets the handles that the next drag moves (Preparation::drag_by).
   void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
 
-  /// Asks for the result of `moves`, one per handle, which are those of a drag under way and not in
-  /// the state. Continues from the pose `from` (Preparation::settle_live). Does nothing while
-  /// something else settles, so call this whenever the moves change. Steps, undo, redo and
-  /// `cancel_settling` cancel it.
+  /// Asks for the result of `moves`, one per handle, of a drag under way
+  /// (Preparation::settle_live). Does nothing while something else settles, so call this whenever
+  /// the moves change. Steps, undo, redo and `cancel_settling` cancel it.
   void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const DragState> from,
                    bool rests = false);
   /// Returns that result, once. It is never a step of the history.
-  std::optional<LiveResult> take_live_result();
+  std::optional<LiveResult> take_live_result() { return preparation_.take_live_result(); }
 
-  /// Carries out `step` in the background, on the present surface. `take_step` makes the result one
-  /// step of the history. Replaces a step that is being carried out. Looks for files in `folder()`.
-  /// Throws InputError while a drag waits for its result.
+  /// Carries out `step` in the background, on the present surface, in place of a step under way.
+  /// `take_step` makes the result one step of the history. Looks for files in `folder()`. Throws
+  /// InputError while a drag waits for its result.
   void carry_out(const Step& step);
-  /// Replaces the `index`th step of the recipe by `step`, and carries out the steps after it again.
-  /// This is one step of the history, too. Throws what `revision_of` throws, and InputError while a
-  /// drag waits for its result.
+  /// The same for `step` in place of the `index`th step of the recipe, and the steps after it.
+  /// Throws what `revision_of` throws, too.
   void replace_step(std::size_t index, const Step& step);
   /// Reads `files` from `folder()` in the background, to carry them from the open step on; each is
-  /// one step of the history. Throws InputError while a step is being carried out, because it would
-  /// be lost.
+  /// one step of the history. Throws InputError while a step is under way.
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// Cancels the step under way, without any change.
   void cancel_step();
   /// Returns whether a step is under way, until it is taken or cancelled.
   bool is_carrying_out() const { return carried_out_on_.has_value(); }
   WorkStatus step_status() const { return carrying_out_.status(); }
-  /// Performs a step that has been carried out, if there is one. Throws the exception of carrying
-  /// it out, once, without any change. A step is cancelled if the surface changes meanwhile or, for
-  /// `replace_step`, the selection. Call this when woken.
+  /// Performs a step that has been carried out, if there is one, or throws its exception, once. A
+  /// step is cancelled if the surface changes meanwhile or, for `replace_step`, the selection. Call
+  /// this when woken.
   std::optional<StepTaken> take_step();
 
   /// Returns the folder for the files of steps: the mesh file's folder, or the current one.
@@ -119,23 +109,21 @@ class EditSession {
   /// Returns the certificate of the state's result; null without a result.
   const Certificate* certificate() const;
 
-  /// Writes the surface to `path`, and before it the carried files, as a run does beside its
-  /// result. Throws what `write_mesh` throws, and what `require_targets` throws before anything is
-  /// written. Throws InputError while a drag waits for its result, if a step reads `path`, or if
-  /// `path` is the opened file and a .gltf with numbers in other files, which no copy would keep.
+  /// Writes the surface to `path`, and the carried files beside it as a run does. Throws what
+  /// `write_mesh` and `require_targets` throw, and InputError while a drag waits for its result, if
+  /// a step reads `path`, or if `path` is the opened file and a .gltf with numbers in other files,
+  /// which no copy would keep.
   WriteReport save(const std::filesystem::path& path);
   /// The same without the surface.
   WriteReport save_carried(const std::filesystem::path& path) const;
   /// Writes the recipe, which names the opened mesh relative to `path`. If `save` has replaced the
-  /// opened mesh by the result, the original is first written beside the recipe, and the recipe
-  /// names that copy: otherwise running it would apply the edit twice. Returns the copy's path, or
-  /// an empty path. Throws IoError; InputError without a file, and while a drag waits for its
-  /// result.
+  /// opened mesh, the recipe starts from a copy of the original beside it, so that a run does not
+  /// apply the edit twice. Returns the copy's path, or an empty path. Throws IoError, and
+  /// InputError without a file or while a drag waits for its result.
   std::filesystem::path save_recipe(const std::filesystem::path& path);
-  /// Returns, once it is known, how far the surface is from a run of the recipe saved last, as a
-  /// share of the mesh's diagonal; nothing otherwise. The recipe runs in the background, and only
-  /// if a handle has a path, because otherwise a run ends in the same minimum. Throws the exception
-  /// of the run, once. Call this when woken.
+  /// Returns, once, how far the surface is from a run of the recipe saved last, as a share of the
+  /// mesh's diagonal. The recipe runs in the background, and only if a handle has a path. Throws
+  /// the exception of the run, once. Call this when woken.
   std::optional<double> take_recipe_check();
 
   /// Ends the edit, saved or given up. Nothing is left to restore.

@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/patch/patch.h"
+#include "lapwing/parameterize/patch.h"
 
 namespace lapwing::viewer {
 namespace {
 
 // Most people see features smaller than so many edges as bumps.
 constexpr double kEdgesPerDetail = 8.0;
-
-bool is_chosen(const RegionSpec& region) {
-  const auto* list = std::get_if<ListedVertices>(&region.form);
-  return list == nullptr || !list->vertices.empty();
-}
 
 void require_complete(const LayerDraft& draft) {
   for (std::size_t k = 0; k < draft.source_count(); ++k) {
@@ -40,6 +35,11 @@ FileSource LayerDraft::nothing() {
   FileSource source;
   source.patch = {ListedVertices{}, "source patch"};
   return source;
+}
+
+bool is_chosen(const RegionSpec& patch) {
+  const auto* list = std::get_if<ListedVertices>(&patch.form);
+  return list == nullptr || !list->vertices.empty();
 }
 
 Step step_of(const LayerDraft& draft) {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/step/coat_step.h"
+#include "lapwing/run/run_step.h"
 #include "state/command.h"
 
 namespace lapwing::viewer {

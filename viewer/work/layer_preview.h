@@ -13,8 +13,7 @@ namespace lapwing::viewer {
 
 /// The result of a coat or mix while the user still changes it. The preparation runs in the
 /// background. After it, a coat's amplitude takes effect at once. Another detail size first costs
-/// one back-substitution, which keeps the old transition; the exact result follows if nothing else
-/// is wanted. A new request waits for the worker, or replaces the work under way.
+/// one back-substitution, which keeps the old transition; the exact result follows.
 class LayerPreview {
  public:
   /// Takes the arguments of JobThread.
@@ -32,8 +31,6 @@ class LayerPreview {
 
   /// Returns whether the requested result is still to come.
   bool is_behind() const { return busy() || (wanted_ && wanted_ != failed_ && wanted_ != shown_); }
-  /// Returns whether the result equals that of the step, bit for bit, unless `is_behind()`.
-  bool is_exact() const { return is_exact_; }
   WorkStatus status() const { return job_.status(); }
   /// Says why the last request failed; empty if it did not.
   const std::string& message() const { return message_; }
@@ -80,7 +77,7 @@ class LayerPreview {
   std::optional<Wanted> asked_;  // the request under way
   bool changes_sizes_ = false;   // it changes sizes of `prepared_` instead of preparing
   std::optional<Wanted> shown_;  // the request of `prepared_` and `positions_`
-  bool is_exact_ = false;
+  bool is_exact_ = false;        // not by `change_sizes`
   std::optional<Wanted> failed_;
   Result prepared_;
   Positions positions_;

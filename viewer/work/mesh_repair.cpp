@@ -5,16 +5,19 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/vertex_set.h"
+
 namespace lapwing::viewer {
 namespace {
 
 void append_vertices(const Mesh& mesh, const Defect& defect, std::vector<Index>& vertices) {
   switch (describe(defect.kind).element) {
     case Element::none:
-    case Element::component:
       break;
     case Element::vertex:
     case Element::edge:
+    case Element::component:
       vertices.insert(vertices.end(), defect.first.begin(), defect.first.end());
       break;
     case Element::face:
@@ -24,11 +27,6 @@ void append_vertices(const Mesh& mesh, const Defect& defect, std::vector<Index>&
       }
       break;
   }
-}
-
-void sort_once(std::vector<Index>& vertices) {
-  std::ranges::sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 bool is_finite(const Mesh& mesh, Index vertex) {
@@ -57,40 +55,29 @@ FaultyVertices faulty_vertices(const Mesh& mesh, const CheckReport& report) {
     if (severity == Severity::info) continue;
     append_vertices(mesh, defect, severity == Severity::error ? faulty.hindering : faulty.others);
   }
-  sort_once(faulty.hindering);
-  sort_once(faulty.others);
-  return faulty;
+  return {make_vertex_set(std::move(faulty.hindering)), make_vertex_set(std::move(faulty.others))};
 }
 
 std::vector<Index> places_of(const Mesh& mesh, const FaultyVertices& vertices) {
   std::vector<Index> places;
-  std::vector<unsigned char> is_nowhere(mesh.vertex_count(), 0);
-  bool any_is_nowhere = false;
-  for (const auto& list : {vertices.hindering, vertices.others}) {
-    for (const Index v : list) {
-      if (is_finite(mesh, v)) {
-        places.push_back(v);
-      } else {
-        is_nowhere[v] = 1;
-        any_is_nowhere = true;
-      }
-    }
+  VertexSet nowhere;
+  for (const Index v : unite(vertices.hindering, vertices.others)) {
+    (is_finite(mesh, v) ? places : nowhere).push_back(v);
   }
-  for (Index f = 0; any_is_nowhere && f < mesh.face_count(); ++f) {
+  const std::vector<char> is_nowhere = vertex_mask(mesh.vertex_count(), nowhere);
+  for (Index f = 0; !nowhere.empty() && f < mesh.face_count(); ++f) {
     const auto corners = mesh.face(f);
     if (std::ranges::none_of(corners, [&](Index v) { return is_nowhere[v] != 0; })) continue;
     std::ranges::copy_if(corners, std::back_inserter(places),
                          [&](Index v) { return is_finite(mesh, v); });
   }
-  sort_once(places);
-  return places;
+  return make_vertex_set(std::move(places));
 }
 
 std::optional<Eigen::Vector3d> side_of(const Mesh& mesh, std::span<const Index> places) {
   // If the mean of the normals is shorter than this, they have no common direction.
   constexpr double kShortMean = 0.3;
-  std::vector<unsigned char> is_place(mesh.vertex_count(), 0);
-  for (const Index v : places) is_place[v] = 1;
+  const std::vector<char> is_place = vertex_mask(mesh.vertex_count(), places);
   const Eigen::Vector3d center = bounds_of(mesh.positions).center();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double count = 0.0;

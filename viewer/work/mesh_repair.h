@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
 #include "lapwing/mesh/mesh.h"

@@ -16,16 +16,16 @@ constexpr std::array<std::string_view, 11> kStages{
     "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
     "analyze", "normal_matrix", "factor", "shares",    "response"};
 
-// By stages, not by time, which depends on the mesh and the device.
+// Counts stages, because their times depend on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
-  const auto found = std::find(kStages.begin(), kStages.end(), stage);
+  const auto found = std::ranges::find(kStages, stage);
   if (found == kStages.end()) return 1.0;
   return (static_cast<double>(found - kStages.begin()) + fraction) / kStages.size();
 }
 
-// Whether drags are followed settled, frame by frame.
+// Returns whether drags settle frame by frame.
 bool settles_frames(const AppState& state) {
-  return state.parameters.settle && !goes_in_substeps(state.parameters, state.moves);
+  return state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
 
 Bounds bounds_at(const DragState& pose, std::span<const Index> vertices, const Positions& rest) {
@@ -56,7 +56,8 @@ Preparation::~Preparation() {
   ++settle_ticket_;
 }
 
-// Cancels all. What was ready is the caller's to destroy, without the lock: factors are large.
+// Cancels everything. Returns what was ready, for the caller to destroy without the lock, because
+// factors are large.
 Preparation::Ready Preparation::let_go() {
   ++ticket_;
   ++settle_ticket_;
@@ -86,14 +87,14 @@ void Preparation::follow(const AppState& state) {
 void Preparation::drag_by(std::span<const std::size_t> handles) {
   {
     const std::lock_guard lock(worker_.mutex());
-    if (std::equal(dragged_.begin(), dragged_.end(), handles.begin(), handles.end())) return;
+    if (std::ranges::equal(dragged_, handles)) return;
     dragged_.assign(handles.begin(), handles.end());
     if (!ready_.exact || has_columns()) return;
   }
   worker_.notify();
 }
 
-// Those of the next drags that the edit has.
+// Returns the handles of the next drags that the edit has.
 std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const {
   std::vector<std::size_t> handles = dragged_;
   std::erase_if(handles, [&](std::size_t h) { return h >= handle_count; });
@@ -101,12 +102,12 @@ std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const
   return handles;
 }
 
-// Whether what is ready has columns for the next drags. Under the lock, as the last.
+// Returns whether the ready response has columns for the next drags. Call with the lock held.
 bool Preparation::has_columns() const {
   const std::vector<std::size_t>& there = ready_.drag_by.response->handles();
   const std::size_t handle_count = ready_.exact->region().handles.size();
-  return std::all_of(dragged_.begin(), dragged_.end(), [&](std::size_t h) {
-    return h >= handle_count || std::binary_search(there.begin(), there.end(), h);
+  return std::ranges::all_of(dragged_, [&](std::size_t h) {
+    return h >= handle_count || std::ranges::binary_search(there, h);
   });
 }
 
@@ -123,7 +124,7 @@ void Preparation::settle(const AppState& state, std::shared_ptr<const DragState>
 
 bool Preparation::will_settle() const {
   const std::lock_guard lock(worker_.mutex());
-  // What was given up stays under way until the worker notices.
+  // A cancelled request stays under way until the worker notices.
   const bool is_wanted = wanted_ticket_ == settle_ticket_;
   const bool is_under_way = to_settle_ || result_ || status_.phase == Phase::settling;
   return is_wanted && is_under_way && status_.phase != Phase::failed &&
@@ -157,7 +158,7 @@ void Preparation::cancel_settling() {
   ++settle_ticket_;
   result_.reset();
   live_result_.reset();
-  // The worker passes over one that it was given to, and says when it is done with it.
+  // If the worker already has the request, it skips it and updates the status.
   if (status_.phase != Phase::settling) to_settle_.reset();
 }
 
@@ -249,7 +250,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     ready.drag_by = {ready.preview->response(), upload(*ready.preview->response()), false};
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
-    // Held by the deformer: it must go before its kernels and the topology.
+    // The deleter holds the kernels and the topology, which must outlive the solver.
     ready.exact = std::shared_ptr<const DeformSolver>(
         new DeformSolver(*ready.preview, *ready.exact_kernels, progress),
         [kernels = ready.exact_kernels,
@@ -260,10 +261,10 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
       ready.drag_by = response_of(ready, dragged(), progress);
     }
     if (!publish(ticket, ready, Phase::ready)) return;
-    // So that it is there when a hand takes hold of something.
+    // The first drag must not wait for this.
     if (ready.drag) ready.drag->prepare();
   } catch (const Cancelled&) {
-    // Whoever cancelled has set the status.
+    // The call that cancelled has set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
   }
@@ -280,7 +281,7 @@ Preparation::ToDragBy Preparation::response_of(const Ready& ready,
   return {std::move(response), std::move(on_device), is_exact};
 }
 
-// Columns for the handles that are dragged now.
+// Computes columns for the handles that are dragged now.
 void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
   const Progress progress = worker_.progress(
       ticket_, ticket, [](std::string_view, double) {}, false);
@@ -294,16 +295,16 @@ void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ == ticket) ready_.drag_by = std::move(drag_by);
   } catch (const Cancelled&) {
-    // Whoever cancelled has set the status.
+    // The call that cancelled has set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
-    // Asked for again they would fail again.
+    // Another request would fail again.
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ == ticket) dragged_ = ready.drag_by.response->handles();
   }
 }
 
-// Nothing is kept for a state that is no longer followed.
+// Throws Cancelled for a state that is no longer followed.
 std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
                                                          std::uint64_t ticket) {
   std::shared_ptr<Kept> before;
@@ -321,7 +322,7 @@ bool Preparation::publish(std::uint64_t ticket, Ready ready, Phase phase) {
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ != ticket) return false;
     ready_ = std::move(ready);
-    // A result that was asked for comes next, and the exact one is never free in between.
+    // If a result is requested, it comes next without a moment in which the phase is `ready`.
     status_.phase = phase == Phase::ready && to_settle_ ? Phase::settling : phase;
     if (phase == Phase::ready) status_.fraction = 1.0;
   }
@@ -337,7 +338,7 @@ void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& mes
 }
 
 void Preparation::settle_now(const Request& request, const Ready& ready) {
-  // A live result comes sooner than anybody could read how far it is.
+  // A live result is too fast for a progress bar.
   const Progress progress = worker_.progress(
       settle_ticket_, request.ticket,
       [this](std::string_view stage, double fraction) {
@@ -358,10 +359,10 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
                               *attachment_cache_, progress);
     }
   } catch (const Cancelled&) {
-    // Whoever cancelled wants nothing.
+    // Nobody waits for the result.
   } catch (const std::exception& error) {
     message = error.what();
-    // Asked for again it would fail again.
+    // Another request would fail again.
     if (request.is_live) live = LiveResult{state.moves, request.from, true};
   }
   if (live && live->pose) {
@@ -380,7 +381,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
 LiveResult Preparation::live_result(const Request& request, const Ready& ready,
                                     const Progress& progress) {
   AppState state = request.state;
-  // What it carries is shown beside the window.
+  // AttachmentFollower computes where carried objects are.
   state.carried.clear();
   if (ready.drag && settles_frames(state)) return follow_drag(request, *ready.drag, progress);
   state.settled = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,

@@ -23,12 +23,12 @@ class BlendResponse;
 
 namespace lapwing::viewer {
 
-/// What the worker is at, for a progress bar and a line of text.
+/// The state of the worker, for a progress bar and a line of text.
 struct PreparationStatus {
   enum class Phase {
     idle,        ///< nothing to prepare, or cancelled
-    previewing,  ///< makes the preview
-    solving,     ///< the preview is ready; makes the exact one
+    previewing,  ///< prepares the preview
+    solving,     ///< the preview is ready; prepares the exact solver
     ready,       ///< both are ready
     settling,    ///< both are ready; computes a result
     failed,      ///< `message` says why
@@ -36,103 +36,93 @@ struct PreparationStatus {
   Phase phase = Phase::idle;
   std::string stage;      ///< a name of the engine's stages: "factor"
   double fraction = 0.0;  ///< of the whole preparation by stages, or of settling; 0 to 1
-  std::string message;    ///< of the last failure, of settling too; empty without
+  std::string message;    ///< of the last failure, also of settling; empty without one
 };
 
-/// Where a drag under way has been brought.
+/// The result of a drag under way.
 struct LiveResult {
   std::vector<HandleMove> moves;  ///< those of the state that asked
-  /// What to go on from: the surface at those moves. Null, which is the rest shape, only where
-  /// nothing could be computed from there.
+  /// The surface at those moves, from which the drag goes on. Null for the rest shape, if nothing
+  /// could be computed.
   std::shared_ptr<const DragState> pose;
-  bool is_done = false;  ///< asked for again, nothing would move
+  bool is_done = false;  ///< another request for the same moves would change nothing
   Bounds bounds = {};    ///< of the vertices that move, at `pose`
 };
 
-/// What a live result may take, but for what it cannot do without: of the 16.7 ms of a frame what
-/// the upload of the pose and the drawing leave.
+/// Time budget of a live result: what the upload of the pose and the drawing leave of the 16.7 ms
+/// of a frame.
 inline constexpr double kLiveBudgetMs = 12.0;
-/// Where the hand rests nothing is to be followed, and longer frames settle sooner.
+/// While the hand rests, longer frames settle sooner.
 inline constexpr double kRestBudgetMs = 50.0;
 
-/// Prepares an edit on a thread of its own, so that the window never waits: first the preview of a
-/// drag, then the exact one; and settles. All members may be called from one other thread, the
-/// window's, and return at once, but for the destructor, which waits for the end of a stage.
+/// Prepares and settles an edit on a background thread: first the preview of a drag, then the exact
+/// solver. Call all members from one other thread, the window's. They return at once, except the
+/// destructor, which waits for the end of a stage.
 class Preparation {
  public:
-  /// The preview and the exact one are used from two threads and get kernels of their own; called
-  /// on the worker.
+  /// Called on the worker.
   using MakeKernels = std::function<std::unique_ptr<Kernels>()>;
-  /// Puts a response where the window draws; called on the worker.
+  /// Uploads a response to the device that draws. Called on the worker.
   using Upload = std::function<std::shared_ptr<BlendResponse>(const DragResponse&)>;
 
-  /// `wake` is called on the worker whenever the status has changed; it must not call back. Without
-  /// `upload` there is nothing to draw.
+  /// `wake` is called on the worker whenever the status has changed; it must not call back.
   explicit Preparation(MakeKernels make_kernels, std::function<void()> wake = {},
                        Upload upload = {});
   ~Preparation();
   Preparation(const Preparation&) = delete;
   Preparation& operator=(const Preparation&) = delete;
 
-  /// Prepares what `state` chooses. Where selection, parameters or rest shape are no longer those
-  /// that were followed last, what is under way is cancelled and what was ready is let go; a mere
-  /// move changes nothing. On the same ROI the next preparation orders and analyzes nothing anew.
-  /// Without ROI or handle there is nothing to prepare.
+  /// Prepares `state` if it has an ROI and a handle. Cancels earlier work if selection, parameters
+  /// or rest shape differ from those followed last. On the same ROI, the next preparation reuses
+  /// ordering and analysis.
   void follow(const AppState& state);
 
-  /// Which handles the next drags move, those that the edit does not have left out: what is
-  /// prepared has columns for these alone, and where it has none they are solved for, ahead of all
-  /// that waits to be settled. The first handle until the first call. Costs nothing where they are
-  /// there.
+  /// Sets the handles that the next drags move; the first handle until the first call. Missing
+  /// columns of the response are computed before anything that waits to be settled.
   void drag_by(std::span<const std::size_t> handles);
 
-  /// Computes the result of the moves of `state`, which is the one followed, as soon as the exact
-  /// one is ready: the one that the pose `from` leads to, or without one the path of the moves.
-  /// Takes the place of an earlier request.
+  /// Computes the result of the moves of `state`, the one followed, once the exact solver is ready:
+  /// from the pose `from`, or without one along the path of the moves. Replaces an earlier request.
   void settle(const AppState& state, std::shared_ptr<const DragState> from = nullptr);
-  /// The result that is there, once.
+  /// Returns the result, once.
   std::optional<SettledResult> take_result();
-  /// Whether one is asked for, under way or there; false once it was given up or has failed.
+  /// Returns whether a result is requested, under way or ready; false once it was cancelled or has
+  /// failed.
   bool will_settle() const;
 
-  /// Follows a drag under way, whose moves `state` holds for once: a result to look at, which comes
-  /// by `take_live_result`. It goes on from the pose `from`, the last live one or that of a settled
-  /// state, as far as kLiveBudgetMs allows (DragSession::step), or kRestBudgetMs where the hand
-  /// `rests` since the last one; from none it begins where `settle` does. Asked for again until it
-  /// is done it is within the tolerance what `settle` gives. Only if nothing settles and no result
-  /// waits to be taken; false otherwise, and nothing is asked for. A later `settle` takes its place
-  /// at once.
+  /// Asks for the live result of `state`, which holds the moves of a drag under way. Continues from
+  /// the pose `from`, the last live one or that of a settled state, for the time of kLiveBudgetMs,
+  /// or kRestBudgetMs if the hand `rests`; without a pose it starts as `settle` does. Repeated
+  /// until it is done, the result is that of `settle` within the tolerance. Returns false, without
+  /// a request, while anything settles or a result waits to be taken.
   bool settle_live(const AppState& state, std::shared_ptr<const DragState> from,
                    bool rests = false);
-  /// Once.
+  /// Returns the live result, once.
   std::optional<LiveResult> take_live_result();
 
-  /// Gives up what is under way and what waits to be taken, live or not.
+  /// Cancels requests, and drops results that were not taken, live or not.
   void cancel_settling();
-
-  /// Cancels everything, and makes what follows with other kernels: the device was lost.
-  void use_kernels(MakeKernels make_kernels, Upload upload = {});
-
-  /// Cancels everything and lets go of what is ready, until the next `follow`.
+  /// Cancels everything and drops what is ready, until the next `follow`.
   void cancel();
+  /// Cancels everything and continues with other kernels, after the device was lost.
+  void use_kernels(MakeKernels make_kernels, Upload upload = {});
 
   PreparationStatus status() const;
 
-  /// What was prepared; null until it is ready. Each stays usable while it is held. The worker
-  /// settles by the exact one; what the window drags by is `drag_response`.
+  /// What was prepared; null until it is ready. Each stays usable while it is held.
   std::shared_ptr<const DragPreview> preview() const;
   std::shared_ptr<const DeformSolver> exact() const;
 
-  /// What carried objects follow, as results are made and drags are shown.
+  /// What carried objects follow, in results and in drags.
   const std::shared_ptr<AttachmentCache>& attachment_cache() const { return attachment_cache_; }
 
   struct ToDragBy {
     std::shared_ptr<const DragResponse> response;
     std::shared_ptr<BlendResponse> on_device;  ///< null without Upload
-    bool is_exact = false;                     ///< rather than a preview
+    bool is_exact = false;                     ///< false for a preview
   };
-  /// The best that is ready, for the handles that `drag_by` named or, until those are there, for
-  /// those it named before. No response until one is.
+  /// Returns the best response that is ready, for the handles of the last `drag_by` whose columns
+  /// are computed; null until one is ready.
   ToDragBy drag_response() const;
 
  private:
@@ -140,7 +130,7 @@ class Preparation {
     std::shared_ptr<const DragPreview> preview;
     std::shared_ptr<const DeformSolver> exact;
     std::shared_ptr<Kernels> exact_kernels;
-    std::shared_ptr<DragSession> drag;  ///< the worker's alone; null unless drags settle
+    std::shared_ptr<DragSession> drag;  // used by the worker alone; null unless drags settle
     ToDragBy drag_by;
   };
 
@@ -156,8 +146,8 @@ class Preparation {
     AppState state;
     std::uint64_t ticket = 0;
     bool is_live = false;
-    std::shared_ptr<const DragState> from;    ///< what it goes on from; null for none
-    bool rests = false;                       ///< its hand
+    std::shared_ptr<const DragState> from;  // null for none
+    bool rests = false;                     // the hand rests
   };
 
   Worker::Work next();
@@ -179,13 +169,12 @@ class Preparation {
 
   const std::shared_ptr<AttachmentCache> attachment_cache_ = std::make_shared<AttachmentCache>();
 
-  // All below is guarded by the worker's mutex. Work under a ticket that is not the current one is
-  // void.
+  // The worker's mutex guards everything below. Work is void unless its ticket is the current one.
   MakeKernels make_kernels_;
   Upload upload_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
-  std::uint64_t wanted_ticket_ = 0;  // of the last request; given up once another is current
+  std::uint64_t wanted_ticket_ = 0;  // of the last request; cancelled once another is current
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::vector<std::size_t> dragged_{0};  // ascending
@@ -196,8 +185,8 @@ class Preparation {
   std::shared_ptr<Kept> kept_;
   Ready ready_;
 
-  std::shared_ptr<const DragState> last_live_;    // the worker's alone
-  Worker worker_;                                 // last: it uses all the others
+  std::shared_ptr<const DragState> last_live_;  // used by the worker alone
+  Worker worker_;                               // last: it uses all the others
 };
 
 }  // namespace lapwing::viewer

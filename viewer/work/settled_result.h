@@ -3,12 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/deform/deform_solver.h"
-#include "lapwing/deform/drag_state.h"
+#include "lapwing/deform/drag.h"
 #include "lapwing/kernels/kernels.h"
 #include "state/draft.h"
-#include "state/journal.h"
 #include "work/attachment_cache.h"
 
 namespace lapwing::viewer {
@@ -26,9 +25,11 @@ SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels,
                              AttachmentCache& contacts, const Progress& progress);
 
-/// Restores the steps of an interrupted edit: a deform whose result was kept has the same bits
-/// again, everything else is carried out as in a run. `edit` and `kernels` must outlive the
-/// returned object.
-CarryOut carry_out_again(const InterruptedEdit& edit, Kernels& kernels, Progress progress = {});
+/// Makes `solved` the result of the state, and carries along the files that follow the surface.
+std::shared_ptr<const MovedVertices> certified_result(const AppState& state,
+                                                      const DeformSolver& solver,
+                                                      DeformResult solved,
+                                                      AttachmentCache& contacts,
+                                                      const Progress& progress);
 
 }  // namespace lapwing::viewer

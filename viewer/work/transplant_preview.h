@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "state/applied_step.h"
+#include "state/whole_step.h"
 #include "work/job.h"
 
 namespace lapwing::viewer {

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 
 namespace lapwing::viewer {
 

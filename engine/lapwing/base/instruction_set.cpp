@@ -1,21 +1,13 @@
 #include "lapwing/base/instruction_set.h"
 
+#include <array>
 #include <cstdlib>
 
 namespace lapwing {
 
 std::string_view instruction_set_name(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return "AVX-512";
-    case InstructionSet::avx2:
-      return "AVX2";
-    case InstructionSet::baseline:
-      return "baseline";
-    case InstructionSet::automatic:
-      break;
-  }
-  return "automatic";
+  constexpr std::array<std::string_view, 4> kNames{"automatic", "baseline", "AVX2", "AVX-512"};
+  return kNames[static_cast<std::size_t>(set)];
 }
 
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/grouped.h"
 #include "lapwing/base/memory_use.h"
+#include "lapwing/base/printable_text.h"
 
 namespace lapwing {
 namespace {
@@ -29,13 +29,13 @@ std::string in_words(double count) {
 
 }  // namespace
 
-double most_of(const Limit& limit) {
+double limit_value(const Limit& limit) {
   return number_set(limit.variable).value_or(limit.most);
 }
 
 void require_at_most(const Limit& limit, double count, const std::string& what,
                      const std::string& remedy) {
-  const double most = most_of(limit);
+  const double most = limit_value(limit);
   if (count <= most) return;
   throw InputError(what + " " + in_words(count) + " " + limit.things + ", more than the limit of " +
                    in_words(most) + "; " + remedy + ", or set " + limit.variable +

@@ -35,7 +35,7 @@ inline constexpr Limit kMostPairs{"LAPWING_MOST_PAIRS", "pairs of triangles", 20
 inline constexpr double kPairsOfTriangle = 100.0;
 
 /// Returns the limit in force. Throws InputError if the variable is not a number above 0.
-double most_of(const Limit& limit);
+double limit_value(const Limit& limit);
 
 /// Throws InputError if `count` exceeds the limit: "`what` N triangles, more than the limit of M;
 /// `remedy`, or set LAPWING_... to a larger number". `what` is the sentence up to the number:

@@ -16,4 +16,11 @@ inline constexpr std::size_t kLongestMessage = 80 * 24;
 /// programs, file names and file contents is shown through this function.
 std::string printable(std::string_view text, std::size_t longest = kLongestMessage);
 
+/// Returns `number` with thousands separators, such as "14,290".
+inline std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
+  return digits;
+}
+
 }  // namespace lapwing

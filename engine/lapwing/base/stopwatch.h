@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 
 /// Wall-clock milliseconds since construction or the last `restart`.
@@ -38,5 +40,14 @@ class StageTimings {
  private:
   std::vector<std::pair<std::string, double>> stages_;
 };
+
+/// Runs `body` as a stage: reports it to `progress` and adds its time to `timings`.
+template <typename Body>
+void stage(const char* name, StageTimings& timings, const Progress& progress, Body body) {
+  report_progress(progress, name, 0.0);
+  const Stopwatch watch;
+  body();
+  timings.add(name, watch.elapsed_ms());
+}
 
 }  // namespace lapwing

@@ -42,6 +42,14 @@ void pause() {
 #endif
 }
 
+// Number of forks between the program's start and this process, counted from the first pool on.
+std::atomic<unsigned> forks{0};
+
+void count_forks() {
+  static const int registered = pthread_atfork(nullptr, nullptr, [] { ++forks; });
+  static_cast<void>(registered);
+}
+
 // Waits for `holds`, at most for `time`. Returns whether it held.
 template <typename Condition>
 bool look_for(std::chrono::microseconds time, const Condition& holds) {
@@ -58,6 +66,8 @@ bool look_for(std::chrono::microseconds time, const Condition& holds) {
 }  // namespace
 
 WorkerPool::WorkerPool(unsigned threads) {
+  count_forks();
+  forks_ = forks;
   if (sched_getaffinity(0, sizeof allowed_, &allowed_) != 0) CPU_ZERO(&allowed_);
   helpers_.reserve(threads > 0 ? threads - 1 : 0);
   try {
@@ -71,16 +81,22 @@ WorkerPool::WorkerPool(unsigned threads) {
 }
 
 WorkerPool::~WorkerPool() {
+  if (is_of_parent()) {
+    // Joining the threads, or destroying what they sleep on, would wait for them for ever.
+    for (std::thread& helper : helpers_) helper.detach();
+    static_cast<void>(sleep_.release());
+    return;
+  }
   {
-    const std::scoped_lock lock(mutex_);
+    const std::scoped_lock lock(sleep_->mutex);
     quit_ = true;
   }
-  wake_.notify_all();
+  sleep_->wake.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
 
 void WorkerPool::run(const std::function<void(int)>& job) {
-  if (helpers_.empty() || alone > 0 || taken_.exchange(true)) {
+  if (helpers_.empty() || alone > 0 || is_of_parent() || taken_.exchange(true)) {
     job(0);
     return;
   }
@@ -89,13 +105,18 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   // A helper that goes to sleep from here on has seen the round.
   if (sleepers_ > 0) {
     keep_helpers_off(sched_getcpu());
-    { const std::scoped_lock lock(mutex_); }
-    wake_.notify_all();
+    { const std::scoped_lock lock(sleep_->mutex); }
+    sleep_->wake.notify_all();
   }
   job(0);
   round_ &= ~kOpen;
   wait_for_helpers();
   taken_ = false;
+}
+
+// Whether this process is the child of a fork of the one that made the pool.
+bool WorkerPool::is_of_parent() const {
+  return forks_ != forks;
 }
 
 // Keeps helpers off the caller's processor. On systems that report no shared caches, such as many
@@ -116,9 +137,9 @@ void WorkerPool::keep_helpers_off(int processor) {
 void WorkerPool::wait_for_helpers() {
   const auto all_left = [this] { return (round_ & kJoined) == 0; };
   if (look_for(kCallerLooks, all_left)) return;
-  std::unique_lock lock(mutex_);
+  std::unique_lock lock(sleep_->mutex);
   caller_sleeps_ = true;
-  while (!idle_.wait_for(lock, kCheckInterval, all_left)) {
+  while (!sleep_->idle.wait_for(lock, kCheckInterval, all_left)) {
     lock.unlock();
     poll_cancelled();
     lock.lock();
@@ -131,9 +152,9 @@ void WorkerPool::help(int thread) {
   const auto sees_work = [&] { return quit_ || may_be_joined(round_, last); };
   for (;;) {
     if (!look_for(kHelperLooks, sees_work)) {
-      std::unique_lock lock(mutex_);
+      std::unique_lock lock(sleep_->mutex);
       ++sleepers_;
-      wake_.wait(lock, sees_work);
+      sleep_->wake.wait(lock, sees_work);
       --sleepers_;
     }
     if (quit_) return;
@@ -158,8 +179,8 @@ bool WorkerPool::join(std::uint64_t& last) {
 void WorkerPool::leave() {
   const std::uint64_t before = round_.fetch_sub(1);
   if ((before & kJoined) > 1 || !caller_sleeps_) return;
-  { const std::scoped_lock lock(mutex_); }
-  idle_.notify_one();
+  { const std::scoped_lock lock(sleep_->mutex); }
+  sleep_->idle.notify_one();
 }
 
 SerialScope::SerialScope() {

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <sched.h>
 #include <thread>
@@ -14,7 +15,7 @@ namespace lapwing {
 /// Threads that wait for work. A job is a function that every thread may call. Any number of
 /// threads, even the caller alone, must complete it, so that the pool never waits for a helper that
 /// wakes late. Thread-safe: if the helpers are busy, with another thread's job or with one that
-/// encloses this one, the caller works alone.
+/// encloses this one, the caller works alone. So does the child of a fork, which has no helpers.
 class WorkerPool {
  public:
   /// `threads` includes the caller. Uses fewer if the system provides no more.
@@ -36,6 +37,7 @@ class WorkerPool {
   void leave();
   void wait_for_helpers();
   void keep_helpers_off(int processor);
+  bool is_of_parent() const;
 
   std::atomic<bool> taken_ = false;
   const std::function<void(int)>* job_ = nullptr;
@@ -43,15 +45,20 @@ class WorkerPool {
   std::atomic<std::uint64_t> round_ = 0;
   std::atomic<bool> quit_ = false;
 
-  std::mutex mutex_;  ///< for sleeping threads
-  std::condition_variable wake_;
-  std::condition_variable idle_;
+  /// For sleeping threads.
+  struct Sleep {
+    std::mutex mutex;
+    std::condition_variable wake;
+    std::condition_variable idle;
+  };
+  std::unique_ptr<Sleep> sleep_ = std::make_unique<Sleep>();
   std::atomic<int> sleepers_ = 0;
   std::atomic<bool> caller_sleeps_ = false;
   std::vector<std::thread> helpers_;
 
   cpu_set_t allowed_;  ///< processors available to the program
   int kept_off_ = -1;  ///< processor that helpers must not use
+  unsigned forks_;     ///< number of forks before this process, from the first pool on
 };
 
 /// While a SerialScope exists, its thread uses no helpers of any pool. For threads that divide the

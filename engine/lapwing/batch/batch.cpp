@@ -1,8 +1,11 @@
 #include "lapwing/batch/batch.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
+#include <mutex>
 #include <new>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -13,9 +16,8 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/worker_pool.h"
 #include "lapwing/batch/job_file.h"
-#include "lapwing/batch/job_queue.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/session/session.h"
+#include "lapwing/run/session.h"
 
 namespace lapwing {
 namespace {
@@ -50,6 +52,48 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
   }
   return groups;
 }
+
+// Assigns jobs to workers. A worker stays with a group while it has jobs left, and then takes a
+// group that no other worker has, if there is one. Thread-safe.
+class JobQueue {
+ public:
+  static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
+
+  // `groups` holds the jobs of each group, in order.
+  explicit JobQueue(std::vector<std::vector<std::size_t>> groups)
+      : groups_(std::move(groups)), given_(groups_.size(), 0) {}
+
+  // Returns the next job for a worker whose last job was of `group` (kNoGroup at first), and sets
+  // `group` to that of the job. Returns nothing when all jobs are assigned.
+  std::optional<std::size_t> next(std::size_t& group) {
+    const std::lock_guard lock(mutex_);
+    if (group == kNoGroup || left(group) == 0) {
+      std::erase_if(begun_, [&](std::size_t begun) { return left(begun) == 0; });
+      while (first_untouched_ < groups_.size() && left(first_untouched_) == 0) ++first_untouched_;
+      if (first_untouched_ < groups_.size()) {
+        group = first_untouched_++;
+        begun_.push_back(group);
+      } else if (begun_.empty()) {
+        return std::nullopt;
+      } else {
+        // Another worker of a group has to prepare again, which pays off most in the group with the
+        // most jobs left.
+        group = *std::max_element(begun_.begin(), begun_.end(),
+                                  [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
+      }
+    }
+    return groups_[group][given_[group]++];
+  }
+
+ private:
+  std::size_t left(std::size_t group) const { return groups_[group].size() - given_[group]; }
+
+  std::mutex mutex_;
+  std::vector<std::vector<std::size_t>> groups_;
+  std::vector<std::size_t> given_;   //< per group, the number of assigned jobs
+  std::size_t first_untouched_ = 0;  //< first group without assigned jobs
+  std::vector<std::size_t> begun_;   //< started groups that may have jobs left
+};
 
 // A running batch.
 class Batch {

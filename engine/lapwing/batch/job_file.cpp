@@ -7,10 +7,10 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/batch/set_json.h"
-#include "lapwing/io/real_path.h"
+#include "lapwing/io/paths.h"
 #include "lapwing/json/parse_json.h"
-#include "lapwing/recipe/recipe_files.h"
 #include "lapwing/json/suggest.h"
+#include "lapwing/recipe/recipe_files.h"
 
 namespace lapwing {
 namespace {

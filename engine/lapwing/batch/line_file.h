@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/file_bytes.h"
 
 namespace lapwing {
 

@@ -7,7 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
-#include "lapwing/io/real_path.h"
+#include "lapwing/io/paths.h"
 
 namespace lapwing {
 namespace {
@@ -38,6 +38,10 @@ constexpr const char* kTemporary = R"((.*)\.tmp-\d+)";
 
 }  // namespace
 
+fs::path ResultFolder::failed_file(const fs::path& folder, const std::optional<Shard>& shard) {
+  return folder / ("failed" + ending_of(shard));
+}
+
 void ResultFolder::require_no_result(const fs::path& folder, const fs::path& read) {
   const fs::path file = real_path(read);
   const bool is_called_so = std::regex_match(file.filename().string(), std::regex(kAnyLines));
@@ -55,7 +59,7 @@ ResultFolder::ResultFolder(fs::path folder, std::span<const Job> jobs, std::opti
       jobs_(jobs),
       is_whole_(!shard),
       results_path_(folder_ / ("results" + ending_of(shard))),
-      failed_path_(folder_ / ("failed" + ending_of(shard))),
+      failed_path_(failed_file(folder_, shard)),
       done_(jobs.size(), 0) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     if (jobs[k].error.empty()) job_of_.emplace(jobs[k].id, k);

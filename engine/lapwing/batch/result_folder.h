@@ -33,6 +33,10 @@ class ResultFolder {
   ResultFolder(std::filesystem::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
                bool resume);
 
+  /// Returns the file with the lines of failed jobs: failed.jsonl, or failed-2-of-8.jsonl.
+  static std::filesystem::path failed_file(const std::filesystem::path& folder,
+                                           const std::optional<Shard>& shard);
+
   /// Throws InputError if `read` is a file that such a folder would contain.
   static void require_no_result(const std::filesystem::path& folder,
                                 const std::filesystem::path& read);

@@ -5,10 +5,10 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/mesh_file.h"
-#include "lapwing/io/npy_file.h"
-#include "lapwing/io/real_path.h"
-#include "lapwing/session/certificate_json.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/io/number_table.h"
+#include "lapwing/io/paths.h"
+#include "lapwing/run/certificate_json.h"
+#include "lapwing/run/run_recipe.h"
 
 namespace lapwing {
 namespace {
@@ -86,12 +86,12 @@ std::string ResultWriter::write_rest(const Recipe& recipe, const Mesh& rest) {
 }
 
 void ResultWriter::write_displacements(const fs::path& path, const Mesh& rest,
-                                       const RunResult& result) const {
+                                       const RunResult& result, Scalar type) const {
   Positions displacements = result.mesh.positions;
   for (std::size_t v = 0; v < displacements.size(); ++v) displacements[v] -= rest.positions[v];
   FileReplacements files;
   write_carried(result.carried, path, files);
-  files.add(path, npy_bytes(displacements, *output_.displacements));
+  files.add(path, npy_bytes(displacements, type));
   files.commit();
 }
 
@@ -101,7 +101,7 @@ std::string ResultWriter::write(const Job& job, const Recipe& recipe, RunResult&
   const std::vector<std::string> carried = name_carried(job, folder_, result);
   require_no_input(path, result);
   std::string rest_name;
-  if (output_.displacements) {
+  if (const std::optional<Scalar> type = output_.displacements) {
     const auto rest = meshes_.mesh(recipe.base_directory, recipe.mesh);
     const bool is_alike = rest->vertex_count() == result.mesh.vertex_count() &&
                           rest->face_starts() == result.mesh.face_starts() &&
@@ -113,7 +113,7 @@ std::string ResultWriter::write(const Job& job, const Recipe& recipe, RunResult&
     }
     rest_name = write_rest(recipe, *rest);
     require_targets(result.carried, path, result.inputs);
-    write_displacements(path, *rest, result);
+    write_displacements(path, *rest, result, *type);
   } else {
     save_result(result, path);
   }

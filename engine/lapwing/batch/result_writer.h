@@ -8,7 +8,7 @@
 
 #include "lapwing/batch/job_file.h"
 #include "lapwing/io/mesh_format.h"
-#include "lapwing/recipe/recipe.h"
+#include "lapwing/run/run_step.h"
 
 namespace lapwing {
 
@@ -42,7 +42,7 @@ class ResultWriter {
   std::string file_name(const Job& job, const Recipe& recipe) const;
   std::string write_rest(const Recipe& recipe, const Mesh& rest);
   void write_displacements(const std::filesystem::path& path, const Mesh& rest,
-                           const RunResult& result) const;
+                           const RunResult& result, Scalar type) const;
 
   std::filesystem::path folder_;
   BatchOutput output_;

@@ -1,5 +1,7 @@
 #include "lapwing/coating/coat.h"
 
+#include <utility>
+
 #include "lapwing/kernels/cpu_kernels.h"
 
 namespace lapwing {
@@ -22,6 +24,11 @@ Coated result_of(const LayeredCoat& layers, double amplitude) {
 }
 
 }  // namespace
+
+PreparedCoat::PreparedCoat(const CoatRequest& request, const Mesh& mesh, SharedSource source,
+                           Kernels& kernels, const Progress& progress)
+    : layers_(std::make_unique<LayeredCoat>(layered(request), mesh, std::vector{std::move(source)},
+                                            kernels, progress)) {}
 
 Coated coat(const Mesh& target, const Mesh& source, const CoatRequest& request) {
   CpuKernels kernels;

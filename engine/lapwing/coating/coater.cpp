@@ -6,20 +6,18 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/coating/patch_fades.h"
-#include "lapwing/coating/ring_areas.h"
-#include "lapwing/coating/ring_columns.h"
-#include "lapwing/coating/sample_coating.h"
+#include "lapwing/coating/coating.h"
+#include "lapwing/coating/ring_operators.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/region/geodesic.h"
 #include "lapwing/region/submesh.h"
 
 namespace lapwing {
+namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-namespace {
 
 // The Laplacians and the displacement of a coating at every row.
 struct Samples {
@@ -363,6 +361,19 @@ const VertexSet& Coater::free() const {
 }
 const StageTimings& Coater::timings() const {
   return state_->timings;
+}
+
+std::vector<double> fades(const Transition& transition, const Patch& patch,
+                          const Topology& topology, std::span<const Eigen::Vector3d> positions) {
+  std::vector<double> shares(patch.vertices.size(), 1.0);
+  if (transition.width <= 0.0) return shares;
+  const VertexSet border = border_of(patch);
+  const auto distances = geodesic_distances(topology, positions, border, transition.width,
+                                            vertex_mask(positions.size(), patch.vertices));
+  for (std::size_t own = 0; own < shares.size(); ++own) {
+    shares[own] = fade(transition, distances[patch.vertices[own]]);
+  }
+  return shares;
 }
 
 }  // namespace lapwing

@@ -5,11 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/coating/patch_coating.h"
+#include "lapwing/coating/coating.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/parameterize/patch.h"
 #include "lapwing/region/transition.h"
 
 namespace lapwing {
@@ -125,5 +127,10 @@ class Coater {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Returns the share of `transition` at each vertex of `patch`, midpoints excepted, by the geodesic
+/// distance within the patch from its boundary loop.
+std::vector<double> fades(const Transition& transition, const Patch& patch,
+                          const Topology& topology, std::span<const Eigen::Vector3d> positions);
 
 }  // namespace lapwing

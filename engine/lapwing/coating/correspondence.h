@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/mesh/surface_point.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/parameterize/domain_map.h"
 #include "lapwing/parameterize/warp.h"
 

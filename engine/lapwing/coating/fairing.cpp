@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/coating/ring_areas.h"
+#include "lapwing/coating/ring_operators.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/geodesic.h"
 

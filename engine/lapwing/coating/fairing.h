@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/laplacian/system_pattern.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/topology.h"

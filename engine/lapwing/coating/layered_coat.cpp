@@ -10,10 +10,11 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/base/stage.h"
-#include "lapwing/coating/ring_areas.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/coating/ring_operators.h"
 #include "lapwing/coating/sizing_field.h"
 #include "lapwing/deform/certificate.h"
+#include "lapwing/doctor/orientation.h"
 
 namespace lapwing {
 namespace {
@@ -71,6 +72,7 @@ LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
                        request_.weight ? source.amplitude : 1.0});
   }
   make_sides(progress);
+  note_inward_sides();
   remesh_where_coarse(progress);
   take(progress);
   note_held_scales();
@@ -286,6 +288,30 @@ void LayeredCoat::note_held_scales() {
          << " times the scale of the patches, so it is limited to that. Choose a rounder patch, "
             "without horns or legs, or give \"scale\"";
     warnings_.push_back(text.str());
+  }
+}
+
+// Tells the user why detail goes inward. If both surfaces are inside out, it does not.
+void LayeredCoat::note_inward_sides() {
+  const auto note = [&](const std::string& where, const char* effect, Facing facing) {
+    const bool is_closed = facing == Facing::inside_out;
+    warnings_.push_back(where + ": the surface " +
+                        (is_closed ? "is inside out" : "has inward normals") + ", so " + effect +
+                        "; " +
+                        (is_closed ? "turn it with `lapwing check MESH --fix OUT`"
+                                   : "reverse its faces, or negate \"amplitude\""));
+  };
+  const Facing target = facing_of(mesh_, target_->patch().vertices.front());
+  bool is_target_noted = false;
+  for (const Layer& layer : layers_) {
+    const Index vertex = layer.source.coating().patch.vertices.front();
+    const Facing source = facing_of(layer.source.mesh(), vertex);
+    if ((source == Facing::outward) == (target == Facing::outward)) continue;
+    if (source != Facing::outward) {
+      note(layer.source.asked().patch.where, "its bumps become dents", source);
+    } else if (!std::exchange(is_target_noted, true)) {
+      note(request_.target_patch.where, "bumps on it go inward", target);
+    }
   }
 }
 

@@ -7,7 +7,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/mesh/extent.h"
+#include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/region_spec.h"
@@ -13,7 +13,7 @@ namespace lapwing {
 
 /// A request to remove the fine detail of a region, without the mesh.
 struct PeelRequest {
-  RegionSpec region;
+  RegionSpec region = {};
   double detail_size = 0.0;  ///< a length above 0: features smaller than this are coating
   LaplacianWeights weights = LaplacianWeights::cotangent;
   std::string where = "peel";  ///< as in RegionSpec; ignored by ==

@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/closest/closest_point.h"
-#include "lapwing/coating/patch_coating.h"
-#include "lapwing/mesh/surface_point.h"
+#include "lapwing/coating/coating.h"
+#include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
 

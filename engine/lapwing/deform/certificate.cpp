@@ -68,24 +68,45 @@ std::vector<Index> flipped_triangles(std::span<const Index> roi, std::span<const
 }
 
 std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_count) {
-  std::vector<char> held(vertex_count, 0);
-  for (const Index v : region.belt) held[v] = 1;
+  std::vector<char> held = vertex_mask(vertex_count, region.belt);
   for (const auto& handle : region.handles) {
     for (const Index v : handle) held[v] = 1;
   }
   std::vector<Index> free;
-  std::copy_if(region.roi.begin(), region.roi.end(), std::back_inserter(free),
-               [&](Index v) { return held[v] == 0; });
+  std::ranges::copy_if(region.roi, std::back_inserter(free), [&](Index v) { return !held[v]; });
   return free;
 }
 
-// Does what `measure_shape` does. Returns the rotations of the rings, per vertex of the mesh.
-std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topology& topology,
-                                         std::span<const Vector3d> rest,
-                                         std::span<const Vector3d> current,
-                                         Certificate& certificate,
-                                         std::span<const Matrix3d> asked) {
-  certificate.rest_diagonal = bounds_of(rest).diagonal();
+// Sets the extreme scales and the largest rotation, each with the first vertex that has it.
+void set_extremes(std::span<const Index> roi, std::span<const double> scales,
+                  std::span<const double> angles, Certificate& certificate) {
+  double largest_angle = 0.0;
+  CancelCheck cancel_check;
+  for (std::size_t m = 0; m < roi.size(); ++m) {
+    cancel_check();
+    if (m == 0 || scales[m] < certificate.smallest_scale) {
+      certificate.smallest_scale = scales[m];
+      certificate.smallest_scale_vertex = roi[m];
+    }
+    if (m == 0 || scales[m] > certificate.largest_scale) {
+      certificate.largest_scale = scales[m];
+      certificate.largest_scale_vertex = roi[m];
+    }
+    if (angles[m] > largest_angle) {
+      largest_angle = angles[m];
+      certificate.largest_rotation_vertex = roi[m];
+    }
+  }
+  certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::vector<Matrix3d> measure_shape(std::span<const Index> roi, const Topology& topology,
+                                    std::span<const Vector3d> rest,
+                                    std::span<const Vector3d> current, Certificate& certificate,
+                                    std::span<const Matrix3d> asked) {
+  certificate.rest_diagonal = bounds_of(surface_positions(rest, topology)).diagonal();
   for (const Index v : roi) {
     certificate.all_finite = certificate.all_finite && current[v].allFinite();
   }
@@ -106,24 +127,7 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
       angles[m] = rotation_angle(rotations[i]);
     }
   });
-  double largest_angle = 0.0;
-  CancelCheck cancel_check;
-  for (std::size_t m = 0; m < roi.size(); ++m) {
-    cancel_check();
-    if (m == 0 || scales[m] < certificate.smallest_scale) {
-      certificate.smallest_scale = scales[m];
-      certificate.smallest_scale_vertex = roi[m];
-    }
-    if (m == 0 || scales[m] > certificate.largest_scale) {
-      certificate.largest_scale = scales[m];
-      certificate.largest_scale_vertex = roi[m];
-    }
-    if (angles[m] > largest_angle) {
-      largest_angle = angles[m];
-      certificate.largest_rotation_vertex = roi[m];
-    }
-  }
-  certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
+  set_extremes(roi, scales, angles, certificate);
   const EdgeStretches edges = edge_stretches(roi, topology, rest, current, asked);
   certificate.edge_stretch = edges.root_mean_square;
   certificate.largest_edge_stretch = edges.most.stretch;
@@ -145,82 +149,15 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
   return rotations;
 }
 
-// Returns advice against folds.
-std::string advice(const Certificate& c) {
-  const std::string move = "Move the handle less, rotate it with its motion, or use several steps";
-  return c.region_is_whole ? move + "." : move + ", or enlarge the region.";
-}
-
-}  // namespace
-
-void measure_shape(std::span<const Index> roi, const Topology& topology,
-                   std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                   Certificate& certificate, std::span<const Matrix3d> asked) {
-  measured_rotations(roi, topology, rest, current, certificate, asked);
-}
-
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
                     std::span<const Vector3d> current, Certificate& certificate,
                     std::span<const Matrix3d> asked) {
   const std::vector<Matrix3d> rotations =
-      measured_rotations(region.roi, topology, rest, current, certificate, asked);
+      measure_shape(region.roi, topology, rest, current, certificate, asked);
   if (!certificate.all_finite) return;
   certificate.detail_error = detail_error(free_vertices(region, rest.size()), topology, weights,
                                           rest, current, rotations, asked);
-}
-
-bool misses_handles(const Certificate& c) {
-  return c.rest_diagonal > 0.0 && (c.handle_error > kMostHandleMiss * c.rest_diagonal ||
-                                   c.handle_error > kMostHandleLag * c.asked_motion);
-}
-
-std::vector<std::string> warnings_of(const Certificate& c) {
-  std::vector<std::string> warnings;
-  if (!c.settled) {
-    std::ostringstream text;
-    text
-        << "not settled after " << c.settle_iterations
-        << " iterations: one more would move a vertex by " << c.settle_last_step
-        << " mean edge lengths. "
-        << (c.lacks_hessian
-                ? "The Hessian does not fit into the available memory. Choose a smaller region, or "
-                  "free memory."
-                : "Raise \"max_iterations\" of \"settle\", or move in smaller steps.");
-    warnings.push_back(text.str());
-  }
-  if (misses_handles(c)) {
-    std::ostringstream text;
-    text << "a handle misses its place by " << c.handle_error << " ("
-         << 100.0 * c.handle_error / c.rest_diagonal << "% of the mesh's diagonal) on a path of "
-         << c.asked_motion
-         << ": raise \"constraint_weight\" or the handle's \"weight\", or set \"hard\"";
-    warnings.push_back(text.str());
-  }
-  if (c.inside_out_share > kMostInsideOut) {
-    std::ostringstream text;
-    text << std::lround(100.0 * c.inside_out_share)
-         << "% of the region is inside out, around vertex " << c.inside_out_vertex << ". "
-         << advice(c);
-    warnings.push_back(text.str());
-  } else if (c.flipped_triangles > 0) {
-    std::ostringstream text;
-    text << c.flipped_triangles
-         << (c.flipped_triangles == 1 ? " triangle is flipped, "
-                                      : " triangles are flipped, the first ")
-         << c.first_flipped_triangles.front() << ". " << advice(c);
-    warnings.push_back(text.str());
-  }
-  const double ratio = c.largest_edge_stretch + 1.0;
-  if (ratio > kLongEdge) {
-    std::ostringstream text;
-    text << "the edge from vertex " << c.largest_edge_stretch_vertices[0] << " to "
-         << c.largest_edge_stretch_vertices[1] << " is now " << ratio
-         << " times as long. Move the handle less"
-         << (c.region_is_whole ? "." : ", or enlarge the region.");
-    warnings.push_back(text.str());
-  }
-  return warnings;
 }
 
 void require_valid(const Certificate& certificate) {

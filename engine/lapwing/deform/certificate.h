@@ -2,7 +2,6 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lapwing/mesh/topology.h"
@@ -15,16 +14,15 @@ struct Certificate {
   /// |N u - b| / |b| of the linear system, in 2-norms. 0 if nothing moves or if the surface
   /// settles.
   double relative_residual = 0.0;
-  /// MinimizerResult::relative_gradient of a settled surface: the gradient that remains, over the
-  /// force of the handles.
+  /// MinimizerResult::relative_gradient of a settled surface.
   double relative_gradient = 0.0;
-  /// Largest distance of a handle vertex from its prescribed position, in mesh units. Not 0 with
-  /// soft constraints, which share the error with the surface.
+  /// Largest distance of a handle vertex from its prescribed position, in mesh units.
   double handle_error = 0.0;
   /// The largest prescribed displacement of a handle vertex or target, in mesh units; summed over
   /// the parts of an edit.
-  double asked_motion = 0.0;
-  /// Diagonal of the bounds of the mesh at rest; 0 if nothing was measured.
+  double prescribed_motion = 0.0;
+  /// Diagonal of the bounds of the surface at rest, without isolated vertices; 0 if nothing was
+  /// measured.
   double rest_diagonal = 0.0;
   /// The largest distance of a target's point from its prescribed position, in mesh units.
   double target_error = 0.0;
@@ -37,8 +35,8 @@ struct Certificate {
   /// Largest angle by which a ring has turned, in degrees, 0 to 180.
   double largest_rotation_degrees = 0.0;
   Index largest_rotation_vertex = kNoIndex;
-  /// Triangles that face against their rest normal, rotated by the mean rotation of their corners.
-  /// Triangles thinner than kThinnestTriangle at rest do not count. The list holds the first
+  /// Triangles that face against their rest normal, rotated by the mean rotation of their corners,
+  /// without those thinner than kThinnestTriangle at rest. The list holds the first
   /// kListedTriangles.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
@@ -48,13 +46,11 @@ struct Certificate {
   Index inside_out_vertex = kNoIndex;
   /// Whether the region consists of whole connected components of the mesh.
   bool region_is_whole = false;
-  /// `detail_error` over the free vertices, for the rest stretch that the handles ask for; 0 if
-  /// details are kept, 1 if they are lost.
+  /// `detail_error` over the free vertices; 0 if details are kept, 1 if they are lost, NaN if the
+  /// surface has none.
   double detail_error = 0.0;
-  /// Root mean square of the relative change of edge lengths in the region, beyond what the handles
-  /// ask for (`edge_stretch`).
+  /// `edge_stretch` of the region; and the largest change, with the ends of its edge, or kNoIndex.
   double edge_stretch = 0.0;
-  /// The largest such change, and the ends of its edge; kNoIndex if all lengths are kept.
   double largest_edge_stretch = 0.0;
   std::array<Index, 2> largest_edge_stretch_vertices{kNoIndex, kNoIndex};
   int settle_iterations = 0;      ///< 0 without settling
@@ -73,31 +69,15 @@ inline constexpr double kThinnestTriangle = 1e-3;
 /// Length of the list of flipped triangles.
 inline constexpr std::size_t kListedTriangles = 8;
 
-/// `warnings_of` warns if a larger share of the region is inside out.
-inline constexpr double kMostInsideOut = 0.01;
-
-/// `warnings_of` warns of an edge longer than this factor times its prescribed length.
-inline constexpr double kLongEdge = 3.0;
-
-/// `warnings_of` warns of a handle error above this share of the mesh's diagonal, about 8 pixels of
-/// a window that shows the whole mesh.
-inline constexpr double kMostHandleMiss = 0.01;
-
-/// It also warns of a handle error above this share of the prescribed displacement, which matters
-/// if the region is small beside its mesh. Soft handles of default weight miss by a hundredth of
-/// it, on the coarsest meshes by a tenth.
-inline constexpr double kMostHandleLag = 0.25;
-
-/// Whether the handle error exceeds one of these two limits.
-bool misses_handles(const Certificate& certificate);
-
-/// Measures size, scales, rotations, flips, edge stretch and finiteness from the shapes alone. If
-/// the pose is not finite, only that is set. `roi` holds the vertices to measure; triangles count
-/// if they touch it. `asked` is the rest stretch that the handles ask for, as in `detail_error`.
-/// Linear time.
-void measure_shape(std::span<const Index> roi, const Topology& topology,
-                   std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
-                   Certificate& certificate, std::span<const Eigen::Matrix3d> asked = {});
+/// Measures size, scales, rotations, flips, edge stretch and finiteness from the shapes alone, in
+/// linear time. If the pose is not finite, only that is set. `roi` holds the vertices to measure;
+/// triangles count if they touch it. `asked` is the prescribed rest stretch, as in `detail_error`.
+/// Returns the rotations of the rings, per vertex of the mesh.
+std::vector<Eigen::Matrix3d> measure_shape(std::span<const Index> roi, const Topology& topology,
+                                           std::span<const Eigen::Vector3d> rest,
+                                           std::span<const Eigen::Vector3d> current,
+                                           Certificate& certificate,
+                                           std::span<const Eigen::Matrix3d> asked = {});
 
 /// The same for an edit's region, with the detail error over its free vertices. `weights` are those
 /// of the Laplacian.
@@ -105,10 +85,6 @@ void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current, Certificate& certificate,
                     std::span<const Eigen::Matrix3d> asked = {});
-
-/// Returns warnings for the user, each with a place and advice: not settled, handle error, flipped
-/// triangles, inside-out surface, long edges. Empty for a good result.
-std::vector<std::string> warnings_of(const Certificate& certificate);
 
 /// Throws SolverError, with advice, unless positions and distances are finite and the residual is
 /// at most kLargestResidual.

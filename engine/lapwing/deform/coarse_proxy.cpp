@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/base/stopwatch.h"
 
 namespace lapwing {
@@ -14,7 +15,53 @@ using Eigen::Vector3d;
 // Number of vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
 constexpr std::size_t kCoarseVertices = 3500;
 
+// Returns the kept part of `region` in coarse indices; `own` maps vertices of the mesh to these.
+EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
+  const auto kept = [&](const VertexSet& set) {
+    VertexSet left;
+    for (const Index v : set) {
+      if (own[v] != kNoIndex) left.push_back(own[v]);
+    }
+    return left;
+  };
+  EditRegion coarse;
+  coarse.roi = kept(region.roi);
+  coarse.belt = kept(region.belt);
+  for (const VertexSet& handle : region.handles) coarse.handles.push_back(kept(handle));
+  coarse.handle_weights = region.handle_weights;
+  for (FalloffVertex graded : region.graded) {
+    graded.vertex = own[graded.vertex];
+    if (graded.vertex != kNoIndex) coarse.graded.push_back(graded);
+  }
+  for (Target target : region.targets) {
+    for (Index& corner : target.corners) corner = own[corner];
+    coarse.targets.push_back(target);
+  }
+  coarse.hard_targets = region.hard_targets;
+  coarse.turns_freely = region.turns_freely;
+  return coarse;
+}
+
 }  // namespace
+
+std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count) {
+  auto coarse = std::make_unique<CoarseRegion>();
+  coarse->level = fine.factors->coarse_surfaces().of(fine.region, fine.topology, fine.rest, count);
+  if (coarse->level == nullptr) return nullptr;
+  const CoarseSurface& surface = coarse->level->surface;
+  try {
+    const std::scoped_lock lock(coarse->level->preparing);
+    coarse->edit = std::make_unique<const EditSystem>(
+        coarse->level->prepared, surface.rest,
+        kept_of(fine.region, inverse_index(surface.kept, fine.rest->size())), fine.options,
+        Progress(), true);
+  } catch (const InputError&) {
+    return nullptr;
+  } catch (const SolverError&) {
+    return nullptr;
+  }
+  return coarse;
+}
 
 std::unique_ptr<CoarseProxy> CoarseProxy::make(const EditSystem& fine) {
   if (!fine.needs_coarse_surface()) return nullptr;
@@ -47,7 +94,7 @@ std::vector<Vector3d> CoarseProxy::restricted(std::span<const Vector3d> of_fine)
 }
 
 MinimizerTarget CoarseProxy::target_of(const MinimizerTarget& fine) {
-  next_wanted_ = restricted(fine.wanted);
+  next_prescribed_ = restricted(fine.prescribed);
   stretch_.clear();
   if (!fine.rest_stretch.empty()) {
     for (const Index v : surface().kept) stretch_.push_back(fine.rest_stretch[v]);
@@ -64,7 +111,7 @@ MinimizerTarget CoarseProxy::target_of(const MinimizerTarget& fine) {
       own.to_centre.push_back(handle.to_centre[k]);
     }
   }
-  return {next_wanted_, stretch_, forces_, free_handles_};
+  return {next_prescribed_, stretch_, forces_, free_handles_};
 }
 
 // Returns a pose with the transforms of the last evaluated surface.
@@ -87,15 +134,15 @@ void CoarseProxy::begin(const MinimizerTarget& target, std::span<const Vector3d>
   std::vector<Vector3d> displacement = restricted(u);
   minimizer_.energy(target_of(target), displacement);
   pose_ = pose_at(std::move(displacement));
-  wanted_ = next_wanted_;
+  prescribed_ = next_prescribed_;
 }
 
 std::vector<Vector3d> CoarseProxy::predicted() const {
-  if (wanted_ == next_wanted_) return pose_.displacement;
-  return predictor_.predict(*coarse_->edit, wanted_, next_wanted_, pose_.displacement);
+  if (prescribed_ == next_prescribed_) return pose_.displacement;
+  return predictor_.predict(*coarse_->edit, prescribed_, next_prescribed_, pose_.displacement);
 }
 
-void CoarseProxy::move(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
+void CoarseProxy::step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
                        std::span<Vector3d> u) {
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
@@ -130,12 +177,12 @@ void CoarseProxy::settle(const MinimizerTarget& target, const Progress& progress
 void CoarseProxy::prolongate_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
   coarse_->level->embedding.prolongate(pose_, next, u);
-  if (wanted_ != next_wanted_) {
-    predictor_.add_frame(*coarse_->edit, wanted_, next_wanted_, pose_.displacement,
+  if (prescribed_ != next_prescribed_) {
+    predictor_.add_frame(*coarse_->edit, prescribed_, next_prescribed_, pose_.displacement,
                          next.displacement);
   }
   pose_ = std::move(next);
-  std::swap(wanted_, next_wanted_);
+  std::swap(prescribed_, next_prescribed_);
 }
 
 void CoarseProxy::correct(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {

@@ -4,26 +4,35 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/deform/coarse_region.h"
 #include "lapwing/deform/deform_solver_state.h"
+#include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/predictor.h"
+#include "lapwing/elastic/coarse_surfaces.h"
 #include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/kernels/cpu_kernels.h"
 
 namespace lapwing {
 
-/// In mean edge lengths. If the last step of a frame is longer, the surface is far from its
-/// minimum. The last steps of a proxy are 0.0003 to 0.02 if a mesh leans or is lifted, and up to 3
-/// if limbs cross or twist. The first step of a surface that was prolongated is 0.01 to 0.1, and
-/// 0.6 for steep details.
+/// The same edit on a decimated surface. Its minimum is close to that of the fine surface, since
+/// both energies approximate one integral (EnergyWeights).
+struct CoarseRegion {
+  std::shared_ptr<CoarseLevel> level;
+  std::unique_ptr<const EditSystem> edit;
+};
+
+/// Returns a decimated edit with about `count` vertices in the region. Returns null if the region
+/// cannot be decimated (CoarseSurfaces), or if the remaining vertices no longer anchor it.
+std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count);
+
+/// In mean edge lengths. After a longer last step of a frame, the surface is far from its minimum:
+/// proxies end with 0.0003 to 0.02 in simple motions, and with up to 3 if limbs cross or twist.
 inline constexpr double kLongStep = 0.05;
 
-/// The coarse proxy of a drag: the same edit on a surface of a few thousand vertices, whose
-/// iterations take half a millisecond at any size of the region. The fine surface is prolongated
-/// from it. The proxy finds how limbs swing and bend; the fine surface then smooths what
-/// prolongation left rough. The gradient that remains on the fine surface is restricted and acts on
-/// the proxy as a force. Both surfaces then share one minimum although their energies differ
-/// (defect correction; Brandt, Dinar, "Multigrid solutions to elliptic flow problems", 1979).
+/// The coarse proxy of a drag: the same edit on a few thousand vertices, whose iterations take half
+/// a millisecond at any size of the region. The fine surface is prolongated from it and then
+/// smoothed. The gradient that remains on the fine surface is restricted and acts on the proxy as a
+/// force, so that both share one minimum although their energies differ (defect correction; Brandt,
+/// Dinar, "Multigrid solutions to elliptic flow problems", 1979).
 class CoarseProxy {
  public:
   /// Returns null if no proxy is needed, or if the region cannot be decimated. `fine` must outlive
@@ -38,7 +47,7 @@ class CoarseProxy {
   /// four iterations run only if `budget` covers another one, the prolongation and the `next_ms`
   /// that the caller needs afterwards. If `next_ms` does not fit in any case, iterations may use
   /// its time.
-  void move(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
+  void step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
             std::span<Eigen::Vector3d> u);
 
   /// Minimizes the proxy for `target` and prolongates to `u`. Throws Cancelled.
@@ -76,11 +85,11 @@ class CoarseProxy {
   double prolongation_ms_ = 0.0;  ///< time of the last prolongation
 
   CoarseEmbedding::Pose pose_;
-  std::vector<Eigen::Vector3d> wanted_;  ///< in pose_
+  std::vector<Eigen::Vector3d> prescribed_;  ///< in pose_
   Predictor predictor_;
   std::vector<Eigen::Vector3d> forces_;
   // Storage for the spans of the proxy's target.
-  std::vector<Eigen::Vector3d> next_wanted_;
+  std::vector<Eigen::Vector3d> next_prescribed_;
   std::vector<Eigen::Matrix3d> stretch_;
   std::vector<FreeHandle> free_handles_;
 };

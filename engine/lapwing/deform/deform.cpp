@@ -5,11 +5,11 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/base/stage.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/certificate_warnings.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/modifiers/joined_request.h"
 #include "lapwing/deform/modifiers/mirrored_request.h"
-#include "lapwing/deform/modifiers/resolved_request.h"
 #include "lapwing/deform/modifiers/substeps.h"
 #include "lapwing/deform/modifiers/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -129,6 +129,12 @@ void add_loose_parts(const EditRegion& region, const auto& add) {
   for (const LoosePart& part : region.loose) parts.push_back(&part.vertices);
   if (!parts.empty()) {
     add(describe_parts(parts) + ": carried along with the nearest surface");
+  }
+  if (!region.held_holes.empty()) {
+    add("nothing but the rims of holes can hold the surface, so the belt is those of the largest, "
+        "at " +
+        name_vertices(region.held_holes) +
+        ". To let them move along, choose a belt, or add a handle that stays");
   }
   if (region.turns_freely) {
     add("belt and handles lie on one line, about which the surface can rotate freely; it rotates "

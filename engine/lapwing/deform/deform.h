@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_request.h"
@@ -13,9 +13,9 @@
 #include "lapwing/deform/vertex_motion.h"
 #include "lapwing/elastic/prepared_region.h"
 #include "lapwing/kernels/kernels.h"
-#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/matrices.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/mesh/seams.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {
@@ -46,10 +46,10 @@ struct Deformed : DeformReport {
   StageTimings timings;  ///< of all parts together
 };
 
-/// Carries out `request` on a polygon mesh, on the CPU. Coincident seam vertices are joined and
-/// move together unless the request says otherwise. The result has the polygons of `mesh`. Each
-/// call prepares from scratch: use DeformSolver for repeated edits of one region. Throws InputError
-/// for a request that does not fit the mesh, and what DeformSolver throws.
+/// Carries out `request` on a polygon mesh, on the CPU. Coincident seam vertices move together
+/// unless the request says otherwise. The result has the polygons of `mesh`. Use DeformSolver for
+/// repeated edits of one region. Throws InputError for a request that does not fit the mesh, and
+/// what DeformSolver throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
@@ -73,8 +73,8 @@ struct DeformWorkspace {
 };
 
 /// The same on any device. `kernels` must outlive `workspace`, and so must one mesh that shares the
-/// topology of `mesh`, such as the result. Stages reported: "mirror" if the request has one,
-/// "region", those of DeformSolver, "solve", and "certify" if there are several parts.
+/// topology of `mesh`, such as the result. Stages: "mirror", "region", those of DeformSolver,
+/// "solve", and "certify" if there are several parts.
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

@@ -38,8 +38,8 @@ struct CarrySpec {
 };
 
 struct MovedHandle {
-  RegionSpec region;
-  Move move;
+  RegionSpec region = {};
+  Move move = {};
   Falloff falloff = {};
   HandleOrientation orientation = HandleOrientation::kept;
   /// Waypoints before `move`, each a move from the rest position. Entries with the same index in
@@ -52,11 +52,11 @@ struct MovedHandle {
 
 /// An edit without its mesh: bends the ROI by moving its handles. {"op": "deform"} in recipes.
 struct DeformRequest {
-  RegionSpec roi;
+  RegionSpec roi = {};
   BeltSpec belt = BoundaryAnchors{};
-  std::vector<MovedHandle> handles;
-  TargetSpec targets;  ///< at least one handle or target in all
-  DeformParameters parameters;
+  std::vector<MovedHandle> handles = {};
+  TargetSpec targets = {};  ///< at least one handle or target in all
+  DeformParameters parameters = {};
   /// Applies the edit on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};
   /// Files that follow the surface. Steps of recipes carry them; `deform` itself throws InputError

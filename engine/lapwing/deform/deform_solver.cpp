@@ -10,10 +10,9 @@
 #include "lapwing/deform/coarse_proxy.h"
 #include "lapwing/deform/deform_solver_state.h"
 #include "lapwing/deform/drag_preview.h"
-#include "lapwing/deform/laplacian_response.h"
+#include "lapwing/deform/linear_response.h"
 #include "lapwing/deform/motion_target.h"
 #include "lapwing/deform/predictor.h"
-#include "lapwing/deform/response_basis.h"
 
 namespace lapwing {
 
@@ -29,10 +28,10 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
 }
 
 // Whether all prescribed displacements are 0.
-bool rests(const EditSystem& edit, std::span<const Vector3d> wanted) {
-  return std::ranges::all_of(wanted, [](const Vector3d& d) { return d.isZero(0.0); }) &&
+bool rests(const EditSystem& edit, std::span<const Vector3d> prescribed) {
+  return std::ranges::all_of(prescribed, [](const Vector3d& d) { return d.isZero(0.0); }) &&
          std::ranges::all_of(edit.laplacian->springs(),
-                             [](const Spring& spring) { return spring.wanted.isZero(0.0); });
+                             [](const Spring& spring) { return spring.prescribed.isZero(0.0); });
 }
 
 // Results need double precision on any device. A software device takes about three times as long as
@@ -71,10 +70,10 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
   MotionTarget target;
   for (const HandleMotions& motions : path) {
     const bool begins = pose.empty() || any_turned_far_since(pose.motions, motions);
-    const std::vector<Vector3d> last_wanted = target.wanted;
+    const std::vector<Vector3d> last_prescribed = target.prescribed;
     const std::vector<Eigen::Matrix3d> last_stretch = std::move(target.stretch.of_vertices);
     target = motion_target(edit, begins ? motions : turned_as(motions, pose.motions, edit),
-                           std::move(target.wanted));
+                           std::move(target.prescribed));
     DragState next;
     if (begins || coarse == nullptr) {
       next.displacement.assign(edit.rest->size(), Vector3d::Zero());
@@ -83,17 +82,35 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
       coarse_is_there = false;
     } else {
       if (!std::exchange(coarse_is_there, true)) {
-        coarse->begin({last_wanted, last_stretch}, pose.displacement);
+        coarse->begin({last_prescribed, last_stretch}, pose.displacement);
       }
       next.displacement = pose.displacement;
       coarse->settle(target.settle_target(), progress, next.displacement);
       set_free_rotations(edit, coarse->handle_rotations(), target);
-      move_held(edit, last_wanted, target.wanted, pose.displacement, next.displacement);
+      move_held(edit, last_prescribed, target.prescribed, pose.displacement, next.displacement);
     }
     next.motions = target.motions;
     pose = std::move(next);
   }
   return pose;
+}
+
+// Measures how far handles and targets moved, and how far they are from their prescribed positions.
+void measure_constraints(const EditSystem& edit, std::span<const Vector3d> u,
+                         std::span<const Vector3d> prescribed, const Positions& positions,
+                         Certificate& certificate) {
+  for (const auto& handle : edit.region.handles) {
+    for (const Index v : handle) {
+      certificate.handle_error = std::max(certificate.handle_error, (u[v] - prescribed[v]).norm());
+      certificate.prescribed_motion = std::max(certificate.prescribed_motion, prescribed[v].norm());
+    }
+  }
+  for (const Target& target : edit.region.targets) {
+    const double off = (point_of(target, positions) - target.position).norm();
+    certificate.target_error = std::max(certificate.target_error, off);
+    const double way = (target.position - point_of(target, *edit.rest)).norm();
+    certificate.prescribed_motion = std::max(certificate.prescribed_motion, way);
+  }
 }
 
 }  // namespace
@@ -128,9 +145,9 @@ MinimizerResult minimize_from(const DragState* pose, const EditSystem& edit,
     if (parameters == target.parameters) {
       std::ranges::copy(pose->displacement, u.begin());
     } else {
-      const std::vector<Vector3d> wanted = edit.asked_displacement(parameters);
-      std::ranges::copy(Predictor().predict(edit, wanted, target.wanted, pose->displacement),
-                        u.begin());
+      const std::vector<Vector3d> prescribed = edit.prescribed_displacement(parameters);
+      std::ranges::copy(
+          Predictor().predict(edit, prescribed, target.prescribed, pose->displacement), u.begin());
     }
   }
   const MinimizerResult result = minimizer.settle(target.settle_target(), u, progress);
@@ -220,9 +237,9 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
   std::vector<Vector3d> u(edit.rest->size(), Vector3d::Zero());
   if (!settles) {
     const Numbers forces = linear_forces(edit, state_->weights.get(), target.parameters);
-    u = linear_displacement(edit, *state_->response, target.wanted, forces);
-    certificate.relative_residual = state_->response->refine(target.wanted, forces, u);
-  } else if (any_turned_far(target.motions.turns) || !rests(edit, target.wanted)) {
+    u = linear_displacement(edit, *state_->response, target.prescribed, forces);
+    certificate.relative_residual = state_->response->refine(target.prescribed, forces, u);
+  } else if (any_turned_far(target.motions.turns) || !rests(edit, target.prescribed)) {
     const BorrowedWorkspace workspace(*state_);
     const MinimizerResult settled =
         minimize_from(pose, edit, *state_->weights, workspace->minimizer, target, u, progress);
@@ -232,9 +249,9 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
     certificate.lacks_hessian = settled.lacks_hessian;
     certificate.relative_gradient = settled.relative_gradient;
   }
-  const std::vector<Vector3d>& wanted = target.wanted;
+  const std::vector<Vector3d>& prescribed = target.prescribed;
   std::vector<Eigen::Matrix3d>& stretch = target.stretch.of_vertices;
-  edit.loose.carry(wanted, mean_scales(stretch), u);
+  edit.loose.carry(prescribed, mean_scales(stretch), u);
   result.positions = *edit.rest;
   for (const Index v : edit.moving) {
     // Adding 0 would turn a coordinate of -0 into +0.
@@ -246,18 +263,7 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
       result.positions[of_vertex.corners[0]] = of_vertex.position;
     }
   }
-  for (const auto& handle : edit.region.handles) {
-    for (const Index v : handle) {
-      certificate.handle_error = std::max(certificate.handle_error, (u[v] - wanted[v]).norm());
-      certificate.asked_motion = std::max(certificate.asked_motion, wanted[v].norm());
-    }
-  }
-  for (const Target& drawn : edit.region.targets) {
-    const double off = (point_of(drawn, result.positions) - drawn.position).norm();
-    certificate.target_error = std::max(certificate.target_error, off);
-    const double way = (drawn.position - point_of(drawn, *edit.rest)).norm();
-    certificate.asked_motion = std::max(certificate.asked_motion, way);
-  }
+  measure_constraints(edit, u, prescribed, result.positions, certificate);
   measure_region(edit.region, edit.topology, edit.laplacian->weights().laplacian, *edit.rest,
                  result.positions, certificate, stretch);
   require_valid(certificate);

@@ -7,11 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/drag.h"
-#include "lapwing/deform/drag_state.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/elastic/deform_options.h"
 #include "lapwing/elastic/prepared_region.h"
@@ -41,62 +40,56 @@ struct DeformResult {
 ///     DeformSolver solver(mesh.positions, topology, region, {}, kernels);
 ///     mesh.positions = solver.solve(motions).positions;
 ///
-/// Does not change after construction: all members may be called from several threads. Use a
-/// DragSession to move the surface frame by frame. `topology` and `kernels` must outlive the
-/// solver; positions are copied. Memory is about 4 kB a vertex with settling, whose first
-/// minimization takes as much again, and 8 kB without.
+/// Immutable, so several threads may call all members. `topology` and `kernels` must outlive the
+/// solver. Takes about 4 kB a vertex with settling, twice that after the first minimization, and 8
+/// kB without.
 class DeformSolver {
  public:
-  /// Prepares: factors the n x n system, which the minimizer uses, and without settling also the
-  /// 3n x 3n tangent of the energy or the RSI system (LinearResponse). Stages reported
-  /// and timed: "pattern", "order", "laplacian"; without settling then "assemble", "analyze",
-  /// "normal_matrix", "factor"; at last "shares". Throws InputError for a region that does not fit
-  /// the mesh, SolverError if a component of the region is not anchored or a system exceeds the
-  /// memory limit, GpuError if the device fails, Cancelled.
+  /// Factors the n x n system and, without settling, the 3n x 3n system (LinearResponse). Stages:
+  /// "pattern", "order", "laplacian"; without settling "assemble", "analyze", "normal_matrix",
+  /// "factor"; at last "shares". Throws InputError for a region that does not fit the mesh,
+  /// SolverError if a component is not anchored or memory is short, GpuError, Cancelled.
   DeformSolver(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// The same, but reuses what `prepared` keeps of earlier preparations. The stage "constraints"
-  /// replaces "pattern" and "order", and stages without work are left out. Same bits.
+  /// Reuses what `prepared` keeps, with the same bits. The stage "constraints" replaces "pattern"
+  /// and "order", and stages without work are left out.
   DeformSolver(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Shares what `preview` has prepared; timings include its stages. May run on another thread
-  /// while `preview` is dragged.
+  /// Shares what `preview` has prepared. May run on another thread while `preview` is dragged.
   DeformSolver(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~DeformSolver();
   DeformSolver(DeformSolver&&) noexcept;
   DeformSolver& operator=(DeformSolver&&) noexcept;
 
-  /// Returns the surface for one motion per handle, in double precision, with its certificate. It
-  /// is minimized if the options settle; stage "settle". Identity motions return the rest positions
-  /// bit for bit. Throws InputError for another number of motions than handles and for motions that
-  /// are too far, SolverError if the certificate does not hold, Cancelled.
+  /// Returns the surface for one motion per handle, with its certificate; stage "settle" if the
+  /// options settle. Identity motions return the rest positions bit for bit. Throws InputError for
+  /// another number of motions and for motions that are too far, SolverError if the certificate
+  /// does not hold, Cancelled.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for motions with accumulated turns. The surface winds as its handles turned, as far
-  /// as it can hold the winding. Throws InputError for a handle whose orientation is free unless
-  /// the options settle with soft constraints.
+  /// The same for accumulated turns: the surface winds as its handles turned, as far as it can hold
+  /// the winding. Free orientations require settling with soft constraints.
   DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
 
-  /// The same along a path: minimizes at each motion of `path` in turn, starting from the previous
-  /// minimum, and then at `motions`. Far motions have several minima; the path decides which one is
-  /// found. Large regions follow the path on their coarse proxy; only its first motion, and each
-  /// one to which a handle turns by more than 90 degrees, are minimized on the surface itself. Such
-  /// a turn starts from rest again.
+  /// Minimizes at each motion of `path` in turn and then at `motions`, each from the previous
+  /// minimum. Far motions have several minima; the path decides which one is found. Large regions
+  /// follow the path on their coarse proxy. A motion to which a handle turns by more than 90
+  /// degrees starts from rest again.
   DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
                            const Progress& progress = {}) const;
 
-  /// The same, starting from a pose of this region (DragSession::state), so that a drag ends in the
-  /// minimum that it has shown. The pose is ignored if it is empty, if the options do not settle,
-  /// or if a handle has since turned by more than 90 degrees.
+  /// Starts from a pose of this region (DragSession::state), so that a drag ends in the minimum
+  /// that it has shown. The pose is ignored if it is empty, if the options do not settle, or if a
+  /// handle has since turned by more than 90 degrees.
   DeformResult solve_from(const DragState& pose, const HandleMotions& motions,
                           const Progress& progress = {}) const;
 
-  /// Returns the linear response of the surface to `handles`, for Drag. Solves 12 right-hand sides
-  /// per handle with the 3n x 3n system, which this call factors if the options settle; stage
-  /// "response". If the options settle and the system exceeds the memory limit, the columns are
-  /// those of a DragPreview, and DragResponse::why_not_exact says so.
+  /// Returns the linear response to `handles`, for Drag; stage "response". Solves 12 right-hand
+  /// sides per handle by the 3n x 3n system, which this call factors if the options settle. If they
+  /// settle and the system exceeds the memory limit, the columns are those of a DragPreview
+  /// (DragResponse::why_not_exact).
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
                                                   const Progress& progress = {}) const;
   /// The same for all handles.

@@ -8,12 +8,23 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/base/numbers.h"
-#include "lapwing/deform/drag_state.h"
-#include "lapwing/kernels/response_columns.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/elastic/minimizer_result.h"
+#include "lapwing/kernels/kernels.h"
 
 namespace lapwing {
 
 struct EditSystem;
+
+/// A pose of a surface during or after a drag. Empty at rest.
+struct DragState {
+  /// The handles' motions. A handle with free orientation has the rotation that was found.
+  HandleMotions motions;
+  Positions displacement;       ///< of the whole mesh, from rest
+  MinimizerResult last_result;  ///< of the last frame's minimization
+
+  bool empty() const { return motions.maps.empty(); }
+};
 
 /// The linear response of a surface to some of its handles: one column for each of the 12
 /// parameters of a handle. Immutable, so one thread may drag with it while another settles.
@@ -33,8 +44,8 @@ class DragResponse {
   /// for another number of motions. Allocates nothing.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
-  /// If the 3n x 3n system did not fit in memory and these columns replace its own, a text with its
-  /// required and allowed memory. Otherwise empty, also for a DragPreview.
+  /// The required and the allowed memory, if the 3n x 3n system did not fit and these columns
+  /// replace its own. Otherwise empty, also for a DragPreview.
   const std::string& why_not_exact() const { return why_not_exact_; }
 
   /// Returns the pose of this region at `positions` of the whole mesh, for handles moved by
@@ -60,13 +71,12 @@ std::vector<std::size_t> in_order(std::span<const std::size_t> handles);
 class Drag {
  public:
   /// Starts at `pose`, or at rest if it is null. The surface is the pose plus the linear response
-  /// to the change of the motions since, so at the pose's own motions it equals the pose.
+  /// to the change of the motions since.
   explicit Drag(std::shared_ptr<const DragResponse> response,
                 std::shared_ptr<const DragState> pose = nullptr);
 
-  /// Returns the coefficient of each column of the response for `motions`, one per handle of the
-  /// edit. A motion maps the rest positions of its handle's vertices. Valid until the next call.
-  /// Allocates nothing.
+  /// Returns the coefficient of each column for `motions`, one map from rest per handle of the
+  /// edit. Valid until the next call. Allocates nothing.
   std::span<const double> parameters(std::span<const Eigen::Affine3d> motions);
   /// Writes the new positions of the vertices that can move; `positions` is of the whole mesh.
   /// Allocates nothing.

@@ -2,7 +2,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/deform/edit_system.h"
-#include "lapwing/deform/laplacian_response.h"
+#include "lapwing/deform/linear_response.h"
 
 namespace lapwing {
 
@@ -12,30 +12,25 @@ DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topolog
                          EditRegion region, const DeformOptions& options,
                          const Progress& progress) {
   PreparedRegion prepared(topology);
-  *this = DragPreview(prepared, rest, std::move(region), options, progress);
-}
-
-DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
-                         EditRegion region, const DeformOptions& options, const Progress& progress)
-    : system_(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
-                                                 progress, true)) {
-  *this = DragPreview(system_, system_->all_handles(), progress);
+  *this = DragPreview(prepared, rest, std::move(region), options, {}, progress);
 }
 
 DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
                          EditRegion region, const DeformOptions& options,
-                         std::span<const std::size_t> handles, const Progress& progress)
+                         std::optional<std::span<const std::size_t>> handles,
+                         const Progress& progress)
     : DragPreview(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
                                                      progress, true),
                   handles, progress) {}
 
 DragPreview::DragPreview(std::shared_ptr<const EditSystem> system,
-                         std::span<const std::size_t> handles, const Progress& progress)
+                         std::optional<std::span<const std::size_t>> handles,
+                         const Progress& progress)
     : system_(std::move(system)), timings_(system_->timings) {
   const ProgressScope scope(progress);
   report_progress(progress, "preview", 0.0);
   const Stopwatch watch;
-  response_ = response_of(handles);
+  response_ = handles ? response_of(*handles) : response_of(system_->all_handles());
   timings_.add("preview", watch.elapsed_ms());
   report_progress(progress, "preview", 1.0);
 }

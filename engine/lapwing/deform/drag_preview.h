@@ -1,9 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/drag.h"
 #include "lapwing/elastic/deform_options.h"
@@ -15,31 +16,27 @@ namespace lapwing {
 
 struct EditSystem;
 
-/// A linear drag that is ready long before the exact response. Laplacian coordinates and edges keep
-/// their rest directions, so it needs only the n x n system (L'Om L + K + W) u = W d and four
-/// columns per handle (its coordinates x, y, z and 1), not the 3n x 3n system and twelve. Exact for
+/// A linear drag that is ready long before the exact response. It needs only the n x n system and
+/// four columns per handle (laplacian_response), not the 3n x 3n system and twelve. Exact for
 /// translations; details do not rotate.
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options);
-///     Drag drag(preview.response());       // drags while another thread makes
+///     Drag drag(preview.response());          // drags while another thread prepares
 ///     DeformSolver solver(preview, kernels);  // the exact one, which then takes over
 class DragPreview {
  public:
-  /// Prepares. Stages reported and timed: "pattern", "order", "laplacian", "preview". `topology`
-  /// must outlive the object; positions are copied. Throws what DeformSolver does.
+  /// Stages: "pattern", "order", "laplacian", "preview". `topology` must outlive the object. Throws
+  /// what DeformSolver does.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
-  /// The same, but reuses what `prepared` keeps. The stage "constraints" then replaces "pattern"
-  /// and "order".
+  /// The same, but reuses what `prepared` keeps: the stage "constraints" replaces "pattern" and
+  /// "order". For a drag that moves only `handles`, response() has columns only for these.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
-              const DeformOptions& options, const Progress& progress = {});
-  /// The same for a drag that moves only `handles`: response() has columns only for these.
-  DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
-              const DeformOptions& options, std::span<const std::size_t> handles,
+              const DeformOptions& options,
+              std::optional<std::span<const std::size_t>> handles = {},
               const Progress& progress = {});
 
-  /// As DeformSolver::response. Poses are interchangeable between a preview and a solver made from
-  /// it.
+  /// As DeformSolver::response. Poses of a preview and of its solver are interchangeable.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
   /// The same for `handles`. Solves four right-hand sides per handle.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;
@@ -51,8 +48,8 @@ class DragPreview {
   const std::shared_ptr<const EditSystem>& system() const { return system_; }
 
  private:
-  DragPreview(std::shared_ptr<const EditSystem> system, std::span<const std::size_t> handles,
-              const Progress& progress);
+  DragPreview(std::shared_ptr<const EditSystem> system,
+              std::optional<std::span<const std::size_t>> handles, const Progress& progress);
 
   std::shared_ptr<const EditSystem> system_;
   std::shared_ptr<const DragResponse> response_;

@@ -10,7 +10,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/coarse_proxy.h"
 #include "lapwing/deform/deform_solver_state.h"
-#include "lapwing/deform/laplacian_response.h"
+#include "lapwing/deform/linear_response.h"
 #include "lapwing/deform/motion_target.h"
 #include "lapwing/deform/predictor.h"
 #include "lapwing/deform/turn_tracker.h"
@@ -27,19 +27,19 @@ struct DragSession::State {
   std::shared_ptr<MinimizerWorkspace> workspace;  // null while it is lent to the solver
 
   DragState pose;
-  std::vector<double> parameters;     // of pose.motions
-  std::vector<Vector3d> wanted;       // prescribed by pose.motions
+  std::vector<double> parameters;        // of pose.motions
+  std::vector<Vector3d> prescribed;      // prescribed by pose.motions
   std::vector<Eigen::Matrix3d> stretch;  // S_i of pose.motions; empty for the identity
-  Positions next;                     // the displacement of the current frame; else unused memory
-  std::vector<Vector3d> next_wanted;  // unused memory between frames
+  Positions next;  // the displacement of the current frame; else unused memory
+  std::vector<Vector3d> next_prescribed;  // unused memory between frames
 
   Predictor predictor;
   std::unique_ptr<CoarseProxy> coarse;  // null until it is built, and if the region needs none
   bool coarse_is_at_pose = false;
-  bool lacks_time = false;        // whether a frame of this drag did not settle in its time
-  double iteration_ms = 0.0;      // of the fine surface
-  double ending_ms = 0.0;         // after the iterations of a frame
-  std::vector<Vector3d> pull;     // the gradient at the fine surface
+  bool lacks_time = false;     // whether a frame of this drag did not settle in its time
+  double iteration_ms = 0.0;   // of the fine surface
+  double ending_ms = 0.0;      // after the iterations of a frame
+  std::vector<Vector3d> pull;  // the gradient at the fine surface
   BackgroundTask<std::unique_ptr<CoarseProxy>> coarse_task;  // last: it uses the solver
 
   State(std::shared_ptr<const DeformSolver> of, const DeformSolverState& internals)
@@ -70,14 +70,14 @@ struct DragSession::State {
 
   // Sets `next` by the coarse proxy, within the budget.
   void step_by_proxy(MotionTarget& target, bool is_at_pose, const TimeBudget& budget) {
-    if (!is_at_pose) coarse->begin({wanted, stretch}, pose.displacement);
+    if (!is_at_pose) coarse->begin({prescribed, stretch}, pose.displacement);
     copy_to_next(pose.displacement);
     const auto ask = [&](double ms) { return budget(ms + ending_ms); };
-    coarse->move(target.settle_target(), budget ? TimeBudget(ask) : TimeBudget(), iteration_ms,
+    coarse->step(target.settle_target(), budget ? TimeBudget(ask) : TimeBudget(), iteration_ms,
                  next);
     const Stopwatch ending;
     set_free_rotations(edit, coarse->handle_rotations(), target);
-    move_held(edit, wanted, target.wanted, pose.displacement, next);
+    move_held(edit, prescribed, target.prescribed, pose.displacement, next);
     ending_ms = ending.elapsed_ms();
   }
 
@@ -124,14 +124,14 @@ struct DragSession::State {
   // Makes `next` the pose.
   void accept(MotionTarget target, const MinimizerResult& result, bool tells_of_motion) {
     if (tells_of_motion) {
-      predictor.add_frame(edit, wanted, target.wanted, pose.displacement, next);
+      predictor.add_frame(edit, prescribed, target.prescribed, pose.displacement, next);
     }
     std::swap(pose.displacement, next);
     pose.motions = std::move(target.motions);
     pose.last_result = result;
     parameters = std::move(target.parameters);
     stretch = std::move(target.stretch.of_vertices);
-    next_wanted = std::exchange(wanted, std::move(target.wanted));
+    next_prescribed = std::exchange(prescribed, std::move(target.prescribed));
   }
 };
 
@@ -159,7 +159,7 @@ void DragSession::begin(DragState start) {
     s.pose.displacement = std::move(own);
     s.parameters.resize(s.edit.column_count());
     s.edit.set_parameters(s.pose.motions.maps, s.parameters);
-    s.edit.asked_displacement(s.parameters, s.wanted);
+    s.prescribed = s.edit.prescribed_displacement(s.parameters, std::move(s.prescribed));
     s.stretch = rest_stretch(s.edit, s.pose.motions.maps).of_vertices;
   }
   s.coarse_is_at_pose = false;
@@ -186,11 +186,12 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
   State& s = *state_;
   const EditSystem& edit = s.edit;
   const bool begins = s.pose.empty() || any_turned_far_since(s.pose.motions, motions);
-  MotionTarget target = motion_target(
-      edit, begins ? motions : turned_as(motions, s.pose.motions, edit), std::move(s.next_wanted));
+  MotionTarget target =
+      motion_target(edit, begins ? motions : turned_as(motions, s.pose.motions, edit),
+                    std::move(s.next_prescribed));
   const bool at_rest = !begins && target.parameters == s.parameters;
   if (at_rest && s.pose.last_result.settled) {
-    s.next_wanted = std::move(target.wanted);
+    s.next_prescribed = std::move(target.prescribed);
     return s.pose;
   }
 
@@ -212,7 +213,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     if (by_coarse) {
       s.step_by_proxy(target, coarse_was_there, budget);
     } else {
-      s.next = s.predictor.predict(edit, s.wanted, target.wanted, s.pose.displacement);
+      s.next = s.predictor.predict(edit, s.prescribed, target.prescribed, s.pose.displacement);
     }
   }
   // While the proxy is being built, frames without time only predict.
@@ -222,7 +223,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
   if (by_coarse) s.correct_coarse(result);
 
   const Stopwatch ending;
-  edit.loose.carry(target.wanted, mean_scales(target.stretch.of_vertices), s.next);
+  edit.loose.carry(target.prescribed, mean_scales(target.stretch.of_vertices), s.next);
   Certificate certificate;
   certificate.all_finite =
       std::ranges::all_of(edit.moving, [&](Index v) { return s.next[v].allFinite(); });

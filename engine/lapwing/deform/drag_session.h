@@ -6,9 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/deform/deform_solver.h"
-#include "lapwing/deform/drag_state.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/elastic/minimizer_result.h"
 
@@ -21,10 +20,8 @@ namespace lapwing {
 ///     draw(drag.state());
 ///     solver->solve_from(drag.state(), motions);  // when the hand lets go
 ///
-/// A frame starts at a prediction (Predictor). If that leaves too little time to minimize, a region
-/// of 6,500 vertices or more is carried along by its coarse proxy (CoarseProxy), whose frames take
-/// little time at any size. While the handles rest, the surface itself is minimized, at first with
-/// the proxy's help and after three iterations by the Hessian of its pose. Not thread-safe.
+/// A frame starts at a prediction (Predictor). If that leaves too little time, a region of 6,500
+/// vertices or more follows its coarse proxy (CoarseProxy). Not thread-safe.
 class DragSession {
  public:
   /// Throws InputError unless the options of the solver settle.
@@ -36,12 +33,12 @@ class DragSession {
   /// Starts another drag, at a pose of the solver's region or at rest.
   void begin(DragState start = {});
 
-  /// Computes the next frame of the drag, with the handles at `motions`. Minimizes as far as
-  /// `budget` allows (EnergyMinimizer::follow). A call with the same motions continues the
-  /// minimization, and changes nothing once the surface has settled. The first frame from rest
-  /// starts at the handle weights, and so does a frame in which a handle has turned by more than 90
-  /// degrees since the last. Throws InputError for motions that do not fit, SolverError if the
-  /// surface is not finite, and Cancelled. An error leaves the state unchanged.
+  /// Computes the next frame, minimized as far as `budget` allows (EnergyMinimizer::follow). A call
+  /// with the same motions continues the minimization, and changes nothing once the surface has
+  /// settled. The first frame from rest starts at the handle weights, and so does a frame in which
+  /// a handle has turned by more than 90 degrees since the last. Throws InputError for motions that
+  /// do not fit, SolverError if the surface is not finite, and Cancelled. An error leaves the state
+  /// unchanged.
   const DragState& step(const HandleMotions& motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
   /// The same, with turns accumulated from frame to frame by TurnTracker.
@@ -51,13 +48,11 @@ class DragSession {
   /// The current pose.
   const DragState& state() const;
 
-  /// Gives the minimizer's memory to the solver until the next frame, so that a `solve_from` after
-  /// the drag need not allocate its own.
+  /// Lends the minimizer's memory to the solver until the next frame.
   void release_memory();
 
-  /// Starts to build the coarse proxy and to allocate the Hessian on another thread. It takes a
-  /// third of a second at 26,000 vertices and some seconds at a million. Without this call, the
-  /// first frame that does not settle in its time starts it.
+  /// Starts to build the coarse proxy on another thread: a third of a second at 26,000 vertices,
+  /// some seconds at a million. Without this call, the first frame that lacks time starts it.
   void prepare();
   /// The same, and waits for the coarse proxy, so that no frame depends on how long that takes.
   /// Throws Cancelled.

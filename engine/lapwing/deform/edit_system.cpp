@@ -10,7 +10,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/mesh/extent.h"
+#include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
 namespace {
@@ -32,9 +32,9 @@ void check(const DeformOptions& options) {
          << kMostDetailLength << ", not " << options.detail_length;
     throw InputError(text.str());
   }
-  if (!is_weight(options.constraint_weight)) {
+  if (options.constraint_weight && !is_weight(*options.constraint_weight)) {
     text << "the constraint weight must be " << kWeightWords << ", not "
-         << options.constraint_weight;
+         << *options.constraint_weight;
     throw InputError(text.str());
   }
 }
@@ -44,6 +44,25 @@ double extent_of(const VertexSet& roi, const Topology& topology, std::span<const
   std::copy_if(roi.begin(), roi.end(), std::back_inserter(attached),
                [&](Index v) { return !topology.rings[v].empty(); });
   return require_extent(with_ring_neighbours(attached, topology.rings), rest, "region");
+}
+
+// A ring couples all its vertices in pairs. So the hub of a fan, such as a polygon of very many
+// corners becomes, makes the matrix dense.
+void require_sparse(const VertexSet& roi, const Topology& topology) {
+  constexpr std::size_t kFewNeighbours = 1000;
+  constexpr double kBytesOfPair = sizeof(double) + sizeof(Index);
+  double bytes = 0.0;
+  Index hub = roi.front();
+  for (const Index v : roi) {
+    const std::size_t neighbours = topology.rings[v].size();
+    if (neighbours <= kFewNeighbours) continue;
+    bytes += kBytesOfPair * 0.5 * static_cast<double>(neighbours) * static_cast<double>(neighbours);
+    if (neighbours > topology.rings[hub].size()) hub = v;
+  }
+  require_memory(static_cast<std::size_t>(bytes),
+                 "the matrix of the region, in which vertex " + std::to_string(hub) + " has " +
+                     std::to_string(topology.rings[hub].size()) + " neighbours,",
+                 "remesh the largest polygons, or keep the region away from them");
 }
 
 std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unknowns) {
@@ -82,7 +101,10 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   rest = prepared.copy_of(rest_positions);
   make_springs();
   const bool finds_pattern = !prepared.serves(region.roi, constraints.unknowns);
-  if (finds_pattern) begin("pattern");
+  if (finds_pattern) {
+    begin("pattern");
+    require_sparse(region.roi, topology);
+  }
   factors = prepared.factors_of(region.roi, constraints.unknowns);
   if (finds_pattern) {
     timings.add("pattern", watch.elapsed_ms());
@@ -135,7 +157,7 @@ void EditSystem::make_springs() {
     const Target& target = region.targets[t];
     require_near((target.position - point_of(target, *rest)).norm(), "target", t);
     if (region.hard_targets && target.is_vertex()) continue;
-    const double weight = target.weight * options.constraint_weight;
+    const double weight = target.weight * options.constraint_weight.value_or(1.0);
     made.push_back({target.corners, target.shares, target.position - point_of(target, *rest),
                     region.hard_targets ? kStiff : weight * weight});
   }
@@ -204,8 +226,7 @@ void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
 
 bool EditSystem::is_held_by_handles_alone() const {
   if (!region.belt.empty() || !region.targets.empty()) return false;
-  std::vector<char> in_roi(rest->size(), 0);
-  for (const Index v : region.roi) in_roi[v] = 1;
+  const std::vector<char> in_roi = vertex_mask(rest->size(), region.roi);
   return std::ranges::all_of(region.roi, [&](Index v) {
     const auto ring = topology.rings[v];
     return std::ranges::all_of(ring, [&](Index j) { return in_roi[j] != 0; });
@@ -218,62 +239,31 @@ std::vector<std::size_t> EditSystem::all_handles() const {
   return all;
 }
 
-// Calls visit(handle, vertex) for each vertex whose displacement a handle prescribes.
-template <typename Visit>
-void EditSystem::for_wanted(const Visit& visit) const {
-  for (std::size_t h = 0; h < frames.size(); ++h) {
-    for (const Index v : region.handles[h]) visit(h, v);
-  }
-  for (const FalloffVertex& graded : region.graded) visit(graded.handle, graded.vertex);
-  for (const LoosePart& part : region.loose) {
-    for (const LooseAnchor& anchor : part.anchors) {
-      if (anchor.handle < frames.size()) visit(anchor.handle, anchor.vertex);
-    }
-  }
+std::vector<Vector3d> EditSystem::displacement_of_handles(std::span<const double> parameters,
+                                                          std::vector<Vector3d> reused) const {
+  reused.resize(rest->size(), Vector3d::Zero());
+  for_prescribed([&](std::size_t, Index v) { reused[v].setZero(); });
+  for_prescribed([&](std::size_t h, Index v) {
+    const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
+    reused[v] += handle_displacement(frames[h], own, (*rest)[v]);
+  });
+  return reused;
 }
 
-void EditSystem::set_targets(std::span<Vector3d> asked) const {
+std::vector<Vector3d> EditSystem::prescribed_displacement(std::span<const double> parameters,
+                                                          std::vector<Vector3d> reused) const {
+  std::vector<Vector3d> prescribed = displacement_of_handles(parameters, std::move(reused));
   for (const Target& target : region.targets) {
     const Index v = target.corners[0];
     if (!target.is_vertex() || constraints.unknowns.of_vertex[v] != kNoIndex) continue;
-    asked[v] = target.position - (*rest)[v];
+    prescribed[v] = target.position - (*rest)[v];
   }
   for (const LoosePart& part : region.loose) {
     for (const LooseAnchor& anchor : part.anchors) {
-      if (anchor.handle == frames.size()) asked[anchor.vertex] = anchor.displacement;
+      if (anchor.handle == frames.size()) prescribed[anchor.vertex] = anchor.displacement;
     }
   }
-}
-
-void EditSystem::wanted_displacement(std::span<const double> parameters,
-                                     std::vector<Vector3d>& wanted) const {
-  if (wanted.empty()) {
-    wanted.assign(rest->size(), Vector3d::Zero());
-  } else {
-    for_wanted([&](std::size_t, Index v) { wanted[v].setZero(); });
-  }
-  for_wanted([&](std::size_t h, Index v) {
-    const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
-    wanted[v] += handle_displacement(frames[h], own, (*rest)[v]);
-  });
-}
-
-std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> parameters) const {
-  std::vector<Vector3d> wanted;
-  wanted_displacement(parameters, wanted);
-  return wanted;
-}
-
-void EditSystem::asked_displacement(std::span<const double> parameters,
-                                    std::vector<Vector3d>& asked) const {
-  wanted_displacement(parameters, asked);
-  set_targets(asked);
-}
-
-std::vector<Vector3d> EditSystem::asked_displacement(std::span<const double> parameters) const {
-  std::vector<Vector3d> asked;
-  asked_displacement(parameters, asked);
-  return asked;
+  return prescribed;
 }
 
 }  // namespace lapwing

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/modifiers/loose_parts.h"
@@ -25,9 +25,8 @@ inline constexpr double kFarthestMove = 1e7;
 /// A prepared edit, shared by its preview, its solver and its drags. Does not change after
 /// construction.
 struct EditSystem {
-  /// Stages "pattern" and "order", or "constraints" if `prepared` has both, and "laplacian", the n
-  /// x n system. Throws what DeformSolver does, and SolverError if there is not enough memory to
-  /// settle so many vertices.
+  /// Stages "pattern" and "order", or "constraints" if `prepared` has both, and "laplacian". Throws
+  /// what DeformSolver does.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
              bool is_previewed = false);
@@ -79,24 +78,30 @@ struct EditSystem {
   /// proxy.
   bool needs_coarse_surface() const;
 
-  /// The displacements prescribed by the handles, over the whole mesh; 0 off the handles and the
-  /// anchors of loose parts.
-  std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
-  /// The same in place. O(handle vertices): `wanted` must be the output of an earlier call, or
-  /// empty.
-  void wanted_displacement(std::span<const double> parameters,
-                           std::vector<Eigen::Vector3d>& wanted) const;
+  /// Returns the displacements prescribed by the handles, over the whole mesh; 0 off the handles
+  /// and the anchors of loose parts. O(handle vertices) if `reused` is the result of an earlier
+  /// call.
+  std::vector<Eigen::Vector3d> displacement_of_handles(
+      std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
+  /// Returns these and the displacements prescribed by hard targets.
+  std::vector<Eigen::Vector3d> prescribed_displacement(
+      std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
 
-  /// These and the displacements prescribed by hard targets.
-  std::vector<Eigen::Vector3d> asked_displacement(std::span<const double> parameters) const;
-  /// The same in place.
-  void asked_displacement(std::span<const double> parameters,
-                          std::vector<Eigen::Vector3d>& asked) const;
+  /// Calls visit(handle, vertex) for each vertex whose displacement a handle prescribes.
+  template <typename Visit>
+  void for_prescribed(const Visit& visit) const {
+    for (std::size_t h = 0; h < frames.size(); ++h) {
+      for (const Index v : region.handles[h]) visit(h, v);
+    }
+    for (const FalloffVertex& graded : region.graded) visit(graded.handle, graded.vertex);
+    for (const LoosePart& part : region.loose) {
+      for (const LooseAnchor& anchor : part.anchors) {
+        if (anchor.handle < frames.size()) visit(anchor.handle, anchor.vertex);
+      }
+    }
+  }
 
  private:
-  void set_targets(std::span<Eigen::Vector3d> asked) const;
-  template <typename Visit>
-  void for_wanted(const Visit& visit) const;
   SystemTerms terms() const;
   void require_motions(std::size_t count) const;
   void require_near(double distance, const char* what, std::size_t number) const;

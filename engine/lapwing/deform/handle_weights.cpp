@@ -49,7 +49,7 @@ std::vector<std::vector<double>> HandleWeights::solved_columns(
   const std::size_t n = laplacian.size();
   std::vector<std::vector<double>> fields;
   std::vector<double> b(3 * n);
-  std::vector<Vector3d> wanted(system_.rest->size(), Vector3d::Zero());
+  std::vector<Vector3d> prescribed(system_.rest->size(), Vector3d::Zero());
   // Solves three columns at a time, as x, y and z.
   for (std::size_t first = 0; first < columns.size(); first += 3) {
     const std::size_t count = std::min<std::size_t>(3, columns.size() - first);
@@ -59,18 +59,19 @@ std::vector<std::vector<double>> HandleWeights::solved_columns(
       for (std::size_t k = 0; k < count; ++k) {
         values[static_cast<Eigen::Index>(k)] = value(h, columns[first + k]);
       }
-      for (const Index v : system_.region.handles[h]) wanted[v] = values;
+      for (const Index v : system_.region.handles[h]) prescribed[v] = values;
       of_handle.push_back(values);
     }
-    for (const FalloffVertex& g : system_.region.graded) wanted[g.vertex] = of_handle[g.handle];
-    laplacian.right_hand_side(wanted, b);
+    for (const FalloffVertex& g : system_.region.graded) prescribed[g.vertex] = of_handle[g.handle];
+    laplacian.right_hand_side(prescribed, b);
     laplacian.solve_in_place(std::span(b).first(count * n), count);
     for (std::size_t k = 0; k < count; ++k) {
       std::vector<double>& field = fields.emplace_back();
       for (std::size_t r = 0; r < roi.size(); ++r) {
         const Index u = system_.constraints.unknowns.of_vertex[roi[r]];
-        field.push_back(factor_[r] * (u == kNoIndex ? wanted[roi[r]][static_cast<Eigen::Index>(k)]
-                                                    : b[k * n + u]));
+        field.push_back(factor_[r] * (u == kNoIndex
+                                          ? prescribed[roi[r]][static_cast<Eigen::Index>(k)]
+                                          : b[k * n + u]));
       }
     }
   }

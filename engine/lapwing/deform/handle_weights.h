@@ -27,9 +27,9 @@ class HandleWeights {
   /// The weights of one handle, per vertex of the region.
   std::vector<double> of_handle(std::size_t handle) const;
 
-  /// Returns displacements in which each vertex is stretched by the smooth map of `stretch`, then
-  /// rotated and translated by its weighted share of the handles' motions. Rotations are shares of
-  /// `turns`, whole turns included, so that the surface is wound the way the handles went.
+  /// Returns displacements in which each vertex is stretched by the map of `stretch`, then rotated
+  /// and translated by its weighted share of the motions. Rotations are shares of `turns`, whole
+  /// turns included, so the surface winds the way the handles went.
   std::vector<Eigen::Vector3d> displacement(std::span<const Eigen::Affine3d> motions,
                                             std::span<const Eigen::AngleAxisd> turns,
                                             const RestStretch& stretch) const;

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/base/parallel.h"
-#include "lapwing/closest/closest_point.h"
+#include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/laplacian_response.h"
+#include "lapwing/deform/linear_response.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/laplacian/rotation.h"
 
@@ -44,7 +44,7 @@ FreeHandle free_handle(const EditSystem& edit, std::size_t handle, const Eigen::
 }  // namespace
 
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
-                           std::vector<Vector3d> wanted) {
+                           std::vector<Vector3d> prescribed) {
   MotionTarget target;
   target.parameters.resize(edit.column_count());
   edit.set_parameters(motions.maps, target.parameters);
@@ -53,8 +53,7 @@ MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
         "a handle with free orientation requires settling with soft constraints; keep its "
         "orientation, or remove \"hard\" and \"settle\": false");
   }
-  target.wanted = std::move(wanted);
-  edit.asked_displacement(target.parameters, target.wanted);
+  target.prescribed = edit.prescribed_displacement(target.parameters, std::move(prescribed));
   if (edit.takes_rest_stretch()) target.stretch = rest_stretch(edit, motions.maps);
   for (std::size_t h = 0; h < motions.maps.size(); ++h) {
     if (!motions.is_free_handle(h)) continue;
@@ -77,7 +76,7 @@ void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d>
     motions.turns[h] = tracker.turn();
   }
   edit.set_parameters(motions.maps, target.parameters);
-  edit.asked_displacement(target.parameters, target.wanted);
+  target.prescribed = edit.prescribed_displacement(target.parameters, std::move(target.prescribed));
 }
 
 HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& edit) {
@@ -119,18 +118,18 @@ std::vector<Vector3d> start_by_handle_weights(const EditSystem& edit, const Hand
   if (!edit.region.targets.empty()) {
     const std::vector<double> still(edit.column_count(), 0.0);
     const std::vector<Vector3d> drawn =
-        laplacian_displacement(edit, edit.asked_displacement(still));
+        laplacian_displacement(edit, edit.prescribed_displacement(still));
     for (const Index v : edit.moving) u[v] += drawn[v];
   }
   return u;
 }
 
-void move_held(const EditSystem& edit, std::span<const Vector3d> last_wanted,
-               std::span<const Vector3d> wanted, std::span<const Vector3d> last,
+void move_held(const EditSystem& edit, std::span<const Vector3d> last_prescribed,
+               std::span<const Vector3d> prescribed, std::span<const Vector3d> last,
                std::span<Vector3d> u) {
   for (const Index v : edit.region.belt) u[v] = last[v];
   for (const auto& handle : edit.region.handles) {
-    for (const Index v : handle) u[v] = last[v] + (wanted[v] - last_wanted[v]);
+    for (const Index v : handle) u[v] = last[v] + (prescribed[v] - last_prescribed[v]);
   }
 }
 

@@ -17,17 +17,19 @@ struct MotionTarget {
   std::vector<double> parameters;  ///< of `motions` (EditSystem::set_parameters)
   RestStretch stretch;
   std::vector<FreeHandle> free_handles;
-  std::vector<Eigen::Vector3d> wanted;  ///< displacements, per vertex of the mesh
+  std::vector<Eigen::Vector3d> prescribed;  ///< displacements, per vertex of the mesh
 
-  MinimizerTarget settle_target() const { return {wanted, stretch.of_vertices, {}, free_handles}; }
+  MinimizerTarget settle_target() const {
+    return {prescribed, stretch.of_vertices, {}, free_handles};
+  }
 };
 
-/// Returns the target for `motions`. Reuses the memory of `wanted`, which is empty or the field of
-/// an earlier target of the same edit. The latter makes the cost O(handle vertices). Throws
+/// Returns the target for `motions`. Reuses the memory of `prescribed`, which is empty or the field
+/// of an earlier target of the same edit. The latter makes the cost O(handle vertices). Throws
 /// InputError for another number of motions than handles, for motions that are too far, and for
 /// free handles unless the edit settles with soft constraints.
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
-                           std::vector<Eigen::Vector3d> wanted = {});
+                           std::vector<Eigen::Vector3d> prescribed = {});
 
 /// Turns the free handles of `target` to `rotations`, one for each of them.
 void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d> rotations,
@@ -49,9 +51,9 @@ std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
                                                      const MotionTarget& target);
 
 /// Sets the held vertices in `u`. The belt stays as in `last`; handles move on from there by
-/// `wanted` - `last_wanted`.
-void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_wanted,
-               std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> last,
+/// `prescribed` - `last_prescribed`.
+void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_prescribed,
+               std::span<const Eigen::Vector3d> prescribed, std::span<const Eigen::Vector3d> last,
                std::span<Eigen::Vector3d> u);
 
 }  // namespace lapwing

@@ -67,10 +67,6 @@ AxisRotation turn_of_form(const MatrixMove& move) {
 
 }  // namespace
 
-Affine3d to_affine(const Move& move, const Vector3d& handle_centroid) {
-  return to_affine(move, handle_centroid, 1.0);
-}
-
 Affine3d to_affine(const Move& move, const Vector3d& handle_centroid, double share) {
   return std::visit([&](const auto& form) { return part_of(form, handle_centroid, share); }, move);
 }

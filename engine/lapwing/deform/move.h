@@ -18,7 +18,7 @@ struct AxisRotation {
 /// turns.
 struct SimilarityMove {
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
-  AxisRotation rotate;
+  AxisRotation rotate = {};
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< along x, y and z, each above 0
   std::optional<Eigen::Vector3d> pivot = {};        ///< the handle's centroid if empty
   bool operator==(const SimilarityMove&) const = default;
@@ -40,16 +40,13 @@ enum class HandleOrientation {
          ///< surface wants. A rotation in the move says where it begins.
 };
 
-/// Returns `move` as an affine map. A move that changes nothing gives the identity bit for bit.
-Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid);
-
-/// Interpolates the move from the identity (`share` 0) to `to_affine(move, centroid)` bit for bit
-/// (1). A similarity takes that share of its translation and angle, about the same axis and pivot,
-/// and scales by scale^share along each axis. A matrix is interpolated by its polar decomposition:
-/// its rotation turns by that share of the angle, and its stretch S becomes (1 - share) I + share
-/// S. The centroid moves on a straight line. Invertible below 1. Throws InputError for a part of a
-/// matrix that mirrors.
-Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid, double share);
+/// Returns `move` as an affine map; a move that changes nothing gives the identity bit for bit.
+/// `share` interpolates from the identity (0) to the move (1). A similarity takes that share of its
+/// translation and angle, about the same axis and pivot, and scales by scale^share. A matrix is
+/// interpolated by `partial_motion`. Invertible below 1. Throws InputError for a part of a matrix
+/// that mirrors.
+Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid,
+                          double share = 1.0);
 
 /// Returns the rotation of `move`, 0 degrees or more about an axis of length 1. The angle is the
 /// written one, e.g. 260 degrees; for a matrix it is 0 to 180 degrees, and 0 if the matrix mirrors.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lapwing/deform/laplacian_response.h"
+#include "lapwing/deform/linear_response.h"
 
 namespace lapwing {
 namespace {
@@ -24,7 +24,7 @@ void add_change(std::vector<Vector3d>& recent, std::span<const Vector3d> from,
 }  // namespace
 
 void Predictor::clear() {
-  recent_wanted_.clear();
+  recent_prescribed_.clear();
   recent_u_.clear();
 }
 
@@ -35,22 +35,22 @@ double Predictor::repeated_share(const EditSystem& edit, std::span<const Vector3
   double square = 0.0;
   for (const VertexSet& handle : edit.region.handles) {
     for (const Index v : handle) {
-      along += change[v].dot(recent_wanted_[v]);
-      square += recent_wanted_[v].squaredNorm();
+      along += change[v].dot(recent_prescribed_[v]);
+      square += recent_prescribed_[v].squaredNorm();
     }
   }
   return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
 }
 
 std::vector<Vector3d> Predictor::predict(const EditSystem& edit,
-                                         std::span<const Vector3d> last_wanted,
-                                         std::span<const Vector3d> wanted,
+                                         std::span<const Vector3d> last_prescribed,
+                                         std::span<const Vector3d> prescribed,
                                          std::span<const Vector3d> u) const {
-  std::vector<Vector3d> change(wanted.size(), Vector3d::Zero());
-  for (const Index v : edit.moving) change[v] = wanted[v] - last_wanted[v];
-  const double share = recent_wanted_.empty() ? 0.0 : kTrust * repeated_share(edit, change);
+  std::vector<Vector3d> change(prescribed.size(), Vector3d::Zero());
+  for (const Index v : edit.moving) change[v] = prescribed[v] - last_prescribed[v];
+  const double share = recent_prescribed_.empty() ? 0.0 : kTrust * repeated_share(edit, change);
   if (share > 0.0) {
-    for (const Index v : edit.moving) change[v] -= share * recent_wanted_[v];
+    for (const Index v : edit.moving) change[v] -= share * recent_prescribed_[v];
   }
   std::vector<Vector3d> predicted = laplacian_displacement(edit, change, Springs::ignored);
   for (const Index v : edit.moving) {
@@ -60,10 +60,10 @@ std::vector<Vector3d> Predictor::predict(const EditSystem& edit,
   return predicted;
 }
 
-void Predictor::add_frame(const EditSystem& edit, std::span<const Vector3d> last_wanted,
-                          std::span<const Vector3d> wanted, std::span<const Vector3d> last_u,
+void Predictor::add_frame(const EditSystem& edit, std::span<const Vector3d> last_prescribed,
+                          std::span<const Vector3d> prescribed, std::span<const Vector3d> last_u,
                           std::span<const Vector3d> u) {
-  add_change(recent_wanted_, last_wanted, wanted, edit.moving);
+  add_change(recent_prescribed_, last_prescribed, prescribed, edit.moving);
   add_change(recent_u_, last_u, u, edit.moving);
 }
 

@@ -17,23 +17,23 @@ class Predictor {
   /// Clears the history of frames.
   void clear();
 
-  /// Returns the predicted displacement for the prescribed displacements `wanted`, from the pose
-  /// `u` with the prescribed displacements `last_wanted`. Costs one solve.
+  /// Returns the predicted displacement for the prescribed displacements `prescribed`, from the
+  /// pose `u` with the prescribed displacements `last_prescribed`. Costs one solve.
   std::vector<Eigen::Vector3d> predict(const EditSystem& edit,
-                                       std::span<const Eigen::Vector3d> last_wanted,
-                                       std::span<const Eigen::Vector3d> wanted,
+                                       std::span<const Eigen::Vector3d> last_prescribed,
+                                       std::span<const Eigen::Vector3d> prescribed,
                                        std::span<const Eigen::Vector3d> u) const;
 
   /// Adds a frame from one pose to the next. Each frame counts twice the one before.
-  void add_frame(const EditSystem& edit, std::span<const Eigen::Vector3d> last_wanted,
-                 std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> last_u,
-                 std::span<const Eigen::Vector3d> u);
+  void add_frame(const EditSystem& edit, std::span<const Eigen::Vector3d> last_prescribed,
+                 std::span<const Eigen::Vector3d> prescribed,
+                 std::span<const Eigen::Vector3d> last_u, std::span<const Eigen::Vector3d> u);
 
  private:
   double repeated_share(const EditSystem& edit, std::span<const Eigen::Vector3d> change) const;
 
   // Weighted sums of the changes of all frames; empty without a frame.
-  std::vector<Eigen::Vector3d> recent_wanted_;
+  std::vector<Eigen::Vector3d> recent_prescribed_;
   std::vector<Eigen::Vector3d> recent_u_;
 };
 

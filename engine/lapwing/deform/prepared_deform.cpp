@@ -229,9 +229,9 @@ void PreparedDeform::solve_many(std::size_t count, const MovesOf& moves_of, cons
     return !shared.stopped && (!progress || progress("solve_many", shared.fraction()));
   };
 
-  const std::size_t wanted = threads > 0 ? threads : thread_count();
+  const std::size_t total = threads > 0 ? threads : thread_count();
   std::vector<std::jthread> others;
-  for (std::size_t t = 1; t < std::min(wanted, count); ++t) {
+  for (std::size_t t = 1; t < std::min(total, count); ++t) {
     others.emplace_back([&] {
       const SerialScope alone;
       try {

@@ -6,15 +6,15 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/deform/deform.h"
 #include "lapwing/kernels/cpu_kernels.h"
 
 namespace lapwing {
 
 /// The response of a surface to some of its handles, to first order. Let L be the linear part of a
-/// handle's motion minus the identity, and s = L c + t the displacement of its centre c, for a
-/// motion x -> (I + L) x + t. The position of a vertex is
+/// handle's motion minus the identity, and s the displacement of its centre. The position of a
+/// vertex is
 ///     rest[v] + sum over handles h and axes a of
 ///               sum_b L_h(a, b) columns[h](a, b)[v] + s_h(a) columns[h](a, 3)[v].
 struct SurfaceResponse {
@@ -32,50 +32,41 @@ struct SurfaceResponse {
   }
 };
 
-/// Prepares a request once and carries it out for many motions of its handles, on the CPU. Meant
-/// for data sets and fits, which need thousands of results of one edit.
+/// Prepares a request once and carries it out for many motions of its handles, on the CPU, such as
+/// for data sets and fits. One object serves one thread at a time.
 ///
 ///     PreparedDeform arm(mesh, request);
 ///     const Deformed raised = arm.solve(moves);
-///
-/// One object serves one thread at a time; `solve_many` uses several threads itself.
 class PreparedDeform {
  public:
-  /// Takes the time of `deform` without settling. Ignores the moves and paths in `request`. Throws
-  /// what `deform` throws, so that only moves can be wrong afterwards.
+  /// Ignores the moves and paths in `request`. Throws what `deform` throws, so that only moves can
+  /// be wrong afterwards.
   PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress = {});
 
   const Mesh& mesh() const { return mesh_; }  ///< at rest
   const DeformRequest& request() const { return request_; }
   const EditRegion& region() const { return region_; }
 
-  /// Returns the result of `deform` for these moves, one per handle, bit for bit. Throws what
-  /// `deform` throws, and InputError for another number of moves.
+  /// Returns the result of `deform` for these moves, one per handle, bit for bit.
   Deformed solve(std::span<const Move> moves, const Progress& progress = {});
   /// The same with `orientations`, one per handle, in place of the request's.
   Deformed solve(std::span<const Move> moves, std::span<const HandleOrientation> orientations,
                  const Progress& progress = {});
 
   /// Returns the linear response to each of `handles`, indices in the request, with the others at
-  /// rest. Solves 12 right-hand sides per handle. Sums of its columns match `solve` without
-  /// settling to 1e-6 of the mesh's diagonal, except for loose parts, which `solve` rotates and
-  /// this moves to first order. Mirror images of the handles move along; targets have no effect. If
-  /// the exact system does not fit (why_not_exact), the response is a DragPreview's, in which
-  /// details do not turn. The result takes 288 bytes per vertex of the mesh and handle. Computing
-  /// it needs up to as much again, or twice that with a mirror. Stages "response", and those of
-  /// preparing if a solve has left another pose. Throws InputError for a handle that the request
-  /// does not have, SolverError if memory is short, Cancelled.
+  /// rest. Sums of its columns match `solve` without settling to 1e-6 of the mesh's diagonal,
+  /// except for loose parts. Mirror images of the handles move along; targets have no effect. Takes
+  /// 288 bytes per vertex and handle, and up to three times that while it is computed. Throws
+  /// InputError for a handle that does not exist, SolverError if memory is short, Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
-  /// Returns the moves of result `k`, and receives the result. Both are called from any of the
-  /// threads, once per k, in no order.
+  /// Called from any of the threads, once per k, in no order.
   using MovesOf = std::function<std::vector<Move>(std::size_t k)>;
   using Take = std::function<void(std::size_t k, Deformed&& result)>;
 
-  /// Computes `count` results as `solve` does, on `threads` threads (0: all processors of the
-  /// process). Each thread prepares its own solver, so memory grows with their number. The first
-  /// error stops all and is thrown here, with "motion K: " before its message. Reports stage
-  /// "solve_many", on the calling thread only; `progress` can cancel all.
+  /// Computes `count` results as `solve` does, on `threads` threads (0: all processors), each with
+  /// its own solver. The first error stops all and is thrown here, with "motion K: " before its
+  /// message. Reports stage "solve_many" on the calling thread; `progress` can cancel all.
   void solve_many(std::size_t count, const MovesOf& moves_of, const Take& take,
                   unsigned threads = 0, const Progress& progress = {});
 

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/base/parallel.h"
-#include "lapwing/deform/laplacian_response.h"
+#include "lapwing/deform/linear_response.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
@@ -27,6 +27,13 @@ using Tangents = Eigen::Matrix<double, 3, 2>;
 
 bool are_equal(const Matrix3d& a, const Matrix3d& b) {
   return (a - b).norm() <= kEqualStretches * b.norm();
+}
+
+// Whether every motion is a rotation and a translation, up to rounding.
+bool are_rigid(std::span<const Eigen::Affine3d> motions) {
+  return std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
+    return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
+  });
 }
 
 // Returns the stretch nearest to the identity if only handles hold the region, else the identity.
@@ -51,7 +58,8 @@ std::vector<Vector3d> smooth_map(const EditSystem& system, std::span<const Matri
   }
   std::vector<double> parameters(system.column_count());
   system.set_parameters(stretching, parameters);
-  return laplacian_displacement(system, system.wanted_displacement(parameters), Springs::ignored);
+  return laplacian_displacement(system, system.displacement_of_handles(parameters),
+                                Springs::ignored);
 }
 
 class RingStretch {
@@ -136,17 +144,11 @@ RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine
   }
   result.u = smooth_map(system, of_handles, result.common);
   const RingStretch stretch_of(system, result.common, result.u);
-  constexpr std::size_t kRingsPerTask = 256;
-  parallel_for(roi.size(), kRingsPerTask, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t kStretchesPerTask = 256;
+  parallel_for(roi.size(), kStretchesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) stretch[roi[r]] = stretch_of(roi[r]);
   });
   return result;
-}
-
-bool are_rigid(std::span<const Eigen::Affine3d> motions) {
-  return std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
-    return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
-  });
 }
 
 std::vector<double> mean_scales(std::span<const Matrix3d> stretches) {

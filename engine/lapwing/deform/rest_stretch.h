@@ -22,17 +22,11 @@ struct RestStretch {
 /// Computes the rest stretch for the handles' motions. It stretches the rest shape of the rings, so
 /// a scaling handle widens or narrows the surface around it without pushing it along.
 ///
-/// The smooth map x -> x + u interpolates the handles' stretches, each about the handle's centroid,
-/// without rotations and translations; u solves the n x n system. S_i is the stretch of the ring's
-/// linear fit to that map in the tangent plane, and along the normal the geometric mean of the two
-/// tangential stretches. If only handles hold the region and all have the same stretch P, every S_i
-/// is P. A uniform scaling of all handles then scales the mesh exactly.
-///
-/// The n x n system of `system` must be factored. Costs one solve of three right-hand sides.
+/// The smooth map x -> x + u interpolates the handles' stretches, each about the handle's centroid;
+/// u solves the n x n system of `system`. S_i is the stretch of the ring's linear fit to that map
+/// in the tangent plane, and along the normal the geometric mean of the two tangential stretches.
+/// If only handles hold the region and all have the same stretch P, every S_i is P.
 RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions);
-
-/// Whether every motion is a rotation and a translation, up to rounding.
-bool are_rigid(std::span<const Eigen::Affine3d> motions);
 
 /// Returns the mean scale of each stretch, the cube root of its determinant.
 std::vector<double> mean_scales(std::span<const Eigen::Matrix3d> stretches);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -18,6 +19,11 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kRowsPerTask = 256;
 
+// Root mean square of the details over that of the edges, below which details are rounding. A flat
+// surface in a file with six digits or 32-bit floats has less; a smooth one of a hundred million
+// triangles has more.
+constexpr double kLeastDetail = 1e-4;
+constexpr double kNoDetails = std::numeric_limits<double>::quiet_NaN();
 Vector3d stretched(std::span<const Matrix3d> stretch, Index i, const Vector3d& rest) {
   return stretch.empty() ? rest : Vector3d(stretch[i] * rest);
 }
@@ -65,6 +71,7 @@ RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const
 struct Laplacians {
   Vector3d was = Vector3d::Zero();
   Vector3d is = Vector3d::Zero();
+  double edges = 0.0;  // mean square of the ring edges at rest
 };
 Laplacians laplacians_of(Index i, const Topology& topology, std::span<const double> weights,
                          std::span<const Vector3d> rest, std::span<const Vector3d> current) {
@@ -74,8 +81,14 @@ Laplacians laplacians_of(Index i, const Topology& topology, std::span<const doub
   for (std::size_t k = 0; k < ring.size(); ++k) {
     of.was += w[k] * (rest[i] - rest[ring[k]]);
     of.is += w[k] * (current[i] - current[ring[k]]);
+    of.edges += (rest[i] - rest[ring[k]]).squaredNorm() / static_cast<double>(ring.size());
   }
   return of;
+}
+
+// Whether the details are more than rounding. The arguments are sums over the same rings.
+bool has_details(double squares_of_details, double squares_of_edges) {
+  return squares_of_details > kLeastDetail * kLeastDetail * squares_of_edges;
 }
 
 }  // namespace
@@ -101,22 +114,25 @@ double detail_error(std::span<const Index> rows, const Topology& topology,
   struct Row {
     double off = 0.0;
     double size = 0.0;
+    double edges = 0.0;
   };
   std::vector<Row> of_rows(rows.size());
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Index i = rows[r];
       const Laplacians L = laplacians_of(i, topology, weights, rest, current);
-      const Vector3d wanted = stretched(stretch, i, L.was);
-      of_rows[r] = {(L.is - rotations[i] * wanted).squaredNorm(), wanted.squaredNorm()};
+      const Vector3d expected = stretched(stretch, i, L.was);
+      of_rows[r] = {(L.is - rotations[i] * expected).squaredNorm(), expected.squaredNorm(),
+                    L.edges};
     }
   });
   Row sum;
   for (const Row& row : of_rows) {
     sum.off += row.off;
     sum.size += row.size;
+    sum.edges += row.edges;
   }
-  return sum.size > 0.0 ? std::sqrt(sum.off / sum.size) : 0.0;
+  return has_details(sum.size, sum.edges) ? std::sqrt(sum.off / sum.size) : kNoDetails;
 }
 
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
@@ -156,6 +172,7 @@ VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& top
   measures.displacement.resize(rows.size());
   measures.rotation.resize(rows.size());
   std::vector<double> sizes(rows.size());
+  std::vector<double> edges(rows.size());
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Index i = rows[r];
@@ -167,11 +184,13 @@ VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& top
       measures.detail_error[r] = (L.is - R * L.was).norm();
       measures.stretch[r] = edge_stretch(rows.subspan(r, 1), topology, rest, current);
       sizes[r] = L.was.squaredNorm();
+      edges[r] = L.edges;
     }
   });
-  const double size = std::sqrt(std::accumulate(sizes.begin(), sizes.end(), 0.0) /
-                                static_cast<double>(std::max<std::size_t>(rows.size(), 1)));
-  for (double& error : measures.detail_error) error = size > 0.0 ? error / size : 0.0;
+  const double sum = std::accumulate(sizes.begin(), sizes.end(), 0.0);
+  const bool measurable = has_details(sum, std::accumulate(edges.begin(), edges.end(), 0.0));
+  const double size = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(rows.size(), 1)));
+  for (double& error : measures.detail_error) error = measurable ? error / size : kNoDetails;
   return measures;
 }
 

@@ -1,21 +1,102 @@
 #include "lapwing/doctor/check.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/base/cancellation.h"
-#include "lapwing/doctor/mend_faces.h"
+#include "lapwing/doctor/face_defects.h"
 #include "lapwing/doctor/orientation.h"
-#include "lapwing/doctor/repeated_faces.h"
 #include "lapwing/doctor/self_intersections.h"
-#include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/edges.h"
-#include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/seams.h"
+#include "lapwing/mesh/welder.h"
 
 namespace lapwing {
+
+namespace {
+
+constexpr std::string_view kFixIt = "repair it with `lapwing check MESH --fix OUT`";
+
+// In the order of DefectKind.
+constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
+    {"no_faces", "no usable face",
+     "no face has three different, finite vertices: there is no surface to edit",
+     "export the mesh again with its faces", Severity::error, Element::none, false},
+    {"non_finite_vertex", "non-finite vertices",
+     "a coordinate is infinite or not a number: no edit can include the vertex or its neighbours",
+     "correct it in the file, or remove it and its faces with `lapwing check MESH --fix OUT`",
+     Severity::error, Element::vertex, true},
+    {"degenerate_face", "faces that repeat a vertex",
+     "the face has fewer than three corners, or names a vertex twice: the part without area is "
+     "ignored",
+     kFixIt, Severity::warning, Element::face, true},
+    {"repeated_face", "repeated faces",
+     "the face has the vertices of an earlier face: normals and cotangent weights count both",
+     kFixIt, Severity::warning, Element::face, true},
+    {"zero_area_face", "zero-area faces",
+     "the corners lie on one line: the face has no normal and no cotangent weights",
+     "edit with uniform weights, or remesh around it", Severity::warning, Element::face, false},
+    {"loose_vertex", "loose vertices",
+     "no face holds the vertex: nothing carries it along with an edit", kFixIt, Severity::warning,
+     Element::vertex, true},
+    {"duplicate_vertex", "duplicate vertices",
+     "the vertex is at the position of an earlier vertex, but not joined to it: an edit can move "
+     "them apart unless they lie on a seam",
+     "`lapwing check MESH --fix OUT` welds those along unwelded seams and leaves the others",
+     Severity::info, Element::vertex, false},
+    {"unwelded_seam", "unwelded seam edges",
+     "boundary edges coincide but have different vertices: `deform` edits them as one surface, "
+     "every other operation as a boundary",
+     "weld them with `lapwing check MESH --fix OUT`", Severity::warning, Element::edge, true},
+    {"non_manifold_edge", "edges with more than two faces",
+     "editing works: all faces move together, and the normal there is their mean", "",
+     Severity::warning, Element::edge, false},
+    {"bow_tie_vertex", "bow-tie vertices",
+     "surfaces touch at one vertex only: editing works, but the local shape is the mean of both",
+     "give each surface its own vertex with `lapwing check MESH --fix OUT`; they can then move "
+     "apart",
+     Severity::warning, Element::vertex, true},
+    {"inconsistent_orientation", "edges between faces of opposite orientation",
+     "neighbouring faces disagree about which side is out: normals cancel and shading is wrong",
+     kFixIt, Severity::warning, Element::edge, true},
+    {"one_sided_surface", "edges where a one-sided surface turns over",
+     "no orientation is consistent, as on a Moebius strip: editing works, but normals flip along "
+     "these edges",
+     "cut the surface open there if its normals matter", Severity::warning, Element::edge, false},
+    {"inside_out_part", "inside-out parts",
+     "the part is closed and no cavity, but its normals point inward: a coat or mix on it goes "
+     "inward, and shading is reversed",
+     "turn it with `lapwing check MESH --fix OUT`", Severity::warning, Element::component, true},
+    {"inward_open_part", "open parts with inward normals",
+     "with its holes closed, the part would be inside out: a coat or mix on it goes inward",
+     "unless it is meant to be seen from inside, reverse its faces in a modelling tool",
+     Severity::info, Element::component, false},
+    {"point_ring", "vertices with all neighbours at one point",
+     "no local shape to fit: the surface there neither turns nor scales with an edit",
+     "merge the vertices in a modelling tool, or leave them out of the region of interest",
+     Severity::warning, Element::vertex, false},
+    {"collinear_ring", "vertices with all neighbours on one line",
+     "the rotation about that line is undetermined: the edit chooses the smallest",
+     "leave them out of the region of interest, or remesh around them", Severity::warning,
+     Element::vertex, false},
+    {"several_components", "components", "pieces without a common edge move independently",
+     "add a handle or a belt to each piece that an edit should move or hold", Severity::info,
+     Element::component, false},
+    {"self_intersection", "faces that cut through others",
+     "parts of the surface intersect or overlap: editing works, but the surface bounds no solid",
+     "pull the parts apart with an edit, or remodel them", Severity::warning, Element::face, false},
+}};
+
+}  // namespace
+
+const DefectInfo& describe(DefectKind kind) {
+  return kDefects[static_cast<std::size_t>(kind)];
+}
+
 namespace {
 
 using Eigen::Vector3d;
@@ -62,12 +143,6 @@ std::vector<unsigned char> mask_of(std::size_t count, std::span<const Index> mem
   std::vector<unsigned char> mask(count, 0);
   for (const Index i : members) mask[i] = 1;
   return mask;
-}
-
-bool has_usable_face(const Mesh& mesh) {
-  return std::ranges::any_of(mesh.topology().triangles, [&](const Triangle& triangle) {
-    return std::ranges::all_of(triangle, [&](Index v) { return mesh.positions[v].allFinite(); });
-  });
 }
 
 std::vector<Index> find_zero_area_faces(const Mesh& mesh) {
@@ -185,7 +260,7 @@ CheckReport check(const Mesh& mesh, std::size_t most_listed) {
   CheckReport report;
   const Findings findings{report, most_listed};
   report.statistics = measure(mesh, edges, fans, orientation);
-  if (!has_usable_face(mesh)) {
+  if (!why_no_surface(mesh).empty()) {
     report.defects.push_back({DefectKind::no_faces, 1, {}});
   }
   add(findings, DefectKind::non_finite_vertex,
@@ -199,6 +274,8 @@ CheckReport check(const Mesh& mesh, std::size_t most_listed) {
   add(findings, DefectKind::inconsistent_orientation,
       ends_of(edges, orientation.inconsistent_edges));
   add(findings, DefectKind::one_sided_surface, ends_of(edges, orientation.one_sided_edges));
+  add(findings, DefectKind::inside_out_part, orientation.inside_out);
+  add(findings, DefectKind::inward_open_part, orientation.inward_open);
   check_rings(mesh, findings);
   check_components(topology, findings);
   return report;

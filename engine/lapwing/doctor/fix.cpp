@@ -7,15 +7,13 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/doctor/mend_faces.h"
+#include "lapwing/doctor/face_defects.h"
 #include "lapwing/doctor/orientation.h"
-#include "lapwing/doctor/repeated_faces.h"
-#include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/edges.h"
-#include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/seams.h"
 #include "lapwing/mesh/transform.h"
+#include "lapwing/mesh/welder.h"
 
 namespace lapwing {
 namespace {
@@ -33,6 +31,7 @@ constexpr std::array<RepairInfo, kRepairKindCount> kRepairs{{
     {"removed_loose_vertices", "loose vertices removed"},
     {"split_bow_ties", "bow-tie vertices split into one vertex per surface"},
     {"flipped_faces", "faces flipped to agree with their neighbours"},
+    {"turned_parts", "inside-out parts turned"},
 }};
 
 using Counts = std::array<std::size_t, kRepairKindCount>;
@@ -168,9 +167,10 @@ void Repairs::split_bow_ties() {
 
 void Repairs::orient() {
   const Orientation orientation = analyze_orientation(mesh_, build_edges(mesh_));
-  if (orientation.faces_to_flip.empty()) return;
-  flip_faces(mesh_, orientation.faces_to_flip);
+  if (!orientation.faces_to_flip.empty()) flip_faces(mesh_, orientation.faces_to_flip);
+  if (!orientation.faces_to_turn.empty()) flip_faces(mesh_, orientation.faces_to_turn);
   count(RepairKind::flipped_faces, orientation.faces_to_flip.size());
+  count(RepairKind::turned_parts, orientation.inside_out.size());
 }
 
 FixReport Repairs::report() && {
@@ -183,11 +183,8 @@ FixReport Repairs::report() && {
 }
 
 std::string nothing_left_message(const Mesh& mesh) {
-  const std::string cause = mesh.face_count() == 0
-                                ? "it has no faces"
-                                : "none of its " + std::to_string(mesh.face_count()) +
-                                      " faces has three different, finite vertices";
-  return "repairing the mesh would leave nothing: " + cause + "; export it again with its faces";
+  return "repairing the mesh would leave nothing: " + why_no_surface(mesh) +
+         "; export it again with its faces";
 }
 
 }  // namespace

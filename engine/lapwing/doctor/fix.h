@@ -20,8 +20,9 @@ enum class RepairKind {
   removed_loose_vertices,
   split_bow_ties,
   flipped_faces,
+  turned_parts,
 };
-inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::flipped_faces) + 1;
+inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::turned_parts) + 1;
 
 /// A repair in words for reports.
 struct RepairInfo {
@@ -54,7 +55,8 @@ struct FixReport {
 ///  - removes faces with the vertices of an earlier one;
 ///  - welds boundary edges at exactly the same place (find_seams), keeping the lower vertex;
 ///  - gives each fan of a bow-tie vertex its own vertex;
-///  - flips faces of inconsistent sheets until neighbours agree (analyze_orientation).
+///  - flips faces of inconsistent sheets until neighbours agree (analyze_orientation);
+///  - turns closed parts that are inside out, with what is inside them.
 /// Attributes stay with their vertices, faces and corners, so UVs and materials survive; stored
 /// normals are not recomputed. Positions do not change. Any repair resets `mesh.source`.
 /// Non-manifold edges, zero-area faces and one-sided surfaces stay. Near-linear. Throws InputError,

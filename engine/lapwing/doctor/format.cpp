@@ -1,9 +1,12 @@
 #include "lapwing/doctor/format.h"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <locale>
 #include <sstream>
+
+#include "lapwing/base/counted.h"
 
 namespace lapwing {
 namespace {
@@ -23,8 +26,8 @@ int digits_of(std::size_t value) {
   return static_cast<int>(std::to_string(value).size());
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
+std::string in_number(std::size_t count, std::string_view plural) {
+  return count == 1 ? singular(plural) : std::string(plural);
 }
 
 void write_label(std::ostream& out, std::string_view label) {
@@ -46,39 +49,16 @@ void write_components(std::ostream& out, const std::vector<std::size_t>& sizes) 
   out << '\n';
 }
 
-std::string_view name_of(Severity severity) {
-  switch (severity) {
-    case Severity::info:
-      return "info";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      return "error";
-  }
-  return "";
-}
-
-std::string_view plural_of(Element element) {
-  switch (element) {
-    case Element::none:
-      return "";
-    case Element::vertex:
-      return "vertices";
-    case Element::face:
-      return "faces";
-    case Element::edge:
-      return "edges";
-    case Element::component:
-      return "at vertices";
-  }
-  return "";
-}
+// In the order of Severity and of Element.
+constexpr std::array<std::string_view, 3> kSeverityNames{"info", "warning", "error"};
+constexpr std::array<std::string_view, 5> kElementNames{"", "vertices", "faces", "edges",
+                                                        "at vertices"};
 
 // Writes "vertices 3, 7, 12, ..." or "edges 3-7, 12-15".
 void write_places(std::ostream& out, const Defect& defect) {
   const Element element = describe(defect.kind).element;
   const std::size_t width = element == Element::edge ? 2 : 1;
-  out << plural_of(element);
+  out << kElementNames[static_cast<std::size_t>(element)];
   for (std::size_t i = 0; i < defect.first.size(); i += width) {
     out << (i == 0 ? " " : ", ") << defect.first[i];
     if (width == 2) out << '-' << defect.first[i + 1];
@@ -89,12 +69,13 @@ void write_places(std::ostream& out, const Defect& defect) {
 void write_defect(std::ostream& out, const Defect& defect, int count_width, int name_width) {
   const DefectInfo& info = describe(defect.kind);
   const std::string indent(kSeverityWidth, ' ');
-  out << std::left << std::setw(kSeverityWidth) << name_of(info.severity);
+  out << std::left << std::setw(kSeverityWidth)
+      << kSeverityNames[static_cast<std::size_t>(info.severity)];
   if (info.element == Element::none) {
     out << info.name;
   } else {
     out << std::right << std::setw(count_width) << defect.count << ' ' << std::left
-        << std::setw(name_width) << info.name;
+        << std::setw(name_width) << in_number(defect.count, info.name);
     write_places(out, defect);
   }
   out << '\n' << indent << info.meaning << '\n';
@@ -108,7 +89,7 @@ std::string format(const MeshStatistics& s) {
   write_label(out, "vertices");
   out << s.vertices << '\n';
   write_label(out, "faces");
-  out << s.faces << ", " << counted(s.triangles, "triangle") << '\n';
+  out << s.faces << ", " << counted(s.triangles, "triangles") << '\n';
   write_label(out, "edges");
   out << s.edges << ", length " << s.min_edge_length << " to " << s.max_edge_length << ", mean "
       << s.mean_edge_length << '\n';
@@ -116,7 +97,8 @@ std::string format(const MeshStatistics& s) {
   if (s.boundary_edges == 0) {
     out << "none\n";
   } else {
-    out << counted(s.boundary_edges, "edge") << " in " << counted(s.boundary_loops, "loop") << '\n';
+    out << counted(s.boundary_edges, "edges") << " in " << counted(s.boundary_loops, "loops")
+        << '\n';
   }
   write_components(out, s.component_sizes);
   write_label(out, "Euler number");
@@ -150,7 +132,7 @@ std::string format(const CheckReport& report) {
   if (problems == 0) {
     out << "no defects\n";
   } else {
-    out << counted(problems, "kind") << " of defect, " << fixable << " repairable\n";
+    out << counted(problems, "kinds") << " of defect, " << fixable << " repairable\n";
   }
   return out.str();
 }
@@ -161,7 +143,8 @@ std::string format(const FixReport& report) {
   for (const Repair& repair : report.repairs) width = std::max(width, digits_of(repair.count));
   std::ostringstream out = plain_stream();
   for (const Repair& repair : report.repairs) {
-    out << std::setw(width) << repair.count << ' ' << describe(repair.kind).text << '\n';
+    out << std::setw(width) << repair.count << ' '
+        << in_number(repair.count, describe(repair.kind).text) << '\n';
   }
   return out.str();
 }

@@ -1,19 +1,28 @@
 #include "lapwing/doctor/orientation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/base/union_find.h"
+#include "lapwing/doctor/nesting.h"
 
 namespace lapwing {
 namespace {
+
+using Eigen::Vector3d;
 
 // Faces connected through edges with two sides, as the flood found them.
 struct Sheet {
   std::vector<Index> faces;
   std::vector<Index> inconsistent_edges;
-  bool closed = true;
+  std::vector<Index> border;  // sides on edges that do not have two sides
   bool one_sided = false;
 };
 
@@ -49,7 +58,7 @@ class Flood {
     const Index edge = edges_.edge_of_side[side];
     if (edge == kNoIndex) return;
     if (edges_.sides.size(edge) != 2) {
-      sheet.closed = false;
+      sheet.border.push_back(side);
       return;
     }
     const auto sides = edges_.sides[edge];
@@ -70,31 +79,96 @@ class Flood {
   std::vector<unsigned char> state_;
 };
 
-// Returns six times the volume that the sheet encloses after its marked faces are flipped.
-double signed_volume(const Mesh& mesh, const Sheet& sheet, const Flood& flood) {
-  // Measured from a point of the sheet: far from the origin the terms would cancel.
-  const Eigen::Vector3d origin = mesh.positions[mesh.face(sheet.faces[0])[0]];
-  double volume = 0.0;
-  for (const Index f : sheet.faces) {
-    const auto polygon = mesh.face(f);
-    const Eigen::Vector3d a = mesh.positions[polygon[0]] - origin;
-    double part = 0.0;
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-      const Eigen::Vector3d b = mesh.positions[polygon[k]] - origin;
-      const Eigen::Vector3d c = mesh.positions[polygon[k + 1]] - origin;
-      part += a.dot(b.cross(c));
-    }
-    volume += flood.flipped(f) ? -part : part;
+// The integrals of a sheet with its marked faces flipped.
+struct SheetSize {
+  double volume = 0.0;  // relative to the origin; that enclosed, if closed
+  double area = 0.0;
+  Vector3d across = Vector3d::Zero();  // the integral of the normal; 0 if closed
+
+  void add(const Vector3d& a, const Vector3d& b, const Vector3d& c, double sign = 1.0) {
+    volume += sign * a.dot(b.cross(c)) / 6.0;
+    across += sign * 0.5 * (b - a).cross(c - a);
   }
-  return volume;
+};
+
+// A point of the sheet: far from it the terms of a volume would cancel.
+Vector3d origin_of(const Mesh& mesh, const Sheet& sheet) {
+  return mesh.positions[mesh.face(sheet.faces[0])[0]];
 }
 
-void append_flips(const Mesh& mesh, const Sheet& sheet, const Flood& flood,
+SheetSize measure_sheet(const Mesh& mesh, const Sheet& sheet, const Flood& flood) {
+  const Vector3d origin = origin_of(mesh, sheet);
+  SheetSize size;
+  for (const Index f : sheet.faces) {
+    const auto polygon = mesh.face(f);
+    SheetSize face;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+      face.add(mesh.positions[polygon[0]] - origin, mesh.positions[polygon[k]] - origin,
+               mesh.positions[polygon[k + 1]] - origin, flood.flipped(f) ? -1.0 : 1.0);
+    }
+    size.volume += face.volume;
+    size.across += face.across;
+    size.area += face.across.norm();
+  }
+  return size;
+}
+
+// A volume of less than this share of area^1.5 is a rounding error. A ball's share is 0.09.
+constexpr double kFlat = 1e-9;
+
+bool is_inward(const SheetSize& size) {
+  return size.volume < -kFlat * std::pow(size.area, 1.5);
+}
+
+// Closes the holes of a consistent sheet by fans of triangles around the mean of their corners.
+void close_holes(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize& size) {
+  const Vector3d origin = origin_of(mesh, sheet);
+  const auto start = [&](Index side) { return mesh.face_vertices()[side]; };
+  const auto end = [&](Index side) { return mesh.face_vertices()[edges.next_corner[side]]; };
+  std::vector<Index> vertices;
+  for (const Index side : sheet.border) vertices.insert(vertices.end(), {start(side), end(side)});
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto place = [&](Index v) {
+    return static_cast<Index>(std::ranges::lower_bound(vertices, v) - vertices.begin());
+  };
+  UnionFind holes(vertices.size());
+  for (const Index side : sheet.border) holes.unite(place(start(side)), place(end(side)));
+  std::vector<Vector3d> sums(vertices.size(), Vector3d::Zero());
+  std::vector<double> counts(vertices.size(), 0.0);
+  for (Index k = 0; k < vertices.size(); ++k) {
+    sums[holes.find(k)] += mesh.positions[vertices[k]] - origin;
+    counts[holes.find(k)] += 1.0;
+  }
+  for (const Index side : sheet.border) {
+    const Index hole = holes.find(place(start(side)));
+    size.add(mesh.positions[end(side)] - origin, mesh.positions[start(side)] - origin,
+             sums[hole] / counts[hole]);
+  }
+}
+
+// Whether a consistent, open sheet encloses a negative volume once its holes are closed. Its
+// projection along the mean normal is `across`: 0.5 of the area of a hemisphere, and at least 0.7
+// of a height field with slopes of at most 45 degrees.
+bool is_inward_open(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize size) {
+  constexpr double kMostOpen = 0.6;
+  if (!(size.across.norm() <= kMostOpen * size.area)) return false;
+  close_holes(mesh, edges, sheet, size);
+  return is_inward(size);
+}
+
+Index smallest_vertex(const Mesh& mesh, std::span<const Index> faces) {
+  Index smallest = kNoIndex;
+  for (const Index f : faces) smallest = std::min(smallest, std::ranges::min(mesh.face(f)));
+  return smallest;
+}
+
+void append_flips(const Sheet& sheet, const Flood& flood, const SheetSize& size,
                   std::vector<Index>& faces_to_flip) {
   const auto marked = static_cast<std::size_t>(
       std::ranges::count_if(sheet.faces, [&](Index f) { return flood.flipped(f); }));
   const bool flip_marked =
-      sheet.closed ? signed_volume(mesh, sheet, flood) >= 0.0 : 2 * marked <= sheet.faces.size();
+      sheet.border.empty() ? size.volume >= 0.0 : 2 * marked <= sheet.faces.size();
   for (const Index f : sheet.faces) {
     if (flood.flipped(f) == flip_marked) faces_to_flip.push_back(f);
   }
@@ -104,27 +178,88 @@ void append(std::vector<Index>& list, const std::vector<Index>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
+// Decides which closed sheets turn, from the outside in. A sheet that winds negatively around its
+// inside is inside out, and turns with everything in it.
+void turn_inside_out_sheets(const Mesh& mesh, std::span<const ClosedSheet> sheets,
+                            Orientation& orientation) {
+  if (std::ranges::none_of(sheets, [](const ClosedSheet& s) { return s.volume < 0.0; })) return;
+  const auto containers = containers_of(mesh, sheets);
+  std::vector<Index> outside_in(sheets.size());
+  std::iota(outside_in.begin(), outside_in.end(), Index{0});
+  std::ranges::stable_sort(outside_in, std::greater<>(),
+                           [&](Index s) { return std::abs(sheets[s].volume); });
+  std::vector<unsigned char> turns_its_inside(sheets.size(), 0);
+  std::vector<int> winding(sheets.size(), 0);  // that the turned sheet contributes to its inside
+  for (const Index s : outside_in) {
+    int around = 0;
+    bool is_turned = false;
+    for (const Index c : containers[s]) {
+      around += winding[c];
+      is_turned = is_turned != (turns_its_inside[c] != 0);
+    }
+    const bool was_inward = sheets[s].volume < 0.0;
+    is_turned = is_turned && sheets[s].may_turn;
+    if (around <= 0 && was_inward != is_turned) {
+      turns_its_inside[s] = 1;
+      is_turned = !is_turned;
+    }
+    winding[s] = was_inward != is_turned ? -1 : 1;
+    if (!is_turned) continue;
+    append(orientation.faces_to_turn, sheets[s].faces);
+    if (was_inward) orientation.inside_out.push_back(smallest_vertex(mesh, sheets[s].faces));
+  }
+}
+
 }  // namespace
 
 Orientation analyze_orientation(const Mesh& mesh, const Edges& edges) {
   Orientation orientation;
   Flood flood(mesh, edges);
+  std::vector<ClosedSheet> closed;
   CancelCheck cancel_check;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     cancel_check();
-    if (flood.seen(f)) continue;
-    const Sheet sheet = flood.visit(f);
+    if (flood.seen(f) || mesh.face(f).empty()) continue;
+    Sheet sheet = flood.visit(f);
     if (sheet.one_sided) {
       append(orientation.one_sided_edges, sheet.inconsistent_edges);
-    } else if (!sheet.inconsistent_edges.empty()) {
+      continue;
+    }
+    SheetSize size = measure_sheet(mesh, sheet, flood);
+    const bool is_consistent = sheet.inconsistent_edges.empty();
+    if (!is_consistent) {
       append(orientation.inconsistent_edges, sheet.inconsistent_edges);
-      append_flips(mesh, sheet, flood, orientation.faces_to_flip);
+      append_flips(sheet, flood, size, orientation.faces_to_flip);
+      size.volume = std::abs(size.volume);
+    }
+    if (sheet.border.empty()) {
+      if (is_inward(size) || size.volume > 0.0) {
+        closed.push_back({std::move(sheet.faces), size.volume, is_consistent});
+      }
+    } else if (is_consistent && is_inward_open(mesh, edges, sheet, size)) {
+      orientation.inward_open.push_back(smallest_vertex(mesh, sheet.faces));
     }
   }
+  turn_inside_out_sheets(mesh, closed, orientation);
   std::ranges::sort(orientation.inconsistent_edges);
   std::ranges::sort(orientation.one_sided_edges);
   std::ranges::sort(orientation.faces_to_flip);
+  std::ranges::sort(orientation.inside_out);
+  std::ranges::sort(orientation.faces_to_turn);
+  std::ranges::sort(orientation.inward_open);
   return orientation;
+}
+
+Facing facing_of(const Mesh& mesh, Index vertex) {
+  const Orientation orientation = analyze_orientation(mesh, build_edges(mesh));
+  if (orientation.inside_out.empty() && orientation.inward_open.empty()) return Facing::outward;
+  const Components components = connected_components(mesh.topology().rings);
+  const auto is_here = [&](Index v) {
+    return components.of_vertex[v] == components.of_vertex[vertex];
+  };
+  if (std::ranges::any_of(orientation.inside_out, is_here)) return Facing::inside_out;
+  return std::ranges::any_of(orientation.inward_open, is_here) ? Facing::inward_open
+                                                               : Facing::outward;
 }
 
 }  // namespace lapwing

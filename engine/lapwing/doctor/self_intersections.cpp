@@ -126,7 +126,7 @@ class Finder {
     }
     if (!items_.empty()) build(0, items_.size());
     most_pairs_ =
-        std::max(most_of(kMostPairs), kPairsOfTriangle * static_cast<double>(items_.size()));
+        std::max(limit_value(kMostPairs), kPairsOfTriangle * static_cast<double>(items_.size()));
   }
 
   std::vector<std::array<Index, 2>> run() {

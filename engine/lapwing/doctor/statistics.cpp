@@ -10,7 +10,6 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/mesh/edges.h"
-#include "lapwing/mesh/fans.h"
 
 namespace lapwing {
 namespace {

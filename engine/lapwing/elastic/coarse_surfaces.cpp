@@ -31,8 +31,7 @@ std::vector<Index> groups_of(const EditRegion& region, std::size_t vertices) {
 }
 
 std::vector<Triangle> triangles_of(const VertexSet& roi, const Topology& topology) {
-  std::vector<char> in_roi(topology.vertex_count(), 0);
-  for (const Index v : roi) in_roi[v] = 1;
+  const std::vector<char> in_roi = vertex_mask(topology.vertex_count(), roi);
   std::vector<Triangle> triangles;
   std::copy_if(topology.triangles.begin(), topology.triangles.end(), std::back_inserter(triangles),
                [&](const Triangle& t) {

@@ -3,9 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "lapwing/elastic/settle_options.h"
 #include "lapwing/laplacian/energy_weights.h"
-#include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
 
@@ -25,13 +23,24 @@ enum class LinearResponse {
   rsi,      ///< equation 10 of the paper: every ring turns and scales freely
 };
 
+struct SettleOptions {
+  /// The surface is settled if the next step moves no vertex farther than this, in mean edge
+  /// lengths.
+  double tolerance = 1e-4;
+  int max_iterations = 200;
+
+  bool operator==(const SettleOptions&) const = default;
+};
+
 struct DeformOptions {
   LaplacianWeights weights = LaplacianWeights::cotangent;
   /// As EnergyTerms::detail_length, in its range. Has no effect on the RSI system.
   double detail_length = kDefaultDetailLength;
   LinearResponse response = LinearResponse::tangent;
-  /// Weight of handle and belt, 1 in eq. 5, at most kMaxWeight. Has no effect on hard constraints.
-  double constraint_weight = 1.0;
+  /// Holds handle and belt softly, with this weight: 1 in eq. 5, at most kMaxWeight. Without it
+  /// they are held so firmly (kStiff) that they arrive within a hundredth of the way on every mesh.
+  /// Has no effect on hard constraints.
+  std::optional<double> constraint_weight = {};
   /// Handle and belt vertices reach their positions exactly, not in the least-squares sense.
   bool hard = false;
   /// Memory limit of the 3n x 3n system; 0 for `allowed_memory` at its preparation. If it needs

@@ -32,7 +32,7 @@ bool EnergyMinimizer::State::is_at(const MinimizerTarget& target,
     if (!forces.empty() && target.forces[vertex(k)] != of_unknown(forces, k)) return false;
   }
   for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
-    if (target.wanted[rings.vertices[r]] != given[r]) return false;
+    if (target.prescribed[rings.vertices[r]] != prescribed[r]) return false;
   }
   return has_stretch_of(target);
 }
@@ -49,9 +49,9 @@ void EnergyMinimizer::State::place(const MinimizerTarget& target, std::span<cons
       weights[k] = system.constraints().W[static_cast<std::size_t>(order[k])];
     }
   });
-  parallel_for(wanted.size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+  parallel_for(fitted.size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      given[r] = wanted[r] = displacement[r] = target.wanted[rings.vertices[r]];
+      prescribed[r] = fitted[r] = displacement[r] = target.prescribed[rings.vertices[r]];
     }
   });
   if (!has_stretch_of(target)) {
@@ -129,7 +129,7 @@ EnergyMinimizer::State::Sums EnergyMinimizer::State::pull_by_springs(Point& poin
   Sums sum;
   for (const PlacedSpring& placed : springs) {
     const auto& [spring, rows, places] = placed;
-    Vector3d off = -spring.wanted;
+    Vector3d off = -spring.prescribed;
     for (std::size_t c = 0; c < 3; ++c) off += spring.shares[c] * displacement[rows[c]];
     const Vector3d force = spring.stiffness * off;
     sum.energy += force.dot(off);
@@ -159,7 +159,7 @@ void EnergyMinimizer::State::evaluate(Point& point) {
       displacement[rings.unknown_rows[k]] = of_unknown(point.x, k);
     }
   });
-  for (FreeRotation& rotation : free_rotations) rotation.fit(point.x, wanted);
+  for (FreeRotation& rotation : free_rotations) rotation.fit(point.x, fitted);
   rotations->fit_rotations(displacement, energies);
   rotations->energy_gradient(point.gradient);
   const Sums held = sum_over_unknowns([&](std::size_t k, Sums& sum) {
@@ -169,7 +169,7 @@ void EnergyMinimizer::State::evaluate(Point& point) {
       point.gradient[axis * n + k] -= force;
     }
     if (!(weights[k] > 0.0)) return;
-    const Vector3d off = of_unknown(point.x, k) - wanted[rings.unknown_rows[k]];
+    const Vector3d off = of_unknown(point.x, k) - fitted[rings.unknown_rows[k]];
     const Vector3d force = weights[k] * off;
     sum.energy += force.dot(off);
     sum.force += force.squaredNorm();

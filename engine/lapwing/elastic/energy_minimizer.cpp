@@ -32,13 +32,6 @@ constexpr int kBeforeHessian = 3;
 constexpr int kHessianPeriod = 20;
 constexpr int kNever = std::numeric_limits<int>::max();
 
-// A step is accepted if E falls by this share of the linear prediction (Armijo 1966), up to
-// rounding.
-constexpr double kShareOfSlope = 1e-4;
-constexpr double kRounding = 1e-13;
-// The line search gives up below this share of the full step.
-constexpr double kShortestStep = 1e-3;
-
 void check(const SettleOptions& options) {
   const auto require = [](bool holds, const char* what, double value) {
     if (!holds) throw InputError(std::string(what) + ", not " + std::to_string(value));
@@ -68,8 +61,8 @@ EnergyMinimizer::State::State(Kernels& kernels, const LaplacianSystem& laplacian
       history(3 * laplacian.size(), kHistoryLength, mean_edge),
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),
-      given(rings.vertices.size(), Vector3d::Zero()),
-      wanted(rings.vertices.size(), Vector3d::Zero()),
+      prescribed(rings.vertices.size(), Vector3d::Zero()),
+      fitted(rings.vertices.size(), Vector3d::Zero()),
       partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
   for (auto* vector : {&direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
     vector->resize(3 * system.size());
@@ -156,45 +149,6 @@ EnergyMinimizer::State::Sums EnergyMinimizer::State::find_direction(bool accurat
   sums.step = std::sqrt(sums.step) / mean_edge;
   sums.gradient = std::sqrt(sums.gradient);
   return sums;
-}
-
-// Sets `next` to the surface `at` - `length` * direction.
-void EnergyMinimizer::State::go(double length) {
-  parallel_for(at.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) next.x[i] = at.x[i] - length * direction[i];
-  });
-  for (const FreeRotation& rotation : free_rotations) rotation.bend(length, next.x);
-  evaluate(next);
-  if (by_hessian) correct();
-}
-
-// A step by the Hessian moves vertices along straight lines and so stretches rotating parts, more
-// on finer meshes. One step of the n x n system at the rotations of `next` removes that stretch. It
-// never raises E, which at fixed rotations is that system's quadratic.
-void EnergyMinimizer::State::correct() {
-  correction = next.gradient;
-  system.solve_in_elimination_order(correction, 3);
-  parallel_for(next.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) next.x[i] -= correction[i];
-  });
-  evaluate(next);
-}
-
-// Sets `next` to a step along the direction that lowers E. Returns false if there is none.
-bool EnergyMinimizer::State::step(double slope) {
-  for (FreeRotation& rotation : free_rotations) rotation.begin_step(direction);
-  for (double length = 1.0; length >= kShortestStep;) {
-    go(length);
-    const double promised = 2.0 * length * slope;  // below 0
-    const double fall = next.energy - at.energy;
-    if (fall <= kShareOfSlope * promised + kRounding * std::abs(at.energy)) {
-      return true;
-    }
-    // The minimum of the interpolating parabola.
-    const double least = std::isfinite(fall) ? -0.5 * promised / (fall - promised) : 0.0;
-    length *= std::clamp(least, 0.1, 0.5);
-  }
-  return false;
 }
 
 // Makes `next` the current point. `next` must have been evaluated last.
@@ -336,12 +290,12 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         // The direction is known, so taking it costs one evaluation. It leaves an error far below
         // the tolerance, on which remeshing and other discrete steps may depend. A surface that was
         // settled before does not move.
-        if (result.iterations > 0 && s.step(sums.slope)) s.accept_next();
+        if (result.iterations > 0 && s.line_search(sums.slope)) s.accept_next();
         break;
       }
       if (is_last) break;
 
-      if (!s.step(sums.slope)) {
+      if (!s.line_search(sums.slope)) {
         if (!history.is_empty()) {
           history.forget();
         } else if (s.by_hessian) {

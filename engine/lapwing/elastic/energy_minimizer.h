@@ -4,9 +4,9 @@
 #include <memory>
 #include <span>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
+#include "lapwing/elastic/deform_options.h"
 #include "lapwing/elastic/minimizer_result.h"
-#include "lapwing/elastic/settle_options.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
 
@@ -30,25 +30,24 @@ struct FreeHandle {
 struct MinimizerTarget {
   /// d: prescribed displacements; 0 off the handles. A vertex of the region that is not an unknown
   /// takes its value exactly.
-  std::span<const Eigen::Vector3d> wanted;
+  std::span<const Eigen::Vector3d> prescribed;
   /// S_i: symmetric and positive definite; the identity if empty.
   std::span<const Eigen::Matrix3d> rest_stretch;
   /// f: forces on the unknowns; none if empty.
   std::span<const Eigen::Vector3d> forces = {};
-  /// Their fitted positions replace `wanted` at their vertices.
+  /// Their fitted positions replace `prescribed` at their vertices.
   std::span<const FreeHandle> free_handles = {};
 };
 
-/// A preconditioner for L-BFGS at a pose. The n x n matrix resists every rotation of a ring, so
-/// long limbs bend slowly with it. A factorization of a 3n x 3n matrix saves most of these
-/// iterations.
+/// A preconditioner for L-BFGS at a pose: a factored 3n x 3n matrix. With the n x n matrix alone,
+/// which resists every rotation of a ring, long limbs bend slowly.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Assembles and factors at a pose. `transforms` are T_i per row of the rings (RingRotations),
-  /// `displacement` has one vector per entry of RegionRings::vertices. Returns false if the matrix
-  /// does not fit in memory or is not positive definite; do not solve then.
+  /// Assembles and factors at a pose. `transforms` are T_i per row of the rings, `displacement` has
+  /// one vector per entry of RegionRings::vertices. Returns false if the matrix does not fit in
+  /// memory or is not positive definite; do not solve then.
   virtual bool factorize(std::span<const Eigen::Matrix3d> transforms,
                          std::span<const Eigen::Vector3d> displacement) = 0;
 
@@ -67,15 +66,14 @@ class Preconditioner {
 ///          + sum_held w^2 |u - d|^2 + the springs of the system - 2 sum f . u,
 ///
 /// by L-BFGS. Each iteration solves once for a direction, at first with the n x n factor, then with
-/// the preconditioner, and searches along it. Each trial point costs a fit of the rotations (kernel
-/// fit_rotations) and a gradient (kernel energy_gradient). A trial point by the preconditioner is
-/// corrected by one more solve with the n x n factor. E falls with every step, so the surface is
+/// the preconditioner, and searches along it (line_search.cpp). Each trial point costs a fit of the
+/// rotations and a gradient (energy_evaluation.cpp). E falls with every step, so the surface is
 /// usable whenever the budget ends the loop. One object serves one thread at a time.
 class EnergyMinimizer {
  public:
-  /// `system` must outlive the object and have been assembled with a detail length; so must
-  /// `preconditioner`, of the same region, which may be null. Throws InputError for options out of
-  /// range, GpuError if the device fails.
+  /// `system`, assembled with a detail length, and `preconditioner`, of the same region or null,
+  /// must outlive the object. Throws InputError for options out of range, GpuError if the device
+  /// fails.
   EnergyMinimizer(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
                   Preconditioner* preconditioner = nullptr);
   ~EnergyMinimizer();
@@ -86,29 +84,29 @@ class EnergyMinimizer {
   double energy(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Minimizes `u`, displacements of the whole mesh, in place. The result does not depend on
-  /// earlier calls. Allocates nothing per iteration. Throws Cancelled if `progress` (stage
-  /// "settle") asks for it; `u` then holds the last iterate.
+  /// earlier calls. Allocates nothing per iteration. Reports stage "settle". Throws Cancelled; `u`
+  /// then holds the last iterate.
   MinimizerResult settle(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const Progress& progress = {});
 
-  /// Minimizes one frame of a drag from the predicted `u`, for a `target` slightly beyond that of
-  /// the last call. Keeps the L-BFGS history from frame to frame. Ends when `budget` returns false.
+  /// Minimizes one frame of a drag from the predicted `u`, for a `target` slightly beyond the last
+  /// one, with the L-BFGS history of the frames before. Ends when `budget` returns false.
   MinimizerResult follow(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// The same with the preconditioner, which is factored at `u` first. Meant for surfaces of a few
-  /// thousand vertices, where that fits into a frame.
+  /// The same with the preconditioner, factored at `u` first. For surfaces of a few thousand
+  /// vertices, where that fits into a frame.
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 
   /// Minimizes a frame with the `target` of the last call, from its result `u`. After three
-  /// iterations of such frames the preconditioner is factored at the pose. A factorization starts a
-  /// call; `budget` is asked for the iteration only, not for the factorization before it.
+  /// iterations of such frames the preconditioner is factored at the pose, at the start of a call;
+  /// `budget` is not asked for that.
   MinimizerResult follow_at_rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                  const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Call this if the target moves in a frame without time for `follow`. Discards the iteration
-  /// count and the factor of `follow_at_rest`, which belong to another pose.
+  /// Call this if the target moves in a frame without time for `follow`: the state of
+  /// `follow_at_rest` belongs to another pose.
   void end_rest();
 
   /// Clears the history, so that the next frame is the first of another drag.

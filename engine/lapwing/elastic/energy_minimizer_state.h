@@ -14,8 +14,8 @@
 
 namespace lapwing {
 
-/// The members of an EnergyMinimizer. energy_minimizer.cpp has its iterations,
-/// energy_evaluation.cpp energy and gradient.
+/// The members of an EnergyMinimizer. Its iterations are in energy_minimizer.cpp and its line
+/// search in line_search.cpp. energy_evaluation.cpp computes energy and gradient.
 struct EnergyMinimizer::State {
   const LaplacianSystem& system;
   const std::shared_ptr<const RegionRings> shared_rings;
@@ -32,20 +32,19 @@ struct EnergyMinimizer::State {
   /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than the
   /// remaining distance.
   bool may_end_by_factor = false;
-  double iteration_ms = 0.0;   ///< of the last iteration, without a factorization
-  double last_step = 0.0;      ///< in mean edge lengths
-  bool is_placed = false;      ///< whether `at` was evaluated last
+  double iteration_ms = 0.0;  ///< time of the last iteration, without a factorization
+  double last_step = 0.0;     ///< in mean edge lengths
+  bool is_placed = false;     ///< whether the last evaluation was at `at`
   Lbfgs history;
 
   // Vectors over the unknowns are in elimination order: x of all, then y, then z.
-  std::vector<Eigen::Vector3d> displacement;  ///< of RegionRings::vertices
+  std::vector<Eigen::Vector3d> displacement;  ///< per vertex of RegionRings::vertices
   std::vector<double> energies;               ///< per row
   std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
   std::vector<double> weights;                ///< W of each unknown
-  std::vector<Eigen::Vector3d> given;         ///< MinimizerTarget::wanted of RegionRings::vertices
-  std::vector<Eigen::Vector3d>
-      wanted;                  ///< `given`, replaced on free handles by the fitted positions
-  std::vector<double> forces;  ///< empty for none
+  std::vector<Eigen::Vector3d> prescribed;    ///< per vertex of RegionRings::vertices
+  std::vector<Eigen::Vector3d> fitted;        ///< `prescribed`, with free handles at their best fit
+  std::vector<double> forces;                 ///< on the unknowns; empty if there are none
   std::vector<double> direction;
   std::vector<double> correction;
 
@@ -100,7 +99,7 @@ struct EnergyMinimizer::State {
   Sums find_direction(bool accurate = false);
   void go(double length);
   void correct();
-  bool step(double slope);
+  bool line_search(double slope);
   bool must_end_by_hessian() const;
   void accept_next();
 

@@ -33,7 +33,8 @@ FactorCache::LaplacianBuild::LaplacianBuild(FactorCache& cache, SystemTerms term
     : cache_(cache), lock_(cache.mutex_), terms_(std::move(terms)), W_(W) {
   std::shared_ptr<LaplacianSystem>& kept = cache.laplacian_;
   if (is_unused(cache.response_)) cache.response_->set_laplacian(nullptr);
-  const bool is_same = kept != nullptr && terms_ == cache.laplacian_terms_ && kept->holds(W);
+  const bool is_same =
+      kept != nullptr && terms_ == cache.laplacian_terms_ && kept->is_factorized_for(W);
   if (!is_same && !is_unused(kept)) {
     auto fresh = std::make_shared<LaplacianSystem>(cache.topology_, cache.roi_, cache.unknowns_,
                                                    cache.pattern_);
@@ -89,7 +90,8 @@ std::shared_ptr<const ResponseSystem> FactorCache::response(
     response_kind_ = options.response;
   }
   if (response_bytes_ > 0) require_memory(options.memory_limit_bytes);
-  const bool is_same = response_ != nullptr && terms == response_terms_ && response_->holds(W);
+  const bool is_same =
+      response_ != nullptr && terms == response_terms_ && response_->is_factorized_for(W);
   if (is_same) {
     if (is_unused(response_)) response_->set_laplacian(std::move(laplacian));
     return response_;

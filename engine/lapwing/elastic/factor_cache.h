@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/elastic/coarse_surfaces.h"
 #include "lapwing/elastic/deform_options.h"
@@ -38,10 +38,10 @@ struct SystemTerms {
   bool operator==(const SystemTerms&) const = default;
 };
 
-/// The factors of edits of one region over the same unknowns. A returned factor does not change.
-/// The next one shares its pattern, orders and symbolic factorizations. It also reuses its memory
-/// and unchanged parts if nobody holds the last one any more. Results equal those of a
-/// factorization from scratch bit for bit. All members may be called from several threads.
+/// Keeps the factors for edits of one region over the same unknowns. A returned factor does not
+/// change. The next factor shares its pattern, orders and symbolic factorizations. It also reuses
+/// the memory of the last factor if nobody holds that one any more. All results have the same bits
+/// as those of a factorization from scratch. The class is thread-safe.
 class FactorCache {
  public:
   /// Finds only the pattern. `topology` must outlive the object.
@@ -83,10 +83,9 @@ class FactorCache {
     return {*this, std::move(terms), W};
   }
 
-  /// Returns the factored 3n x 3n system. `options` give its kind and memory limit; `laplacian` is
-  /// the edit's n x n system. Reports the stages "assemble", "analyze", "normal_matrix" and
-  /// "factor", without those already done. Throws DoesNotFit, for a large region before its memory
-  /// is allocated, and then keeps nothing of the system.
+  /// Returns the factored 3n x 3n system. `options` give its kind and memory limit. Reports the
+  /// stages "assemble", "analyze", "normal_matrix" and "factor", except those already done. Throws
+  /// DoesNotFit if the memory does not suffice. The cache then keeps nothing of the system.
   std::shared_ptr<const ResponseSystem> response(const SystemTerms& terms,
                                                  std::shared_ptr<const LaplacianSystem> laplacian,
                                                  const DeformOptions& options, Kernels& kernels,

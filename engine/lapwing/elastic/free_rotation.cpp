@@ -81,7 +81,7 @@ void FreeRotation::place(const FreeHandle& handle, std::vector<Index> rows,
   }
 }
 
-void FreeRotation::fit(std::span<const double> x, std::span<Vector3d> wanted) {
+void FreeRotation::fit(std::span<const double> x, std::span<Vector3d> prescribed) {
   Matrix3d covariance = Matrix3d::Zero();
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Vector3d from_centre = at(x, places_[k]) - handle_.to_centre[k];
@@ -90,7 +90,7 @@ void FreeRotation::fit(std::span<const double> x, std::span<Vector3d> wanted) {
   rotation_ = nearest_rotation(covariance);
   covariance_ = covariance * rotation_.transpose();
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    wanted[rows_[k]] = handle_.to_centre[k] + rotation_ * handle_.shape[k];
+    prescribed[rows_[k]] = handle_.to_centre[k] + rotation_ * handle_.shape[k];
   }
 }
 

@@ -14,7 +14,7 @@ struct MinimizerResult {
   bool exhausted = false;  ///< no step lowers E by more than rounding
   /// The Hessian did not fit in memory, or could not be factored: large regions settle slowly then.
   bool lacks_hessian = false;
-  double energy = 0.0;     ///< E of the result, in squared mesh units
+  double energy = 0.0;  ///< E of the result, in squared mesh units
   /// |grad E| over |force of the handles|: the gradient of E by the unknowns, over that of the
   /// constraints alone; 0 if nothing pulls.
   double relative_gradient = 0.0;

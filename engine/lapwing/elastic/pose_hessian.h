@@ -14,12 +14,11 @@
 namespace lapwing {
 
 /// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5), as a
-/// preconditioner. If a ring only rotates, its G_i = F_i^-1 a_i is the row at rest times R_i'.
-/// Tension enlarges F_i F_i' = K_i: the rotation follows the surface less, and the ring resists
-/// bending. Under compression K_i stays that of the stretched rest, so that the matrix is positive
-/// semidefinite at every pose. The factor is in single precision (README.md), and in double
-/// precision for a pose at which rounding leaves it indefinite. The object allocates its memory,
-/// half that of a 3n x 3n factor in doubles, in `prepare` or at the first factorization.
+/// preconditioner. Under tension a ring resists bending. Under compression K_i stays that of the
+/// stretched rest shape, so that the matrix is positive semidefinite at every pose. The factor is
+/// in single precision. If rounding leaves it indefinite at a pose, it is in double precision
+/// there. It takes half the memory of a 3n x 3n factor in doubles. The memory is allocated in
+/// `prepare` or at the first factorization.
 class PoseHessian final : public Preconditioner {
  public:
   /// Finds G at rest over the rings of a region (tangent_rows).

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/vertex_set.h"
 
@@ -15,24 +15,22 @@ class FactorCache;
 /// Compares bit patterns: 0 and -0 differ.
 bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector3d> b);
 
-/// Keeps the preparation of an edit for the next one on the same ROI. A new handle, belt,
-/// constraint weight, Laplacian weights or settle options repeat neither the ordering nor the
-/// symbolic factorization:
+/// Keeps the preparation of an edit for the next one on the same ROI:
 ///
 ///     PreparedRegion prepared(topology);
 ///     DeformSolver solver(prepared, mesh.positions, region, options, kernels);
 ///     region.handles = {another};
 ///     DeformSolver next(prepared, mesh.positions, region, options, kernels);  // half the time
 ///
-/// It keeps pattern, order and both symbolic factorizations. For the same positions and Laplacian
-/// weights it keeps the rows of M and M'M, and if handles, belt and targets are the same as well,
-/// the coarse surface of drags. If no solver uses the last factor any more, the next one reuses its
-/// memory and recomputes only the affected part. Results equal those of a full preparation bit for
-/// bit. An edit with another ROI or other unknowns is prepared in full and replaces the kept data.
-/// (With hard constraints only the free vertices are unknowns, and they change with the handle.) A
-/// preparation over the same unknowns that is cancelled or fails loses nothing.
+/// Keeps the pattern, orders and symbolic factorizations. For the same positions and weights it
+/// also keeps the rows of M and M'M. For the same handles, belt and targets it also keeps the
+/// coarse proxy of drags. If no solver uses the last factor any more, the next one reuses its
+/// memory and recomputes only the part that changed. All results have the same bits as those of a
+/// full preparation.
 ///
-/// Earlier solvers keep their own factors and are not affected. One preparation at a time.
+/// An edit with another ROI or other unknowns is prepared in full and replaces the kept data. With
+/// hard constraints, another handle means other unknowns. A preparation that is cancelled or fails
+/// loses nothing. Earlier solvers do not change. Only one preparation may run at a time.
 class PreparedRegion {
  public:
   /// `topology` must outlive the object and everything prepared with it.

@@ -7,8 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/laplacian/dirichlet_values.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
 
 namespace lapwing {
 namespace {
@@ -164,7 +163,7 @@ std::shared_ptr<const BlockRows> ResponseSystem::made_rows(std::span<const Vecto
 
 void ResponseSystem::factorize(std::span<const double> W, const Progress& progress,
                                StageTimings& timings) {
-  if (factor_.holds(W)) return;
+  if (factor_.is_factorized_for(W)) return;
   const Stopwatch watch;
   report_progress(progress, "factor", 0.0);
   constraints_.W.assign(W.begin(), W.end());
@@ -195,10 +194,11 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = held[i] - y[i];
 }
 
-void ResponseSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
-  // With hard constraints the prescribed values move to the right-hand side. With soft ones
-  // `wanted` is 0 except on unknowns, so nothing moves.
-  const std::vector<Vector3d> given = dirichlet_values(roi_, constraints_.unknowns, wanted);
+void ResponseSystem::right_hand_side(std::span<const Vector3d> prescribed,
+                                     std::span<double> b) const {
+  // With hard constraints the prescribed values move to the right-hand side. With soft ones all
+  // prescribed values are at unknowns, so `given` is empty.
+  const std::vector<Vector3d> given = dirichlet_values(roi_, constraints_.unknowns, prescribed);
   std::fill(b.begin(), b.end(), 0.0);
   if (!given.empty()) {
     multiply(given, b);
@@ -207,7 +207,7 @@ void ResponseSystem::right_hand_side(std::span<const Vector3d> wanted, std::span
   for (std::size_t u = 0; u < constraints_.unknowns.size(); ++u) {
     if (!(constraints_.W[u] > 0.0)) continue;
     Eigen::Map<Vector3d>(b.data() + 3 * u) +=
-        constraints_.W[u] * wanted[constraints_.unknowns.vertices[u]];
+        constraints_.W[u] * prescribed[constraints_.unknowns.vertices[u]];
   }
 }
 
@@ -215,21 +215,22 @@ void ResponseSystem::solve_in_place(std::span<double> columns_of_b, std::size_t 
   if (constraints_.unknowns.size() > 0) factor_.solver().solve(columns_of_b, columns_of_b, columns);
 }
 
-double ResponseSystem::refine(std::span<const Vector3d> wanted, std::span<const double> forces,
+double ResponseSystem::refine(std::span<const Vector3d> prescribed, std::span<const double> forces,
                               std::vector<Vector3d>& u) const {
   std::vector<double> r(3 * constraints_.unknowns.size());
-  right_hand_side(wanted, r);
+  right_hand_side(prescribed, r);
   for (std::size_t i = 0; i < forces.size(); ++i) r[i] += forces[i];
   const double size = norm(r);
   if (size == 0.0) return 0.0;
   double relative = 0.0;
   for (int step = 0;; ++step) {
-    // W (wanted - u) + f - N u over the unknowns is the residual for hard and soft constraints.
+    // The residual over the unknowns is W (prescribed - u) + f - N u, for hard and soft
+    // constraints.
     multiply(u, r);
     for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
       const Index v = constraints_.unknowns.vertices[k];
       Eigen::Map<Vector3d> r_k(r.data() + 3 * k);
-      r_k = constraints_.W[k] * (wanted[v] - u[v]) - r_k;
+      r_k = constraints_.W[k] * (prescribed[v] - u[v]) - r_k;
       if (!forces.empty()) r_k += Eigen::Map<const Vector3d>(forces.data() + 3 * k);
     }
     relative = norm(r) / size;

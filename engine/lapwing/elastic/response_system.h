@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/elastic/deform_options.h"
 #include "lapwing/kernels/kernels.h"
@@ -49,31 +49,30 @@ class ResponseSystem {
   /// of an external solver, which is not known.
   std::size_t memory_bytes() const;
 
-  /// Assembles the rows and N, with the weights of the n x n system. Runs the symbolic
-  /// factorization in parallel if it is not done yet. If `turns_freely`, some components may turn
-  /// about a line; a small share of A in the tangent then makes them turn as little as possible.
-  /// `rows` are those of tangent_rows, or null if unknown. Stages "assemble", "analyze" and
-  /// "normal_matrix".
+  /// Assembles the rows and N with the weights of the n x n system, and analyzes if that is not
+  /// done yet. If `turns_freely`, adds a small share of A to the tangent. Components that may turn
+  /// about a line then turn as little as possible. `rows` are those of tangent_rows, or null if
+  /// they are not known. Records the stages "assemble", "analyze" and "normal_matrix".
   void assemble(std::span<const Eigen::Vector3d> rest, bool turns_freely,
                 std::shared_ptr<const BlockRows> rows, Kernels& kernels, const Progress& progress,
                 StageTimings& timings);
 
-  /// Factors with `W`, one number per unknown, after `assemble`. Recomputes only the parts that
-  /// changed. Stage "factor". Throws SolverError, naming the vertex and its component, if the
-  /// system is singular, and Cancelled. Everything but the factor is kept then.
+  /// Factorizes with `W`, one number per unknown, and recomputes only the parts that changed.
+  /// Records the stage "factor". Throws Cancelled. Throws SolverError if the system is singular,
+  /// naming the vertex and its component. After either error, all data but the factor are kept.
   void factorize(std::span<const double> W, const Progress& progress, StageTimings& timings);
   /// Whether the system is factored with `W`.
-  bool holds(std::span<const double> W) const { return factor_.holds(W); }
+  bool is_factorized_for(std::span<const double> W) const { return factor_.is_factorized_for(W); }
 
   std::string_view solver_name() const { return factor_.solver().name(); }
 
   /// Returns G or M of the last assembly; does not change.
   std::shared_ptr<const BlockRows> rows() const { return rows_; }
 
-  /// Writes the right-hand side W d - N d', 3 numbers per unknown. d are the values of `wanted` at
-  /// unknowns, d' those at the other vertices of the region. `wanted` is per vertex of the mesh,
-  /// prescribed on handles and 0 elsewhere.
-  void right_hand_side(std::span<const Eigen::Vector3d> wanted, std::span<double> b) const;
+  /// Writes the right-hand side W d - N d', 3 numbers per unknown. `prescribed` has one vector per
+  /// vertex of the mesh, which is 0 outside the handles. d are its values at the unknowns, and d'
+  /// those at the other vertices of the region.
+  void right_hand_side(std::span<const Eigen::Vector3d> prescribed, std::span<double> b) const;
 
   /// Replaces `columns` right-hand sides, one after the other, by their solutions.
   void solve_in_place(std::span<double> columns_of_b, std::size_t columns) const;
@@ -81,7 +80,7 @@ class ResponseSystem {
   /// Improves `u` (displacements of the whole mesh) by iterative refinement while the residual is
   /// above rounding. Returns the relative residual, 0 if nothing is prescribed. `forces` are f, or
   /// empty for none.
-  double refine(std::span<const Eigen::Vector3d> wanted, std::span<const double> forces,
+  double refine(std::span<const Eigen::Vector3d> prescribed, std::span<const double> forces,
                 std::vector<Eigen::Vector3d>& u) const;
 
  private:

@@ -4,11 +4,9 @@
 #include <span>
 #include <string>
 
-#include <volk.h>
+#include "lapwing/gpu/owned.h"
 
 namespace lapwing::gpu {
-
-class Context;
 
 /// Who accesses a buffer's memory.
 enum class Memory {
@@ -27,11 +25,8 @@ class Buffer {
   /// GpuError, naming the bytes and the limit, if the memory cannot be allocated.
   Buffer(const Context& context, std::string name, VkDeviceSize bytes,
          Memory memory = Memory::device);
-  ~Buffer();
-  Buffer(Buffer&& other) noexcept;
-  Buffer& operator=(Buffer&& other) noexcept;
 
-  VkBuffer handle() const { return handle_; }
+  VkBuffer handle() const { return handle_.get(); }
   VkDeviceSize bytes() const { return bytes_; }
   const std::string& name() const { return name_; }
 
@@ -44,14 +39,12 @@ class Buffer {
   }
 
  private:
-  void allocate(Memory memory);
-  void release() noexcept;
+  void allocate(const Context& context, Memory memory);
 
-  const Context* context_;
   std::string name_;
   VkDeviceSize bytes_;
-  VkBuffer handle_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  Owned<VkDeviceMemory> memory_;  ///< freed after the buffer is destroyed
+  Owned<VkBuffer> handle_;
   std::byte* mapped_ = nullptr;
 };
 

@@ -5,7 +5,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
-#include "lapwing/gpu/structure.h"
 
 namespace lapwing::gpu {
 namespace {
@@ -24,29 +23,23 @@ CommandList::CommandList(Context& context, std::string name, std::uint32_t times
   if (context.profile() != nullptr && context.limits().timestampComputeAndGraphics != VK_FALSE) {
     profile_capacity_ = kProfileQueries;
   }
-  try {
-    const auto& vk = context.vk();
-    auto pool = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
-    pool.queueFamilyIndex = context.queue_family();
-    context.check(vk.vkCreateCommandPool(context.device(), &pool, nullptr, &pool_),
-                  "vkCreateCommandPool");
-    auto buffer =
-        structure<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
-    buffer.commandPool = pool_;
-    buffer.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    buffer.commandBufferCount = 1;
-    context.check(vk.vkAllocateCommandBuffers(context.device(), &buffer, &handle_),
-                  "vkAllocateCommandBuffers");
-    if (timestamp_capacity_ + profile_capacity_ == 0) return;
-    auto queries = structure<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
-    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    queries.queryCount = timestamp_capacity_ + profile_capacity_;
-    context.check(vk.vkCreateQueryPool(context.device(), &queries, nullptr, &queries_),
-                  "vkCreateQueryPool");
-  } catch (...) {
-    release();
-    throw;
-  }
+  const auto& vk = context.vk();
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.queueFamilyIndex = context.queue_family();
+  pool_ =
+      create(context, vk.vkCreateCommandPool, vk.vkDestroyCommandPool, pool, "vkCreateCommandPool");
+  VkCommandBufferAllocateInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  buffer.commandPool = pool_.get();
+  buffer.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  buffer.commandBufferCount = 1;
+  context.check(vk.vkAllocateCommandBuffers(context.device(), &buffer, &handle_),
+                "vkAllocateCommandBuffers");
+  if (timestamp_capacity_ + profile_capacity_ == 0) return;
+  VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+  queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  queries.queryCount = timestamp_capacity_ + profile_capacity_;
+  queries_ =
+      create(context, vk.vkCreateQueryPool, vk.vkDestroyQueryPool, queries, "vkCreateQueryPool");
 }
 
 CommandList::~CommandList() {
@@ -55,14 +48,6 @@ CommandList::~CommandList() {
   } catch (const std::exception&) {
     // A lost device has nothing left to wait for.
   }
-  release();
-}
-
-void CommandList::release() noexcept {
-  const auto& vk = context_.vk();
-  const VkDevice device = context_.device();
-  if (queries_ != VK_NULL_HANDLE) vk.vkDestroyQueryPool(device, queries_, nullptr);
-  if (pool_ != VK_NULL_HANDLE) vk.vkDestroyCommandPool(device, pool_, nullptr);
 }
 
 std::uint64_t CommandList::submit(std::span<const VkSemaphoreSubmitInfo> waits,
@@ -81,41 +66,32 @@ void CommandList::wait() const {
   if (!in_profile_) add_to_profile();
 }
 
-bool CommandList::done() const {
-  return context_.completed() >= last_submission_;
-}
-
 std::uint64_t CommandList::ticks_at(std::uint32_t query) const {
   std::uint64_t ticks = 0;
   context_.check(context_.vk().vkGetQueryPoolResults(
-                     context_.device(), queries_, query, 1, sizeof ticks, &ticks, sizeof ticks,
-                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                     context_.device(), queries_.get(), query, 1, sizeof ticks, &ticks,
+                     sizeof ticks, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
                  "vkGetQueryPoolResults");
   return ticks;
 }
 
 double CommandList::milliseconds_between(std::uint32_t first, std::uint32_t second) const {
-  if (timestamp_capacity_ == 0) return 0.0;
+  if (queries_.get() == VK_NULL_HANDLE) return 0.0;
   return static_cast<double>(ticks_at(second) - ticks_at(first)) *
          context_.limits().timestampPeriod * kMillisecondsPerNanosecond;
 }
 
 void CommandList::add_to_profile() const {
   in_profile_ = true;
-  const auto milliseconds_from = [&](std::uint32_t query) {
-    if (profile_capacity_ == 0) return 0.0;
-    return static_cast<double>(ticks_at(query + 1) - ticks_at(query)) *
-           context_.limits().timestampPeriod * kMillisecondsPerNanosecond;
-  };
   DeviceUse use;
   use.submissions = 1;
-  use.device_ms = milliseconds_from(timestamp_capacity_);
+  use.device_ms = milliseconds_between(timestamp_capacity_, timestamp_capacity_ + 1);
   std::uint32_t query = timestamp_capacity_ + 2;
   for (const std::string& kernel : profiled_kernels_) {
     KernelUse& own = use.kernels[kernel];
     ++own.dispatches;
     if (query + 1 < timestamp_capacity_ + profile_capacity_) {
-      own.device_ms += milliseconds_from(query);
+      own.device_ms += milliseconds_between(query, query + 1);
     }
     query += 2;
   }

@@ -5,11 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <volk.h>
+#include "lapwing/gpu/owned.h"
 
 namespace lapwing::gpu {
-
-class Context;
 
 /// Commands recorded once by a Recorder and submitted any number of times. Submitting allocates
 /// nothing, so a drag frame is one `run()`. Not thread-safe. The context must outlive it; the
@@ -43,9 +41,6 @@ class CommandList {
   Context& context() const { return context_; }
   const std::string& name() const { return name_; }
   VkCommandBuffer handle() const { return handle_; }
-  bool recorded() const { return recorded_; }
-  /// Returns whether the last submission has finished, or there was none.
-  bool done() const;
 
  private:
   friend class Recorder;
@@ -62,15 +57,14 @@ class CommandList {
     VkPipelineStageFlags2 read_stages;  ///< reads since
   };
 
-  void release() noexcept;
   std::uint64_t ticks_at(std::uint32_t query) const;
   void add_to_profile() const;
 
   Context& context_;
   std::string name_;
-  VkCommandPool pool_ = VK_NULL_HANDLE;
+  Owned<VkCommandPool> pool_;
   VkCommandBuffer handle_ = VK_NULL_HANDLE;
-  VkQueryPool queries_ = VK_NULL_HANDLE;
+  Owned<VkQueryPool> queries_;
   std::uint32_t timestamp_capacity_;
   /// Queries for Context::profile, after the timestamps: one before and after everything, then one
   /// before and after each dispatch, while queries last.

@@ -9,7 +9,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/instance.h"
 #include "lapwing/gpu/results.h"
-#include "lapwing/gpu/structure.h"
 #include "lapwing/gpu/validation.h"
 
 namespace lapwing::gpu {
@@ -25,20 +24,6 @@ std::vector<const char*> device_extensions(const ContextOptions& options) {
   extensions.insert(extensions.end(), options.device_extensions.begin(),
                     options.device_extensions.end());
   return extensions;
-}
-
-// VkPhysicalDeviceFeatures is a plain row of VkBool32.
-VkPhysicalDeviceFeatures intersection(const VkPhysicalDeviceFeatures& a,
-                                      const VkPhysicalDeviceFeatures& b) {
-  constexpr std::size_t kCount = sizeof(VkPhysicalDeviceFeatures) / sizeof(VkBool32);
-  std::array<VkBool32, kCount> x;
-  std::array<VkBool32, kCount> y;
-  std::memcpy(x.data(), &a, sizeof a);
-  std::memcpy(y.data(), &b, sizeof b);
-  for (std::size_t i = 0; i < kCount; ++i) x[i] = x[i] != VK_FALSE && y[i] != VK_FALSE;
-  VkPhysicalDeviceFeatures both;
-  std::memcpy(&both, x.data(), sizeof both);
-  return both;
 }
 
 }  // namespace
@@ -78,9 +63,7 @@ Context::~Context() {
 
 void Context::create_instance(const ContextOptions& options) {
   open_loader();
-  if (options.validation || validation_in_environment()) {
-    validation_ = std::make_unique<Validation>();
-  }
+  if (validation_in_environment()) validation_ = std::make_unique<Validation>();
   instance_ = gpu::create_instance(options.instance_extensions, validation_.get());
   if (validation_) validation_->attach(instance_);
 }
@@ -94,37 +77,29 @@ void Context::create_device(const ContextOptions& options) {
   queue_family_ = chosen.queue_family;
   has_graphics_ = chosen.has_graphics;
 
-  auto v13 = structure<VkPhysicalDeviceVulkan13Properties>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES);
-  auto v11 = structure<VkPhysicalDeviceVulkan11Properties>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES, &v13);
-  auto properties =
-      structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &v11);
+  VkPhysicalDeviceVulkan13Properties v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
+  VkPhysicalDeviceVulkan11Properties v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES,
+                                         &v13};
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &v11};
   vkGetPhysicalDeviceProperties2(physical_device_, &properties);
   limits_ = properties.properties.limits;
   max_allocation_bytes_ = v11.maxMemoryAllocationSize;
   max_buffer_bytes_ = v13.maxBufferSize;
   vkGetPhysicalDeviceMemoryProperties(physical_device_, &memory_);
 
-  VkPhysicalDeviceFeatures available;
-  vkGetPhysicalDeviceFeatures(physical_device_, &available);
-  VkPhysicalDeviceFeatures wanted = options.optional_features;
-  wanted.shaderFloat64 = VK_TRUE;
-
-  auto f13 = structure<VkPhysicalDeviceVulkan13Features>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
+  VkPhysicalDeviceVulkan13Features f13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   f13.synchronization2 = VK_TRUE;
   f13.dynamicRendering = VK_TRUE;
-  auto f12 = structure<VkPhysicalDeviceVulkan12Features>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &f13);
+  VkPhysicalDeviceVulkan12Features f12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &f13};
   f12.timelineSemaphore = VK_TRUE;
   const float priority = 1.0F;
-  auto queue = structure<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
+  VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = queue_family_;
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
-  const VkPhysicalDeviceFeatures enabled = intersection(available, wanted);
-  auto info = structure<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &f12);
+  VkPhysicalDeviceFeatures enabled{};
+  enabled.shaderFloat64 = description_.float64 ? VK_TRUE : VK_FALSE;
+  VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &f12};
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
@@ -136,10 +111,9 @@ void Context::create_device(const ContextOptions& options) {
 }
 
 void Context::create_timeline() {
-  auto type = structure<VkSemaphoreTypeCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO);
+  VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
   type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
-  const auto info =
-      structure<VkSemaphoreCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type);
+  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type};
   check(table_.vkCreateSemaphore(device_, &info, nullptr, &timeline_), "vkCreateSemaphore");
 }
 
@@ -194,9 +168,9 @@ std::uint64_t Context::submit(VkCommandBuffer commands,
   }
   std::array<VkSemaphoreSubmitInfo, kMaxExtraSignals + 1> all_signals{};
   std::copy(signals.begin(), signals.end(), all_signals.begin() + 1);
-  auto buffer = structure<VkCommandBufferSubmitInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO);
+  VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
   buffer.commandBuffer = commands;
-  auto info = structure<VkSubmitInfo2>(VK_STRUCTURE_TYPE_SUBMIT_INFO_2);
+  VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   info.waitSemaphoreInfoCount = static_cast<std::uint32_t>(waits.size());
   info.pWaitSemaphoreInfos = waits.data();
   info.commandBufferInfoCount = 1;
@@ -224,7 +198,7 @@ void Context::wait_idle() noexcept {
 }
 
 void Context::wait(std::uint64_t value) const {
-  auto info = structure<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
+  VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
   info.semaphoreCount = 1;
   info.pSemaphores = &timeline_;
   info.pValues = &value;
@@ -246,14 +220,6 @@ std::uint64_t Context::completed() const {
   check(table_.vkGetSemaphoreCounterValue(device_, timeline_, &value),
         "vkGetSemaphoreCounterValue");
   return value;
-}
-
-std::size_t Context::validation_message_count() const {
-  return validation_messages().size();
-}
-
-std::vector<std::string> Context::validation_messages() const {
-  return validation_ ? validation_->messages() : std::vector<std::string>{};
 }
 
 }  // namespace lapwing::gpu

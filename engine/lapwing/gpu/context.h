@@ -22,12 +22,9 @@ struct ContextOptions {
   /// "auto" (discrete before integrated, virtual and software devices), an index of
   /// `list_devices`, or a part of a device's name in any case.
   std::string device = "auto";
-  /// Validation and synchronization validation; LAPWING_VALIDATION=1 in the environment also turns
-  /// it on. Throws GpuError if the layers are not installed.
-  bool validation = false;
-  std::vector<const char*> instance_extensions;  ///< besides the context's own, such as a window's
-  std::vector<const char*> device_extensions;    ///< besides the context's own
-  VkPhysicalDeviceFeatures optional_features{};  ///< enabled if the device has them
+  std::vector<const char*> instance_extensions =
+      {};  ///< besides the context's own, such as a window's
+  std::vector<const char*> device_extensions = {};  ///< besides the context's own
   /// If false, device memory is never mapped, as on a discrete GPU, so that every copy is staged.
   /// For tests.
   bool map_device_memory = true;
@@ -49,7 +46,9 @@ struct TransferCounts {
 /// be called from several threads. Contexts must be created and destroyed on one thread at a time.
 class Context {
  public:
-  /// Throws GpuError, saying what was tried and what to install, if no device fits.
+  /// LAPWING_VALIDATION=1 in the environment turns on validation and synchronization validation.
+  /// Throws GpuError, saying what was tried and what to install, if no device fits or the layers
+  /// are not installed.
   explicit Context(const ContextOptions& options = {});
   ~Context();
   Context(const Context&) = delete;
@@ -101,8 +100,6 @@ class Context {
   void wait_for_submitted();
   /// Returns the value that the timeline has reached.
   std::uint64_t completed() const;
-  /// For another queue or a presentation to wait on.
-  VkSemaphore timeline() const { return timeline_; }
 
   /// Returns the bytes of all transfers so far, with those that callers counted for mapped memory.
   TransferCounts transfers() const { return {uploaded_, downloaded_}; }
@@ -113,10 +110,6 @@ class Context {
   Profile* profile() const { return profile_.get(); }
 
   bool validation_enabled() const { return validation_ != nullptr; }
-  /// Returns the number of errors and warnings of the validation layers so far; 0 without
-  /// validation.
-  std::size_t validation_message_count() const;
-  std::vector<std::string> validation_messages() const;
 
  private:
   void create_instance(const ContextOptions& options);

@@ -8,7 +8,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/instance.h"
 #include "lapwing/gpu/results.h"
-#include "lapwing/gpu/structure.h"
 
 namespace lapwing::gpu {
 namespace {
@@ -63,12 +62,9 @@ std::string missing_extension(const PhysicalDevice& device,
 
 // Requires Vulkan 1.3, because these structures do not exist before.
 std::string missing_feature(VkPhysicalDevice device) {
-  auto v13 = structure<VkPhysicalDeviceVulkan13Features>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-  auto v12 = structure<VkPhysicalDeviceVulkan12Features>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13);
-  auto features =
-      structure<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12);
+  VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+  VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
+  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12};
   vkGetPhysicalDeviceFeatures2(device, &features);
   if (v12.timelineSemaphore == VK_FALSE) return "timelineSemaphore";
   if (v13.synchronization2 == VK_FALSE) return "synchronization2";
@@ -96,10 +92,8 @@ bool find_queue_family(PhysicalDevice& device) {
 }
 
 PhysicalDevice describe(VkPhysicalDevice handle, std::size_t index) {
-  auto driver = structure<VkPhysicalDeviceDriverProperties>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
-  auto properties = structure<VkPhysicalDeviceProperties2>(
-      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver);
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
   vkGetPhysicalDeviceProperties2(handle, &properties);
   VkPhysicalDeviceFeatures features;
   vkGetPhysicalDeviceFeatures(handle, &features);

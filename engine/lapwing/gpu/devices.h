@@ -4,7 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/base/errors.h"
+
 namespace lapwing::gpu {
+
+/// The driver lost the device. Everything made from its context can only be destroyed. A new
+/// context may open the device again.
+class DeviceLost : public GpuError {
+ public:
+  using GpuError::GpuError;
+};
 
 /// A physical device as the Vulkan loader reports it.
 struct DeviceDescription {

@@ -7,7 +7,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/results.h"
-#include "lapwing/gpu/structure.h"
 #include "lapwing/gpu/validation.h"
 
 namespace lapwing::gpu {
@@ -71,13 +70,13 @@ void open_loader() {
 }
 
 VkInstance create_instance(std::span<const char* const> extensions, const Validation* validation) {
-  auto application = structure<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
   application.pApplicationName = "lapwing";
   application.apiVersion = VK_API_VERSION_1_3;
 
   std::vector<const char*> enabled(extensions.begin(), extensions.end());
   const char* layer = Validation::layer();
-  auto info = structure<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
   info.pApplicationInfo = &application;
   if (validation != nullptr) {
     const auto more = Validation::instance_extensions();

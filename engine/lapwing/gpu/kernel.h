@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <volk.h>
-
+#include "lapwing/gpu/pipeline_layout.h"
 #include "lapwing/gpu/spirv.h"
 
 namespace lapwing::gpu {
-
-class Context;
 
 /// A compute shader ready to dispatch, with push constants and one set of buffers bound by push
 /// descriptors. The number of buffers, and which of them it only reads or only writes, come from
@@ -25,31 +22,22 @@ class Kernel {
   /// or if the device cannot run the shader.
   Kernel(const Context& context, std::string name, std::span<const std::uint32_t> spirv,
          std::uint32_t push_constant_bytes = 0, std::uint32_t workgroup_size = 64);
-  ~Kernel();
-  Kernel(Kernel&& other) noexcept;
-  Kernel& operator=(Kernel&& other) noexcept;
 
   const std::string& name() const { return name_; }
   /// One entry per buffer, in order of binding.
   std::span<const BindingAccess> bindings() const { return bindings_; }
   std::uint32_t push_constant_bytes() const { return push_constant_bytes_; }
   std::uint32_t workgroup_size() const { return workgroup_size_; }
-  VkPipeline pipeline() const { return pipeline_; }
-  VkPipelineLayout layout() const { return layout_; }
+  VkPipeline pipeline() const { return pipeline_.get(); }
+  const PipelineLayout& layout() const { return layout_; }
 
  private:
-  void create_layout();
-  void create_pipeline(std::span<const std::uint32_t> spirv);
-  void release() noexcept;
-
-  const Context* context_;
   std::string name_;
   std::vector<BindingAccess> bindings_;
   std::uint32_t push_constant_bytes_;
   std::uint32_t workgroup_size_;
-  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
-  VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  PipelineLayout layout_;
+  Owned<VkPipeline> pipeline_;
 };
 
 }  // namespace lapwing::gpu

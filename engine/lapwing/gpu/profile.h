@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace lapwing::gpu {
 
@@ -24,9 +25,21 @@ struct DeviceUse {
 /// Thread-safe.
 class Profile {
  public:
-  void add(const DeviceUse& use);
+  void add(const DeviceUse& use) {
+    const std::lock_guard lock(mutex_);
+    sum_.submissions += use.submissions;
+    sum_.device_ms += use.device_ms;
+    for (const auto& [name, kernel] : use.kernels) {
+      KernelUse& sum = sum_.kernels[name];
+      sum.dispatches += kernel.dispatches;
+      sum.device_ms += kernel.device_ms;
+    }
+  }
   /// Returns the work since the last call.
-  DeviceUse take();
+  DeviceUse take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(sum_, {});
+  }
 
  private:
   std::mutex mutex_;

@@ -1,25 +1,20 @@
 #include "lapwing/gpu/recorder.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
-#include "lapwing/gpu/structure.h"
 
 namespace lapwing::gpu {
 namespace {
-
-// Bindings of one kernel; every device with push descriptors takes at least 32.
-constexpr std::size_t kMaxBindings = 16;
 
 constexpr VkAccessFlags2 kAllWrites =
     VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
     VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_HOST_WRITE_BIT;
 
 void barrier(const Context& context, VkCommandBuffer commands, const VkMemoryBarrier2& memory) {
-  auto info = structure<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
+  VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   info.memoryBarrierCount = 1;
   info.pMemoryBarriers = &memory;
   context.vk().vkCmdPipelineBarrier2(commands, &info);
@@ -49,17 +44,16 @@ Recorder::Recorder(CommandList& list) : list_(list) {
   list.wait();
   list.recorded_ = false;
   list.histories_.clear();
-  context.check(vk.vkResetCommandPool(context.device(), list.pool_, 0), "vkResetCommandPool");
-  const auto begin =
-      structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
+  context.check(vk.vkResetCommandPool(context.device(), list.pool_.get(), 0), "vkResetCommandPool");
+  const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   context.check(vk.vkBeginCommandBuffer(list.handle(), &begin), "vkBeginCommandBuffer");
-  if (list.queries_ != VK_NULL_HANDLE) {
-    vk.vkCmdResetQueryPool(list.handle(), list.queries_, 0,
+  if (list.queries_.get() != VK_NULL_HANDLE) {
+    vk.vkCmdResetQueryPool(list.handle(), list.queries_.get(), 0,
                            list.timestamp_capacity_ + list.profile_capacity_);
   }
   list.profiled_kernels_.clear();
   write_profile_timestamp(0);
-  auto earlier = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
+  VkMemoryBarrier2 earlier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   earlier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   earlier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
   earlier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -70,7 +64,7 @@ Recorder::Recorder(CommandList& list) : list_(list) {
 void Recorder::finish() {
   write_profile_timestamp(1);
   const Context& context = list_.context();
-  auto host = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
+  VkMemoryBarrier2 host{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   host.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   host.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
   host.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
@@ -132,7 +126,7 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
                               std::span<const std::byte> push) const {
   const auto bindings = kernel.bindings();
   const VkPhysicalDeviceLimits& limits = list_.context().limits();
-  if (buffers.size() != bindings.size() || buffers.size() > kMaxBindings) {
+  if (buffers.size() != bindings.size()) {
     throw_dispatch_error(kernel, "it takes " + std::to_string(bindings.size()) + " buffers, not " +
                                      std::to_string(buffers.size()));
   }
@@ -162,33 +156,6 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
   }
 }
 
-void Recorder::bind(const Kernel& kernel, std::span<const BufferRange> buffers,
-                    std::span<const std::byte> push) {
-  const auto& vk = list_.context().vk();
-  std::array<VkDescriptorBufferInfo, kMaxBindings> infos;
-  std::array<VkWriteDescriptorSet, kMaxBindings> writes;
-  for (std::uint32_t b = 0; b < buffers.size(); ++b) {
-    const BufferRange& range = buffers[b];
-    // An empty range cannot be bound. The shader does not read what is bound instead.
-    infos[b] = {range.buffer->handle(), range.offset,
-                range.bytes == 0 ? VK_WHOLE_SIZE : range.bytes};
-    writes[b] = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    writes[b].dstBinding = b;
-    writes[b].descriptorCount = 1;
-    writes[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    writes[b].pBufferInfo = &infos[b];
-  }
-  vk.vkCmdBindPipeline(handle(), VK_PIPELINE_BIND_POINT_COMPUTE, kernel.pipeline());
-  if (!buffers.empty()) {
-    vk.vkCmdPushDescriptorSetKHR(handle(), VK_PIPELINE_BIND_POINT_COMPUTE, kernel.layout(), 0,
-                                 static_cast<std::uint32_t>(buffers.size()), writes.data());
-  }
-  if (!push.empty()) {
-    vk.vkCmdPushConstants(handle(), kernel.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
-                          static_cast<std::uint32_t>(push.size()), push.data());
-  }
-}
-
 void Recorder::dispatch(const Kernel& kernel, std::uint64_t invocations,
                         std::span<const BufferRange> buffers, std::span<const std::byte> push) {
   check_dispatch(kernel, buffers, push);
@@ -198,7 +165,7 @@ void Recorder::dispatch(const Kernel& kernel, std::uint64_t invocations,
             {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, shader_access(kernel.bindings()[b])});
   }
   place_pending_barrier();
-  bind(kernel, buffers, push);
+  kernel.layout().bind(handle(), VK_PIPELINE_BIND_POINT_COMPUTE, kernel.pipeline(), buffers, push);
   const std::uint64_t groups =
       (invocations + kernel.workgroup_size() - 1) / kernel.workgroup_size();
   const std::uint64_t row =
@@ -243,12 +210,12 @@ void Recorder::fill(const Buffer& buffer, std::uint32_t word) {
 // they do wait at a barrier. After a draw they also delay the timestamp to the next barrier, and so
 // past any kernel before that.
 void Recorder::write_timestamp(std::uint32_t query) {
-  auto everything = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
+  VkMemoryBarrier2 everything{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   everything.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   everything.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   barrier(list_.context(), handle(), everything);
   list_.context().vk().vkCmdWriteTimestamp2(handle(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                            list_.queries_, query);
+                                            list_.queries_.get(), query);
   if (list_.context().description().type == "software") {
     barrier(list_.context(), handle(), everything);
   }

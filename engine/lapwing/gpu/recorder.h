@@ -73,8 +73,6 @@ class Recorder {
                       std::span<const std::byte> push) const;
   void write_timestamp(std::uint32_t query);
   void write_profile_timestamp(std::uint32_t number);
-  void bind(const Kernel& kernel, std::span<const BufferRange> buffers,
-            std::span<const std::byte> push);
 
   CommandList& list_;
   VkMemoryBarrier2 pending_{};

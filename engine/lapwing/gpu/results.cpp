@@ -1,7 +1,7 @@
 #include "lapwing/gpu/results.h"
 
 #include "lapwing/base/errors.h"
-#include "lapwing/gpu/device_lost.h"
+#include "lapwing/gpu/devices.h"
 
 namespace lapwing::gpu {
 namespace {

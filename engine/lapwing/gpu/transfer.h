@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <ranges>
 #include <span>
 
 #include "lapwing/gpu/buffer.h"
@@ -21,16 +22,16 @@ class Transfer {
 
   /// Copies `data` to `offset` bytes into `buffer`. Throws GpuError if it does not fit.
   void upload(const Buffer& buffer, std::span<const std::byte> data, VkDeviceSize offset = 0);
-  template <typename T>
-  void upload(const Buffer& buffer, std::span<const T> data, VkDeviceSize offset = 0) {
-    upload(buffer, std::as_bytes(data), offset);
+  template <std::ranges::contiguous_range Range>
+  void upload(const Buffer& buffer, const Range& data, VkDeviceSize offset = 0) {
+    upload(buffer, std::span<const std::byte>(std::as_bytes(std::span(data))), offset);
   }
 
   /// Fills `data` from `offset` bytes into `buffer`. Throws GpuError if that exceeds the buffer.
   void download(const Buffer& buffer, std::span<std::byte> data, VkDeviceSize offset = 0);
-  template <typename T>
-  void download(const Buffer& buffer, std::span<T> data, VkDeviceSize offset = 0) {
-    download(buffer, std::as_writable_bytes(data), offset);
+  template <std::ranges::contiguous_range Range>
+  void download(const Buffer& buffer, Range&& data, VkDeviceSize offset = 0) {
+    download(buffer, std::span<std::byte>(std::as_writable_bytes(std::span(data))), offset);
   }
 
  private:

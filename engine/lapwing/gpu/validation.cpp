@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
@@ -59,7 +60,6 @@ Validation::Validation() {
   messenger_info_.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                                 VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   messenger_info_.pfnUserCallback = &Validation::receive;
-  messenger_info_.pUserData = this;
 
   features_.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
   features_.pNext = &messenger_info_;
@@ -84,18 +84,10 @@ void Validation::detach(VkInstance instance) noexcept {
   messenger_ = VK_NULL_HANDLE;
 }
 
-std::vector<std::string> Validation::messages() const {
-  const std::scoped_lock lock(mutex_);
-  return messages_;
-}
-
 VkBool32 Validation::receive(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
                              VkDebugUtilsMessageTypeFlagsEXT /*types*/,
-                             const VkDebugUtilsMessengerCallbackDataEXT* data, void* self) {
-  auto& validation = *static_cast<Validation*>(self);
+                             const VkDebugUtilsMessengerCallbackDataEXT* data, void* /*user*/) {
   std::fprintf(stderr, "Vulkan validation: %s\n", data->pMessage);
-  const std::scoped_lock lock(validation.mutex_);
-  validation.messages_.emplace_back(data->pMessage);
   ++total_messages;
   return VK_FALSE;
 }

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <mutex>
-#include <string>
 #include <vector>
 
 #include <volk.h>
 
 namespace lapwing::gpu {
 
-/// Collects the messages of the validation layers for one instance. Also prints them to stderr.
+/// Prints the messages of the validation layers for one instance to stderr, and counts them.
 class Validation {
  public:
   /// Throws GpuError, saying what to install, if the loader finds no validation layer.
@@ -25,18 +22,14 @@ class Validation {
   /// Call this before the instance is destroyed.
   void detach(VkInstance instance) noexcept;
 
-  std::vector<std::string> messages() const;
-
  private:
   static VkBool32 VKAPI_PTR receive(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                                     VkDebugUtilsMessageTypeFlagsEXT types,
-                                    const VkDebugUtilsMessengerCallbackDataEXT* data, void* self);
+                                    const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
 
   VkDebugUtilsMessengerCreateInfoEXT messenger_info_{};
   VkValidationFeaturesEXT features_{};
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-  mutable std::mutex mutex_;
-  std::vector<std::string> messages_;
 };
 
 }  // namespace lapwing::gpu

@@ -10,8 +10,7 @@
 #include <unistd.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/file_descriptor.h"
-#include "lapwing/io/real_path.h"
+#include "lapwing/io/paths.h"
 
 namespace lapwing {
 namespace {
@@ -36,17 +35,13 @@ fs::path folder_of(const fs::path& target) {
   return target.parent_path();
 }
 
-struct OldFile {
-  bool exists = false;
-  mode_t permissions = 0;
-};
-
-// Throws IoError if the file at `target` cannot be replaced. Messages call it `path`.
-OldFile old_file_at(const fs::path& target, const fs::path& path) {
+// Returns the permissions of the file at `target`, if there is one. Throws IoError if it cannot be
+// replaced; messages call it `path`.
+std::optional<mode_t> old_permissions(const fs::path& target, const fs::path& path) {
   struct stat old {};
   if (::stat(target.c_str(), &old) != 0) {
     if (errno != ENOENT) fail_to_write(path, errno);
-    return {};
+    return std::nullopt;
   }
   if (S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
   if (!S_ISREG(old.st_mode)) {
@@ -54,7 +49,7 @@ OldFile old_file_at(const fs::path& target, const fs::path& path) {
   }
   // A rename needs permission only for the directory, but a read-only file must stay.
   if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(path, errno);
-  return {true, old.st_mode & kPermissions};
+  return old.st_mode & kPermissions;
 }
 
 // Makes the rename survive a power cut. Errors are ignored: the file itself is complete.
@@ -88,158 +83,116 @@ bool remove_stale(const fs::path& path) {
 
 }  // namespace
 
-// A temporary file that the destructor deletes, unless it was put at the target.
-class FileReplacement::Temporary {
- public:
-  explicit Temporary(const fs::path& path)
-      : named_(path), target_(real_path(path)), old_(old_file_at(target_, path)), file_(-1) {}
-  ~Temporary() {
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
+FileReplacement::FileReplacement(const fs::path& path, Unopened /*unused*/)
+    : named_(path), target_(real_path(path)), old_permissions_(old_permissions(target_, path)) {}
 
-  // Not part of the constructor, so that the destructor cleans up if this throws.
-  void open() {
-    if (!open_without_name()) open_with_name();
-    make_private();
-  }
-
-  const fs::path& named() const { return named_; }
-
-  const fs::path& path() {
-    if (path_.empty()) name_it();
-    return path_;
-  }
-
-  void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t put = ::write(file_.get(), bytes.data(), bytes.size());
-      if (put < 0 && errno == EINTR) continue;
-      if (put < 0) fail_to_write(named_, errno);
-      bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-  }
-
-  void flush() {
-    if (::fchmod(file_.get(), permissions_) != 0) fail_to_write(named_, errno);
-    if (::fsync(file_.get()) != 0) fail_to_write(named_, errno);
-  }
-
-  void put_at_target() {
-    // If there is no old file, link the temporary file directly to the target's name.
-    if (path_.empty() && !old_.exists && link_to(target_)) return flush_directory(target_);
-    if (path_.empty()) name_it();
-    if (std::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(named_, errno);
-    path_.clear();
-    flush_directory(target_);
-  }
-
- private:
-  std::string link_of_descriptor() const { return "/proc/self/fd/" + std::to_string(file_.get()); }
-
-  // Not every file system has unnamed files, and without /proc they cannot be named later.
-  bool open_without_name() {
-    file_.reset(::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
-    if (!file_.is_open() || ::access(link_of_descriptor().c_str(), F_OK) != 0) return false;
-    lock(file_.get());
-    return true;
-  }
-
-  void open_with_name() {
-    for_each_name([&](const fs::path& name) {
-      file_.reset(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-      if (!file_.is_open()) return false;
-      path_ = name;
-      lock(file_.get());
-      // Between open and lock, another process may have removed the file as stale.
-      if (is_same_open_file(file_.get(), name)) return true;
-      path_.clear();
-      errno = EEXIST;
-      return false;
-    });
-  }
-
-  void name_it() {
-    for_each_name([&](const fs::path& name) {
-      if (!link_to(name)) return false;
-      path_ = name;
-      return true;
-    });
-  }
-
-  // Tries names until `take` returns true. If `take` returns false, it has set errno.
-  template <class Take>
-  void for_each_name(const Take& take) {
-    for (int number = 0;; ++number) {
-      fs::path name = target_;
-      name += ".tmp-" + std::to_string(number);
-      do {
-        if (take(name)) return;
-        if (errno != EEXIST) fail_to_write(named_, errno);
-      } while (remove_stale(name));
-    }
-  }
-
-  bool link_to(const fs::path& name) {
-    if (::linkat(AT_FDCWD, link_of_descriptor().c_str(), AT_FDCWD, name.c_str(),
-                 AT_SYMLINK_FOLLOW) == 0) {
-      return true;
-    }
-    if (errno != EEXIST) fail_to_write(named_, errno);
-    return false;
-  }
-
-  // Hides the file until `flush` gives it its permissions: those of the old file, or the system's
-  // default for a new one.
-  void make_private() {
-    struct stat given {};
-    if (::fstat(file_.get(), &given) != 0) fail_to_write(named_, errno);
-    permissions_ = old_.exists ? old_.permissions : given.st_mode & kPermissions;
-    if (::fchmod(file_.get(), kPrivate) != 0) fail_to_write(named_, errno);
-  }
-
-  fs::path named_;  // as the caller and messages call it
-  fs::path target_;
-  OldFile old_;
-  mode_t permissions_ = 0;
-  FileDescriptor file_;
-  fs::path path_;  // empty while the file has no name
-};
-
-FileReplacement::FileReplacement(const fs::path& path)
-    : temporary_(std::make_unique<Temporary>(path)) {
-  temporary_->open();
+// Delegates, so that the destructor cleans up if opening throws.
+FileReplacement::FileReplacement(const fs::path& path) : FileReplacement(path, Unopened{}) {
+  if (!open_without_name()) open_with_name();
+  make_private();
 }
 
-FileReplacement::~FileReplacement() = default;
-FileReplacement::FileReplacement(FileReplacement&&) noexcept = default;
-FileReplacement& FileReplacement::operator=(FileReplacement&&) noexcept = default;
-
-const fs::path& FileReplacement::path() const {
-  return temporary_->named();
+FileReplacement::~FileReplacement() {
+  if (!path_.empty()) ::unlink(path_.c_str());
 }
 
 const fs::path& FileReplacement::temporary() {
-  return temporary_->path();
+  if (path_.empty()) name_it();
+  return path_;
 }
 
 void FileReplacement::write(std::string_view bytes) {
-  temporary_->write(bytes);
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(file_.get(), bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) fail_to_write(named_, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
 }
 
 void FileReplacement::flush() {
-  temporary_->flush();
+  if (::fchmod(file_.get(), permissions_) != 0) fail_to_write(named_, errno);
+  if (::fsync(file_.get()) != 0) fail_to_write(named_, errno);
 }
 
 void FileReplacement::commit() {
-  temporary_->flush();
-  temporary_->put_at_target();
+  flush();
+  // If there is no old file, link the temporary file directly to the target's name.
+  if (path_.empty() && !old_permissions_ && link_to(target_)) return flush_directory(target_);
+  if (path_.empty()) name_it();
+  if (std::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(named_, errno);
+  path_.clear();
+  flush_directory(target_);
+}
+
+std::string FileReplacement::link_of_descriptor() const {
+  return "/proc/self/fd/" + std::to_string(file_.get());
+}
+
+// Not every file system has unnamed files, and without /proc they cannot be named later.
+bool FileReplacement::open_without_name() {
+  file_.reset(::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (!file_.is_open() || ::access(link_of_descriptor().c_str(), F_OK) != 0) return false;
+  lock(file_.get());
+  return true;
+}
+
+// Tries names until `take` returns true. If `take` returns false, it has set errno.
+template <class Take>
+void FileReplacement::for_each_name(const Take& take) {
+  for (int number = 0;; ++number) {
+    fs::path name = target_;
+    name += ".tmp-" + std::to_string(number);
+    do {
+      if (take(name)) return;
+      if (errno != EEXIST) fail_to_write(named_, errno);
+    } while (remove_stale(name));
+  }
+}
+
+void FileReplacement::open_with_name() {
+  for_each_name([&](const fs::path& name) {
+    file_.reset(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!file_.is_open()) return false;
+    path_ = name;
+    lock(file_.get());
+    // Between open and lock, another process may have removed the file as stale.
+    if (is_same_open_file(file_.get(), name)) return true;
+    path_.clear();
+    errno = EEXIST;
+    return false;
+  });
+}
+
+void FileReplacement::name_it() {
+  for_each_name([&](const fs::path& name) {
+    if (!link_to(name)) return false;
+    path_ = name;
+    return true;
+  });
+}
+
+bool FileReplacement::link_to(const fs::path& name) {
+  if (::linkat(AT_FDCWD, link_of_descriptor().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) ==
+      0) {
+    return true;
+  }
+  if (errno != EEXIST) fail_to_write(named_, errno);
+  return false;
+}
+
+// Hides the file until `flush` gives it its permissions: those of the old file, or the system's
+// default for a new one.
+void FileReplacement::make_private() {
+  struct stat given {};
+  if (::fstat(file_.get(), &given) != 0) fail_to_write(named_, errno);
+  permissions_ = old_permissions_.value_or(given.st_mode & kPermissions);
+  if (::fchmod(file_.get(), kPrivate) != 0) fail_to_write(named_, errno);
 }
 
 void require_replaceable(const fs::path& path) {
   const fs::path target = real_path(path);
-  old_file_at(target, path);
+  old_permissions(target, path);
   if (::faccessat(AT_FDCWD, folder_of(target).c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
     fail_to_write(path, errno);
   }
@@ -252,22 +205,22 @@ void replace_file(const fs::path& path, std::string_view bytes) {
 }
 
 void FileReplacements::add(const fs::path& path, std::string_view bytes) {
-  FileReplacement file(path);
-  file.write(bytes);
-  file.flush();
+  auto file = std::make_unique<FileReplacement>(path);
+  file->write(bytes);
+  file->flush();
   files_.push_back(std::move(file));
 }
 
 void FileReplacements::commit() {
   std::string in_place;
-  for (FileReplacement& file : files_) {
+  for (const auto& file : files_) {
     try {
-      file.commit();
+      file->commit();
     } catch (const IoError& error) {
       if (in_place.empty()) throw;
       throw IoError(std::string(error.what()) + ". Already written: " + in_place);
     }
-    in_place += (in_place.empty() ? "" : ", ") + file.path().string();
+    in_place += (in_place.empty() ? "" : ", ") + file->path().string();
   }
   files_.clear();
 }

@@ -2,8 +2,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <sys/types.h>
 #include <vector>
+
+#include "lapwing/io/file_bytes.h"
 
 namespace lapwing {
 
@@ -29,10 +34,10 @@ class FileReplacement {
  public:
   explicit FileReplacement(const std::filesystem::path& path);
   ~FileReplacement();
-  FileReplacement(FileReplacement&&) noexcept;
-  FileReplacement& operator=(FileReplacement&&) noexcept;
+  FileReplacement(const FileReplacement&) = delete;
+  FileReplacement& operator=(const FileReplacement&) = delete;
 
-  const std::filesystem::path& path() const;  ///< as passed to the constructor
+  const std::filesystem::path& path() const { return named_; }  ///< as passed to the constructor
   /// Gives the temporary file a name beside the target, so that another program can write to it.
   const std::filesystem::path& temporary();
   void write(std::string_view bytes);  ///< appends
@@ -40,8 +45,23 @@ class FileReplacement {
   void commit();                       ///< flushes, then replaces the target
 
  private:
-  class Temporary;
-  std::unique_ptr<Temporary> temporary_;
+  struct Unopened {};
+  FileReplacement(const std::filesystem::path& path, Unopened);
+  std::string link_of_descriptor() const;
+  bool open_without_name();
+  void open_with_name();
+  void name_it();
+  template <class Take>
+  void for_each_name(const Take& take);
+  bool link_to(const std::filesystem::path& name);
+  void make_private();
+
+  std::filesystem::path named_;
+  std::filesystem::path target_;
+  std::optional<mode_t> old_permissions_;  // of the old file, if there is one
+  mode_t permissions_ = 0;
+  FileDescriptor file_{-1};
+  std::filesystem::path path_;  // empty while the temporary file has no name
 };
 
 /// Several files that belong together. All are complete on the disk before the first one is put in
@@ -55,7 +75,7 @@ class FileReplacements {
   void commit();
 
  private:
-  std::vector<FileReplacement> files_;
+  std::vector<std::unique_ptr<FileReplacement>> files_;
 };
 
 }  // namespace lapwing

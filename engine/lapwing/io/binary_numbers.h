@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,27 +16,35 @@ namespace lapwing {
 
 namespace detail {
 
-template <class Unsigned>
-constexpr Unsigned swap_bytes(Unsigned value) {
-  Unsigned swapped = 0;
-  for (std::size_t i = 0; i < sizeof value; ++i) {
-    swapped = static_cast<Unsigned>((swapped << 8U) | ((value >> (8U * i)) & 0xFFU));
+/// Calls `act` with a zero of the C++ type of `type`.
+template <class Act>
+auto with_type_of(Scalar type, const Act& act) {
+  switch (type) {
+    case Scalar::int8:
+      return act(std::int8_t{});
+    case Scalar::uint8:
+      return act(std::uint8_t{});
+    case Scalar::int16:
+      return act(std::int16_t{});
+    case Scalar::uint16:
+      return act(std::uint16_t{});
+    case Scalar::int32:
+      return act(std::int32_t{});
+    case Scalar::uint32:
+      return act(std::uint32_t{});
+    case Scalar::float32:
+      return act(float{});
+    case Scalar::float64:
+      break;
   }
-  return swapped;
+  return act(double{});
 }
 
-inline bool is_foreign(Encoding encoding) {
-  return (encoding == Encoding::big_endian) != (std::endian::native == std::endian::big);
-}
-
-template <class T, class Bits>
-T load_as(const char* from, bool foreign) {
-  Bits bits = 0;
-  std::memcpy(&bits, from, sizeof bits);
-  if constexpr (sizeof bits > 1) {
-    if (foreign) bits = swap_bytes(bits);
-  }
-  return std::bit_cast<T>(bits);
+/// Converts between the byte order of `encoding` and that of this machine.
+template <std::size_t N>
+void reorder(std::array<char, N>& bytes, Encoding encoding) {
+  const bool is_big = std::endian::native == std::endian::big;
+  if ((encoding == Encoding::big_endian) != is_big) std::ranges::reverse(bytes);
 }
 
 template <class T>
@@ -49,73 +58,26 @@ T convert(double value) {
   }
 }
 
-template <class T, class Bits>
-void store_as(char* to, double value, bool foreign) {
-  auto bits = std::bit_cast<Bits>(convert<T>(value));
-  if constexpr (sizeof bits > 1) {
-    if (foreign) bits = swap_bytes(bits);
-  }
-  std::memcpy(to, &bits, sizeof bits);
-}
-
 }  // namespace detail
 
 /// Returns the number of the given type and byte order at `from`. Every type fits a double.
 inline double load_number(const char* from, Scalar type, Encoding encoding) {
-  using namespace detail;
-  const bool foreign = is_foreign(encoding);
-  switch (type) {
-    case Scalar::int8:
-      return load_as<std::int8_t, std::uint8_t>(from, foreign);
-    case Scalar::uint8:
-      return load_as<std::uint8_t, std::uint8_t>(from, foreign);
-    case Scalar::int16:
-      return load_as<std::int16_t, std::uint16_t>(from, foreign);
-    case Scalar::uint16:
-      return load_as<std::uint16_t, std::uint16_t>(from, foreign);
-    case Scalar::int32:
-      return load_as<std::int32_t, std::uint32_t>(from, foreign);
-    case Scalar::uint32:
-      return load_as<std::uint32_t, std::uint32_t>(from, foreign);
-    case Scalar::float32:
-      return double{load_as<float, std::uint32_t>(from, foreign)};
-    case Scalar::float64:
-      return load_as<double, std::uint64_t>(from, foreign);
-  }
-  return 0.0;
+  return detail::with_type_of(type, [&]<class T>(T) {
+    std::array<char, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), from, sizeof(T));
+    detail::reorder(bytes, encoding);
+    return static_cast<double>(std::bit_cast<T>(bytes));
+  });
 }
 
 /// Writes `size_of(type)` bytes to `to`. Integers are rounded and clamped to their range; NaN
 /// becomes 0.
 inline void store_number(char* to, double value, Scalar type, Encoding encoding) {
-  using namespace detail;
-  const bool foreign = is_foreign(encoding);
-  switch (type) {
-    case Scalar::int8:
-      store_as<std::int8_t, std::uint8_t>(to, value, foreign);
-      break;
-    case Scalar::uint8:
-      store_as<std::uint8_t, std::uint8_t>(to, value, foreign);
-      break;
-    case Scalar::int16:
-      store_as<std::int16_t, std::uint16_t>(to, value, foreign);
-      break;
-    case Scalar::uint16:
-      store_as<std::uint16_t, std::uint16_t>(to, value, foreign);
-      break;
-    case Scalar::int32:
-      store_as<std::int32_t, std::uint32_t>(to, value, foreign);
-      break;
-    case Scalar::uint32:
-      store_as<std::uint32_t, std::uint32_t>(to, value, foreign);
-      break;
-    case Scalar::float32:
-      store_as<float, std::uint32_t>(to, value, foreign);
-      break;
-    case Scalar::float64:
-      store_as<double, std::uint64_t>(to, value, foreign);
-      break;
-  }
+  detail::with_type_of(type, [&]<class T>(T) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(detail::convert<T>(value));
+    detail::reorder(bytes, encoding);
+    std::memcpy(to, bytes.data(), sizeof(T));
+  });
 }
 
 inline void append_binary(std::string& out, double value, Scalar type, Encoding encoding) {

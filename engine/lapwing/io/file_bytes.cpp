@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/file_descriptor.h"
 
 namespace lapwing {
+
 namespace {
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, int error) {

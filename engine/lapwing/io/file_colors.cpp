@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/grouped.h"
-#include "lapwing/io/gltf_materials.h"
-#include "lapwing/io/material_library.h"
-#include "lapwing/io/named_file.h"
+#include "lapwing/base/printable_text.h"
+#include "lapwing/io/mesh_materials.h"
 #include "lapwing/io/reading.h"
 
 namespace lapwing {
@@ -44,14 +44,13 @@ class ImageCache {
   Index add(const std::string& name, const fs::path& namer, const fs::path& mesh) {
     const auto [known, is_new] = by_name_.try_emplace({namer, name}, kNoIndex);
     if (!is_new) return known->second;
-    std::optional<fs::path> path = find_named_file(namer.parent_path(), name);
-    if (!path) path = find_named_file(mesh.parent_path(), name);
-    if (!path) {
-      notes_.push_back("image '" + name + "' is not beside " + namer.string() + "; put it there");
-    } else {
-      known->second = add_file(*path);
-    }
+    const std::optional<fs::path> path = find_image(name, namer, mesh, notes_);
+    if (path) known->second = add_file({.path = *path});
     return known->second;
+  }
+  /// The same for an image that is embedded in the file of the mesh.
+  Index add(const std::string& name, const std::shared_ptr<const std::string>& bytes) {
+    return add_file({.path = name, .bytes = bytes});
   }
 
   /// Reads all images, halved until they fit. An unreadable image has no pixels.
@@ -60,7 +59,9 @@ class ImageCache {
     std::vector<Image> images(files_.size());
     for (std::size_t i = 0; i < files_.size(); ++i) {
       try {
-        images[i] = read_image(files_[i].path);
+        const File& file = files_[i];
+        images[i] =
+            file.bytes ? decode_image(*file.bytes, file.path.string()) : read_image(file.path);
         for (int h = 0; h < files_[i].halvings; ++h) images[i] = halved(images[i]);
       } catch (const Error& error) {
         notes_.emplace_back(error.what());
@@ -73,20 +74,26 @@ class ImageCache {
  private:
   struct File {
     fs::path path;
-    ImageSize size;  ///< after the halvings
+    std::shared_ptr<const std::string> bytes = {};  ///< of an embedded image
+    ImageSize size = {};                            ///< after the halvings
     int halvings = 0;
   };
 
-  Index add_file(const fs::path& path) {
-    const auto same = std::ranges::find(files_, path, &File::path);
+  Index add_file(File file) {
+    const auto same = std::ranges::find_if(files_, [&](const File& other) {
+      return other.path == file.path && other.bytes == file.bytes;
+    });
     if (same != files_.end()) return static_cast<Index>(same - files_.begin());
     if (files_.size() == kMostImages) {
-      notes_.push_back(path.string() + ": the image is not shown, because there are more than " +
+      notes_.push_back(file.path.string() +
+                       ": the image is not shown, because there are more than " +
                        grouped(kMostImages) + " images; combine some of them");
       return kNoIndex;
     }
     try {
-      files_.push_back({path, read_image_size(path)});
+      file.size = file.bytes ? decode_image_size(*file.bytes, file.path.string())
+                             : read_image_size(file.path);
+      files_.push_back(std::move(file));
       return static_cast<Index>(files_.size() - 1);
     } catch (const Error& error) {
       notes_.emplace_back(error.what());
@@ -124,13 +131,13 @@ class FileColorReader {
 
   FileColors read() {
     if (!attributes_.materials.empty() || !attributes_.material_libraries.empty()) {
-      read_libraries();
       take_materials();
     } else {
       take_textures();
     }
     take_images();
     check_corners();
+    note_unread();
     if (notes_.size() > kMostNotes) {
       const std::size_t more = notes_.size() - kMostNotes;
       notes_.resize(kMostNotes);
@@ -141,106 +148,32 @@ class FileColorReader {
   }
 
  private:
-  struct Known {
-    Material material;
-    fs::path library;
-  };
-
-  void read_libraries() {
-    if (is_gltf(format_of(split_mesh_path(path_).file))) return add_materials_of_gltf();
-    for (const std::string& names : attributes_.material_libraries) {
-      // The line may be one name with blanks, or several names.
-      if (read_library(names)) continue;
-      bool found = false;
-      for (std::size_t at = 0; at < names.size();) {
-        const std::size_t end = std::min(names.find(' ', at), names.size());
-        if (end > at) found = read_library(names.substr(at, end - at)) || found;
-        at = end + 1;
-      }
-      if (!found && !attributes_.materials.empty()) read_library_of_same_name(names);
-    }
-    if (attributes_.material_libraries.empty()) {
-      notes_.push_back(path_.string() +
-                       " names materials but no library (mtllib); export it again with one");
-    }
-  }
-
-  void add_materials_of_gltf() {
-    try {
-      for (Material& material : read_gltf_materials(path_, notes_)) {
-        std::string name = material.name;
-        known_.try_emplace(std::move(name), Known{std::move(material), path_});
-      }
-    } catch (const Error& error) {
-      notes_.emplace_back(error.what());
-    }
-  }
-
-  bool read_library(const std::string& name) {
-    const auto path = find_named_file(path_.parent_path(), name);
-    if (path) add_library(*path);
-    return path.has_value();
-  }
-
-  void read_library_of_same_name(const std::string& missing) {
-    const std::string own = path_.stem().string() + ".mtl";
-    std::string note =
-        "material library '" + missing + "' is not beside " + path_.string() + "; put it there";
-    if (read_library(own)) note += " (" + own + " was read in its place)";
-    notes_.push_back(std::move(note));
-  }
-
-  void add_library(const fs::path& path) {
-    try {
-      for (Material& material : read_material_library(path, notes_)) {
-        std::string name = material.name;
-        known_.try_emplace(std::move(name), Known{std::move(material), path});
-      }
-    } catch (const Error& error) {
-      notes_.emplace_back(error.what());
-    }
-  }
-
   void take_materials() {
-    if (attributes_.materials.empty() && !known_.empty()) {
-      notes_.push_back(path_.string() +
-                       " does not assign materials of its library to faces (usemtl); export it "
-                       "again with them");
-    }
-    std::vector<char> has_faces(attributes_.materials.size(), 0);
-    for (const Index material : attributes_.face_materials) {
-      if (material != kNoIndex) has_faces[material] = 1;
-    }
-    for (std::size_t m = 0; m < has_faces.size(); ++m) {
-      const std::string& name = attributes_.materials[m];
-      if (has_faces[m] == 0) continue;
-      const auto known = known_.find(name);
-      if (known != known_.end()) {
-        take_material(known->second);
-      } else if (!known_.empty()) {
-        notes_.push_back("material '" + name + "' is not in the libraries of " + path_.string() +
-                         "; its faces have no colour until it is added");
-      }
+    for (const std::optional<FoundMaterial>& found : find_materials(mesh_, path_, notes_)) {
+      if (found) take_material(*found);
     }
   }
 
-  void take_material(const Known& known) {
-    const Material& from = known.material;
+  void take_material(const FoundMaterial& found) {
+    const Material& from = found.material;
     FileMaterial& material =
         colors_.materials.emplace_back(FileMaterial{.name = from.name, .color = from.color});
     material.uv_scale = from.uv_scale;
     material.uv_offset = from.uv_offset;
-    if (!from.image.empty()) material.image = add_image(from.image, known.library);
+    material.is_clamped = from.is_clamped;
+    if (from.image.empty() || !has_corners()) return;
+    material.image = from.embedded_image ? shelf_.add(from.image, from.embedded_image)
+                                         : shelf_.add(from.image, found.file, path_);
   }
 
-  // Adds the image `name` that `namer` refers to. It needs texture coordinates to be shown.
-  Index add_image(const std::string& name, const fs::path& namer) {
-    if (!attributes_.corner_uvs.empty()) return shelf_.add(name, namer, path_);
+  // Images need texture coordinates to be shown.
+  bool has_corners() {
+    if (!attributes_.corner_uvs.empty()) return true;
     if (!std::exchange(lacks_corners_, true)) {
       notes_.push_back(path_.string() +
                        " has no texture coordinates; the images of its materials are not shown");
     }
-    return kNoIndex;
+    return false;
   }
 
   void take_textures() {
@@ -249,7 +182,7 @@ class FileColorReader {
       colors_.are_numbered = true;
       FileMaterial& texture = colors_.materials.emplace_back();
       texture.name = comment.substr(kTextureComment.size());
-      texture.image = add_image(texture.name, path_);
+      if (has_corners()) texture.image = shelf_.add(texture.name, path_, path_);
     }
   }
 
@@ -261,21 +194,54 @@ class FileColorReader {
     }
   }
 
-  // Notes the faces that lack texture coordinates for the image of their material.
+  // Notes the faces that lack texture coordinates for the image of their material, and those that
+  // are beyond an image that the file does not repeat.
   void check_corners() {
     const std::vector<Index> materials = materials_of_faces(colors_, mesh_);
     std::vector<std::size_t> without(colors_.materials.size(), 0);
+    std::vector<std::size_t> beyond(colors_.materials.size(), 0);
     for (std::size_t f = 0; f < materials.size(); ++f) {
       if (materials[f] == kNoIndex || colors_.materials[materials[f]].image == kNoIndex) continue;
-      const Index* const first = attributes_.corner_uvs.data() + mesh_.face_starts()[f];
-      const Index* const last = attributes_.corner_uvs.data() + mesh_.face_starts()[f + 1];
-      if (std::find(first, last, kNoIndex) != last) ++without[materials[f]];
+      const FileMaterial& material = colors_.materials[materials[f]];
+      const auto corners =
+          std::span(attributes_.corner_uvs).subspan(mesh_.face_starts()[f], mesh_.face(f).size());
+      if (std::ranges::find(corners, kNoIndex) != corners.end()) {
+        ++without[materials[f]];
+      } else if (material.is_clamped && !are_inside(material, corners)) {
+        ++beyond[materials[f]];
+      }
     }
     for (std::size_t m = 0; m < without.size(); ++m) {
-      if (without[m] == 0) continue;
-      notes_.push_back("faces of material '" + colors_.materials[m].name +
-                       "' have no texture coordinates (" + grouped(without[m]) +
-                       "); add texture coordinates to show the image");
+      const std::string faces = "faces of material '" + colors_.materials[m].name + "' ";
+      if (without[m] > 0) {
+        notes_.push_back(faces + "have no texture coordinates (" + grouped(without[m]) +
+                         "); add texture coordinates to show the image");
+      }
+      if (beyond[m] > 0) {
+        notes_.push_back(faces + "are partly beyond their image (" + grouped(beyond[m]) +
+                         "), which -clamp shows only once; here it is repeated");
+      }
+    }
+  }
+
+  // Whether the corners are in the image, to rounding.
+  bool are_inside(const FileMaterial& material, std::span<const Index> corners) const {
+    constexpr double kRounding = 1e-4;
+    return std::ranges::all_of(corners, [&](Index uv) {
+      const Eigen::Vector2d at =
+          material.uv_scale.cwiseProduct(attributes_.uvs[uv]) + material.uv_offset;
+      return at.minCoeff() > -kRounding && at.maxCoeff() < 1.0 + kRounding;
+    });
+  }
+
+  // Notes colours, and numbers that may be colours, which the reader of the mesh could not use.
+  void note_unread() {
+    for (const std::string& what : attributes_.uneditable) {
+      const bool are_indices = what.starts_with(kColorMapIndices);
+      if (!are_indices && !what.starts_with(kUndeclaredNumbers)) continue;
+      notes_.push_back(path_.string() + " has " + what + ", which are not shown; " +
+                       (are_indices ? "write the colours of the map instead, as red green blue"
+                                    : "if they are colours, begin the file with COFF"));
     }
   }
 
@@ -283,7 +249,6 @@ class FileColorReader {
   const MeshAttributes& attributes_;
   const fs::path& path_;
   std::vector<std::string> notes_;
-  std::unordered_map<std::string, Known> known_;
   ImageCache shelf_{notes_};
   bool lacks_corners_ = false;
   FileColors colors_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/json/suggest.h"
@@ -10,22 +11,11 @@ namespace lapwing {
 namespace {
 
 Scalar type_of(const JsonNode& node) {
-  switch (node.count()) {
-    case 5120:
-      return Scalar::int8;
-    case 5121:
-      return Scalar::uint8;
-    case 5122:
-      return Scalar::int16;
-    case 5123:
-      return Scalar::uint16;
-    case 5125:
-      return Scalar::uint32;
-    case 5126:
-      return Scalar::float32;
-    default:
-      node.fail_expecting("a component type (5120 to 5123, 5125 or 5126)");
+  for (const Scalar type : {Scalar::int8, Scalar::uint8, Scalar::int16, Scalar::uint16,
+                            Scalar::uint32, Scalar::float32}) {
+    if (node.count() == component_type(type)) return type;
   }
+  node.fail_expecting("a component type (5120 to 5123, 5125 or 5126)");
 }
 
 std::size_t components_of(const JsonNode& node) {
@@ -35,20 +25,11 @@ std::size_t components_of(const JsonNode& node) {
   return kComponents[node.one_of("type", kTypes)];
 }
 
-// Returns the integer that stands for 1 in a normalized accessor.
+// Returns the number that stands for 1 in a normalized accessor.
 double largest(Scalar type) {
-  switch (type) {
-    case Scalar::int8:
-      return 127.0;
-    case Scalar::uint8:
-      return 255.0;
-    case Scalar::int16:
-      return 32767.0;
-    case Scalar::uint16:
-      return 65535.0;
-    default:
-      return 1.0;
-  }
+  return detail::with_type_of(type, []<class T>(T) {
+    return sizeof(T) < 4 ? static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
+  });
 }
 
 std::size_t count_or(const JsonNode& node, const char* key, std::size_t otherwise) {

@@ -10,6 +10,11 @@
 
 namespace lapwing {
 
+/// Returns the "componentType" of the specification for a number type that glTF has.
+constexpr unsigned component_type(Scalar type) {
+  return 5120U + static_cast<unsigned>(type);
+}
+
 /// Location of a number: its buffer and its first byte.
 struct GltfPlace {
   std::size_t buffer = 0;

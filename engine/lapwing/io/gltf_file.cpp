@@ -1,9 +1,8 @@
 #include "lapwing/io/gltf_file.h"
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/base64.h"
 #include "lapwing/io/binary_numbers.h"
-#include "lapwing/io/named_file.h"
+#include "lapwing/io/paths.h"
 #include "lapwing/io/uri.h"
 
 namespace lapwing {
@@ -51,10 +50,9 @@ GltfFile::GltfFile(const SourceFile& file)
       json_(file.bytes()),
       root_([this] {
         if (is_binary_) split_chunks();
-        // Some exporters pad the chunk with NULs, which are not JSON.
-        return JsonNode::parse(json_.substr(0, json_.find_last_not_of('\0') + 1),
-                               source_.path().string());
-      }()) {
+        return JsonNode::parse(json_, source_.path().string());
+      }()),
+      json_text_(json_, source_.path().string()) {
   const auto asset = root_.find("asset");
   const auto version = asset ? asset->find("version") : std::nullopt;
   if (!version || !version->is_string() || !version->string().starts_with("2.")) {
@@ -91,8 +89,11 @@ void GltfFile::split_chunks() {
   if (length < at + kGlbChunkHeaderSize || word_at(bytes, at + 4) != kGlbJson) {
     source_.fail(at, "the first chunk of a GLB must be JSON");
   }
-  json_ = chunk_at(at);
-  at += kGlbChunkHeaderSize + json_.size();
+  const std::string_view padded = chunk_at(at);
+  // Some exporters pad the chunk with NULs, which are not JSON.
+  constexpr std::string_view kPadding(" \t\r\n\0", 5);
+  json_ = padded.substr(0, padded.find_last_not_of(kPadding) + 1);
+  at += kGlbChunkHeaderSize + padded.size();
   if (length >= at + kGlbChunkHeaderSize && word_at(bytes, at + 4) == kGlbBinary) {
     chunk_ = chunk_at(at);
     at += kGlbChunkHeaderSize + chunk_->size();
@@ -152,9 +153,46 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
   return buffer;
 }
 
-std::string gltf_material_name(const JsonNode& material, std::size_t number) {
-  const auto name = material.find("name");
-  return name && name->is_string() ? name->string() : "material " + std::to_string(number);
+std::vector<std::string> gltf_material_names(const JsonNode& root) {
+  std::vector<std::string> names;
+  const auto materials = root.find("materials");
+  if (!materials) return names;
+  std::set<std::string> taken;
+  for (const JsonNode& material : materials->elements()) {
+    const std::string numbered = "material " + std::to_string(names.size());
+    const auto node = material.find("name");
+    std::string name = node && node->is_string() ? node->string() : std::string();
+    if (name.empty()) name = numbered;
+    if (!taken.insert(name).second) name += " (" + numbered + ")";
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::optional<std::size_t> base_color_image(const JsonNode& root, const JsonNode& material) {
+  const auto surface = material.find("pbrMetallicRoughness");
+  const auto texture = surface ? surface->find("baseColorTexture") : std::nullopt;
+  const auto number = texture ? texture->find("index") : std::nullopt;
+  const auto textures = number ? root.find("textures") : std::nullopt;
+  const auto found = textures ? textures->element(number->count()) : std::nullopt;
+  const auto source = found ? found->find("source") : std::nullopt;
+  const auto images = source ? root.find("images") : std::nullopt;
+  if (!images || !images->element(source->count())) return {};
+  return source->count();
+}
+
+std::set<std::size_t> base_color_images(const JsonNode& root) {
+  std::set<std::size_t> images;
+  const auto materials = root.find("materials");
+  if (!materials) return images;
+  for (const JsonNode& material : materials->elements()) {
+    try {
+      if (const auto image = base_color_image(root, material)) images.insert(*image);
+    } catch (const InputError&) {
+      // A malformed texture does not prevent editing the mesh.
+    }
+  }
+  return images;
 }
 
 std::string glb_of(std::string_view json, std::optional<std::string_view> buffer,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/source_file.h"
 #include "lapwing/json/json_node.h"
+#include "lapwing/json/json_text.h"
 
 namespace lapwing {
 
@@ -34,9 +36,9 @@ class GltfFile {
 
   const SourceFile& source() const { return source_; }
   bool is_binary() const { return is_binary_; }
-  /// The JSON text, including the padding of its chunk.
-  std::string_view json() const { return json_; }
   const JsonNode& root() const { return root_; }
+  /// Finds values of `root` in their text, without the padding of its chunk.
+  const JsonText& json() const { return json_text_; }
   const std::vector<GltfBuffer>& buffers() const { return buffers_; }
   /// The binary chunk of a GLB, even if no buffer uses it.
   std::optional<std::string_view> chunk() const { return chunk_; }
@@ -57,6 +59,7 @@ class GltfFile {
   std::string_view further_chunks_;
   std::string_view tail_;
   JsonNode root_;
+  JsonText json_text_;
   std::vector<GltfBuffer> buffers_;
   std::vector<std::unique_ptr<const std::string>> decoded_;
   std::vector<std::unique_ptr<const FileBytes>> files_;
@@ -69,8 +72,15 @@ inline constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeaderSize = 12;
 inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
-/// Returns the name of material `number`, or "material 3" if it has none.
-std::string gltf_material_name(const JsonNode& material, std::size_t number);
+/// Returns the names of the materials, "material 3" for one without. They are unique: a name that
+/// an earlier material has becomes "Skin (material 3)".
+std::vector<std::string> gltf_material_names(const JsonNode& root);
+
+/// Returns the index of the image of a material's base colour, if it has one. Throws InputError if
+/// the texture is malformed.
+std::optional<std::size_t> base_color_image(const JsonNode& root, const JsonNode& material);
+/// Returns the images of all base colours that are well-formed.
+std::set<std::size_t> base_color_images(const JsonNode& root);
 
 /// Returns a GLB of `json`, the first buffer and `further_chunks`. Throws InputError above 4 GB.
 std::string glb_of(std::string_view json, std::optional<std::string_view> buffer,

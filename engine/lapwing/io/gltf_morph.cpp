@@ -6,7 +6,8 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
-#include "lapwing/io/source_patch.h"
+#include "lapwing/io/gltf_instances.h"
+#include "lapwing/io/source_file.h"
 #include "lapwing/io/stored_normals.h"
 #include "lapwing/io/writing.h"
 
@@ -73,6 +74,7 @@ class MorphTarget {
   }
 
   void run() {
+    choose_instances();
     std::set<std::size_t> meshes;
     for (const GltfRecords& set : layout_.records) {
       for (std::size_t k = 0; k < set.count(); ++k) {
@@ -91,6 +93,20 @@ class MorphTarget {
   }
 
  private:
+  // Of the objects that show one mesh, the first that moved defines the target.
+  void choose_instances() {
+    for (const MovedInstances& instances : moved_instances(layout_, mesh_)) {
+      if (!instances.are_alike) {
+        throw InputError(names_of(layout_, instances.moved) +
+                         " show one mesh but moved differently, so it cannot get one morph target; "
+                         "move only one of them");
+      }
+      for (const std::size_t object : instances.objects) {
+        if (object != instances.moved.front()) left_out_.insert(object);
+      }
+    }
+  }
+
   // Returns the records of a primitive; null for points and lines, which do not move.
   const GltfRecords* records_of(std::size_t mesh, const JsonNode& attributes) const {
     const auto number_of = [&](const char* name) {
@@ -98,7 +114,7 @@ class MorphTarget {
       return node ? std::optional(node->count()) : std::nullopt;
     };
     for (const GltfRecords& set : layout_.records) {
-      if (layout_.objects[set.object].mesh != mesh) continue;
+      if (layout_.objects[set.object].mesh != mesh || left_out_.contains(set.object)) continue;
       const auto normals = set.normals ? std::optional(set.normals->number()) : std::nullopt;
       if (number_of("POSITION") == set.positions.number() && number_of("NORMAL") == normals) {
         return &set;
@@ -136,10 +152,10 @@ class MorphTarget {
   }
 
   void add_to_mesh(std::size_t number) {
-    const JsonNode mesh = *layout_.file.root().at("meshes").element(number);
+    const JsonNode mesh = layout_.file.root().at("meshes").at(number);
     const JsonPlace place = text_.element("meshes", number);
     const std::vector<JsonNode> primitives = mesh.at("primitives").elements();
-    const std::vector<JsonPlace> places = text_.elements(*text_.member(place, "primitives"));
+    const std::vector<JsonPlace> places = text_.elements(text_.at(place, "primitives"));
     std::map<const GltfRecords*, std::string> known;
     const auto targets = primitives.at(0).find("targets");
     old_targets_[number] = targets ? targets->elements().size() : 0;
@@ -163,7 +179,7 @@ class MorphTarget {
     }
     if (!extras->is_object()) return;  // application-specific data
     const auto list = extras->find("targetNames");
-    const JsonPlace extras_place = *text_.member(place, "extras");
+    const JsonPlace extras_place = text_.at(place, "extras");
     if (!list) {
       append_to_list(text_, extras_place, "targetNames", names(old_targets), edits_);
       return;
@@ -203,8 +219,7 @@ class MorphTarget {
     if (!animations) return;
     const std::vector<JsonNode> all = animations->elements();
     for (std::size_t a = 0; a < all.size(); ++a) {
-      const auto samplers =
-          text_.elements(*text_.member(text_.element("animations", a), "samplers"));
+      const auto samplers = text_.elements(text_.at(text_.element("animations", a), "samplers"));
       std::set<std::size_t> done;
       for (const JsonNode& channel : all[a].at("channels").elements()) {
         const JsonNode target = channel.at("target");
@@ -213,8 +228,8 @@ class MorphTarget {
         const auto mesh = mesh_of_node_.find(node->count());
         const std::size_t sampler = channel.at("sampler").count();
         if (mesh == mesh_of_node_.end() || !done.insert(sampler).second) continue;
-        const JsonNode values = all[a].at("samplers").element(sampler).value().at("output");
-        edits_.replace(*text_.member(samplers.at(sampler), "output"),
+        const JsonNode values = all[a].at("samplers").at(sampler).at("output");
+        edits_.replace(text_.at(samplers.at(sampler), "output"),
                        std::to_string(with_zeros(values, old_targets_.at(mesh->second))));
       }
     }
@@ -241,9 +256,10 @@ class MorphTarget {
   const std::string& name_;
   GltfAppender& appender_;
   TextEdits& edits_;
-  JsonText text_;
+  const JsonText& text_;
   Positions rest_;
   std::vector<Vector3d> normals_;
+  std::set<std::size_t> left_out_;                  // objects
   std::map<std::size_t, std::size_t> old_targets_;  // by mesh
   std::map<std::size_t, std::size_t> mesh_of_node_;
 };

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "lapwing/io/gltf_layout.h"
-#include "lapwing/io/gltf_numbers.h"
+#include "lapwing/io/gltf_edits.h"
+#include "lapwing/io/gltf_scene.h"
 
 namespace lapwing {
 

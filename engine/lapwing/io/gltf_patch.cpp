@@ -5,15 +5,17 @@
 #include <optional>
 #include <system_error>
 
-#include "lapwing/io/base64.h"
-#include "lapwing/io/gltf_appender.h"
-#include "lapwing/io/gltf_layout.h"
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/gltf_edits.h"
+#include "lapwing/io/gltf_instances.h"
 #include "lapwing/io/gltf_morph.h"
-#include "lapwing/io/gltf_numbers.h"
+#include "lapwing/io/gltf_scene.h"
 #include "lapwing/io/gltf_splice.h"
-#include "lapwing/io/gltf_tangents.h"
-#include "lapwing/io/real_path.h"
-#include "lapwing/io/source_patch.h"
+#include "lapwing/io/paths.h"
+#include "lapwing/io/source_file.h"
 #include "lapwing/io/stored_normals.h"
 #include "lapwing/io/uri.h"
 #include "lapwing/json/json_text.h"
@@ -27,19 +29,60 @@ using Eigen::Vector3d;
 // Tangents that differ by less are equal up to rounding.
 constexpr double kSameDirection = 1e-6;
 
+// Returns the `tangents` of a set of records in world coordinates, after the vertices of `mesh`
+// moved from `rest`. Each triangle at a record carries the old tangent along like a line drawn on
+// it. The area-weighted mean is made perpendicular to the new normal (`normals`, per entry of
+// MeshAttributes::normals) and normalized. A tangent stays if no triangle defines it.
+std::vector<Vector3d> transport_tangents(const GltfLayout& layout, const GltfRecords& set,
+                                         const GltfAccessor& tangents, const Mesh& mesh,
+                                         std::span<const Vector3d> rest,
+                                         std::span<const Vector3d> normals) {
+  const Eigen::Matrix3d to_world = layout.objects[set.object].to_world.linear();
+  std::vector<Vector3d> old;
+  for (std::size_t k = 0; k < set.count(); ++k) old.push_back(to_world * tangents.vector3(k));
+  std::vector<Vector3d> sums(set.count(), Vector3d::Zero());
+  const std::vector<Index>& corners = mesh.face_vertices();
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const std::size_t record = layout.record_of_corner[c];
+    if (record < set.first_record || record - set.first_record >= set.count()) continue;
+    const std::size_t first = c - c % 3;  // faces are triangles
+    const Vector3d e = rest[corners[first + 1]] - rest[corners[first]];
+    const Vector3d f = rest[corners[first + 2]] - rest[corners[first]];
+    const double area = e.cross(f).norm();
+    if (!(area > 0.0)) continue;
+    // The old tangent as a e + b f, in the triangle's plane.
+    const Vector3d t = old[record - set.first_record];
+    const Eigen::Matrix2d products{{e.dot(e), e.dot(f)}, {e.dot(f), f.dot(f)}};
+    const Eigen::Vector2d ab = products.inverse() * Eigen::Vector2d(e.dot(t), f.dot(t));
+    if (!ab.allFinite()) continue;
+    const Vector3d& corner = mesh.positions[corners[first]];
+    const Vector3d now = ab[0] * (mesh.positions[corners[first + 1]] - corner) +
+                         ab[1] * (mesh.positions[corners[first + 2]] - corner);
+    sums[record - set.first_record] += area * now.stableNormalized();
+  }
+  for (std::size_t k = 0; k < set.count(); ++k) {
+    const Index normal = layout.normal_of_record[set.first_record + k];
+    if (normal != kNoIndex) sums[k] -= normals[normal].dot(sums[k]) * normals[normal];
+    const Vector3d tangent = sums[k].stableNormalized();
+    if (tangent.allFinite() && tangent.squaredNorm() > 0.5) old[k] = tangent;
+  }
+  return old;
+}
+
 class GltfPatch {
  public:
   GltfPatch(const SourceFile& source, const Mesh& mesh, WriteReport& report)
       : source_(source), layout_(*source.gltf), mesh_(mesh), report_(report), numbers_(layout_) {}
 
   std::vector<FileContent> run(const fs::path& target) {
+    choose_meshes();
     for (const GltfRecords& set : layout_.records) move(set);
     if (numbers_.has_changed()) turn();
     return files_at(target);
   }
 
   std::vector<FileContent> run_with_new_triangles(const fs::path& target) {
-    splice_triangles(layout_, mesh_, numbers_, edits_, report_);
+    replace_triangles(layout_, mesh_, numbers_, edits_, report_);
     return files_at(target);
   }
 
@@ -49,16 +92,47 @@ class GltfPatch {
   }
 
  private:
-  std::size_t mesh_of(const GltfRecords& set) const { return layout_.objects[set.object].mesh; }
+  // Decides which mesh stores each object.
+  void choose_meshes() {
+    for (const GltfObject& object : layout_.objects) mesh_of_object_.emplace_back(object.mesh);
+    for (const MovedInstances& instances : moved_instances(layout_, mesh_)) {
+      if (instances.are_alike) {
+        store_once(instances);
+      } else {
+        store_separately(instances);
+      }
+    }
+  }
+
+  void store_once(const MovedInstances& instances) {
+    for (const std::size_t object : instances.objects) {
+      if (object != instances.moved.front()) mesh_of_object_[object].reset();
+    }
+    const std::vector<std::string> others = others_showing(layout_, instances.moved);
+    if (others.empty()) return;
+    report_.notes.push_back(note_of_shared_edit(layout_, instances.moved, others));
+  }
+
+  // Objects that did not move keep the mesh; if all moved, the first one keeps it.
+  void store_separately(const MovedInstances& instances) {
+    const bool all_moved = others_showing(layout_, instances.moved).empty();
+    for (const std::size_t object : instances.moved) {
+      if (all_moved && object == instances.moved.front()) continue;
+      mesh_of_object_[object] = numbers_.separate(object);
+    }
+    report_.notes.push_back(note_of_separation(layout_, instances.moved));
+  }
 
   void move(const GltfRecords& set) {
+    const std::optional<std::size_t> mesh = mesh_of_object_[set.object];
+    if (!mesh) return;
     const Eigen::Affine3d to_local = layout_.objects[set.object].to_world.inverse();
     for (std::size_t k = 0; k < set.count(); ++k) {
       const Index v = layout_.vertex_of_record[set.first_record + k];
       if (are_same(layout_.position(set, k), mesh_.positions[v])) continue;
       const bool stays = to_local.matrix() == Eigen::Matrix4d::Identity();
       const Vector3d local = stays ? mesh_.positions[v] : to_local * mesh_.positions[v];
-      numbers_.set(set.positions, "POSITION", mesh_of(set), k, local);
+      numbers_.set(set.positions, "POSITION", *mesh, k, local);
     }
   }
 
@@ -70,34 +144,36 @@ class GltfPatch {
     if (old_normals.empty() && !has_tangents) return;
     const StoredNormals updated = updated_normals(mesh_, rest);
     for (const GltfRecords& set : layout_.records) {
-      if (set.normals) turn_normals(set, old_normals, updated.normals);
-      if (set.tangents) turn_tangents(set, rest, updated.normals);
+      const std::optional<std::size_t> mesh = mesh_of_object_[set.object];
+      if (!mesh) continue;
+      if (set.normals) turn_normals(set, *set.normals, *mesh, old_normals, updated.normals);
+      if (set.tangents) turn_tangents(set, *set.tangents, *mesh, rest, updated.normals);
     }
   }
 
-  void turn_normals(const GltfRecords& set, std::span<const Vector3d> old,
-                    std::span<const Vector3d> updated) {
+  void turn_normals(const GltfRecords& set, const GltfAccessor& normals, std::size_t mesh,
+                    std::span<const Vector3d> old, std::span<const Vector3d> updated) {
     const Eigen::Matrix3d to_local = layout_.objects[set.object].to_world.linear().transpose();
     for (std::size_t k = 0; k < set.count(); ++k) {
       const Index n = layout_.normal_of_record[set.first_record + k];
       if (!are_same(old[n], updated[n])) {
-        numbers_.set(*set.normals, "NORMAL", mesh_of(set), k, (to_local * updated[n]).normalized());
+        numbers_.set(normals, "NORMAL", mesh, k, (to_local * updated[n]).normalized());
       }
     }
   }
 
-  void turn_tangents(const GltfRecords& set, std::span<const Vector3d> rest,
-                     std::span<const Vector3d> normals) {
+  void turn_tangents(const GltfRecords& set, const GltfAccessor& tangents, std::size_t mesh,
+                     std::span<const Vector3d> rest, std::span<const Vector3d> normals) {
     const Eigen::Matrix3d to_world = layout_.objects[set.object].to_world.linear();
     const Eigen::Matrix3d to_local = to_world.inverse();
-    const auto carried = transport_tangents(layout_, set, mesh_, rest, normals);
+    const auto carried = transport_tangents(layout_, set, tangents, mesh_, rest, normals);
     // Other tangents stay as in the file, even if they are not perpendicular to the normal.
     const auto touched = touched_records(set, rest);
     for (std::size_t k = 0; k < set.count(); ++k) {
       if (!touched[k]) continue;
       const Vector3d local = (to_local * carried[k]).stableNormalized();
-      if ((local - set.tangents->vector3(k)).norm() <= kSameDirection) continue;
-      numbers_.set(*set.tangents, "TANGENT", mesh_of(set), k, local);
+      if ((local - tangents.vector3(k)).norm() <= kSameDirection) continue;
+      numbers_.set(tangents, "TANGENT", mesh, k, local);
     }
   }
 
@@ -126,17 +202,16 @@ class GltfPatch {
     const bool stays = is_same_file(target, source_.path());
     std::vector<FileContent> files(1);
     std::size_t serial = 0;
-    const JsonText text(layout_.file.json());
-    const auto list = text.member(text.root(), "buffers");
+    const JsonText& text = layout_.file.json();
+    const auto list = text.find(text.root(), "buffers");
     const std::vector<JsonPlace> places = list ? text.elements(*list) : std::vector<JsonPlace>();
     for (std::size_t k = 0; k < places.size(); ++k) {
       const GltfBuffer& old = layout_.file.buffers()[k];
       const std::optional<std::string>& changed = numbers_.buffer(k);
-      const auto uri = text.member(places[k], "uri");
       if (old.kind == GltfBuffer::Kind::data_uri && changed) {
-        const JsonNode node = layout_.file.root().at("buffers").element(k)->at("uri");
+        const JsonNode node = layout_.file.root().at("buffers").at(k).at("uri");
         const std::string head = node.string().substr(0, old.data_offset);
-        edits_.replace(*uri, quoted_json(head + encode_base64(*changed)));
+        edits_.replace(text.at(places[k], "uri"), quoted_json(head + encode_base64(*changed)));
       }
       if (old.kind != GltfBuffer::Kind::file) continue;
       if (stays) {
@@ -148,7 +223,7 @@ class GltfPatch {
         name = target.stem().string() + (serial > 0 ? "-" + std::to_string(serial) : "") + ".bin";
         ++serial;
       } while (is_read(target.parent_path() / name));
-      edits_.replace(*uri, quoted_json(uri_of_path(name)));
+      edits_.replace(text.at(places[k], "uri"), quoted_json(uri_of_path(name)));
       files.push_back({target.parent_path() / name, changed ? *changed : std::string(old.bytes)});
     }
     files[0] = {target, main_file()};
@@ -164,14 +239,16 @@ class GltfPatch {
   }
 
   std::string main_file() {
-    if (!layout_.file.is_binary()) return edits_.applied_to(layout_.file.json());
+    if (edits_.is_empty() && !numbers_.has_changed()) return std::string(source_.bytes());
+    if (!layout_.file.is_binary()) return edits_.applied_to(layout_.file.json().text());
     // This keeps a chunk that no buffer of the document uses.
     std::optional<std::string_view> chunk = layout_.file.chunk();
     const auto& buffers = layout_.file.buffers();
-    if (!buffers.empty() && buffers[0].kind == GltfBuffer::Kind::chunk && numbers_.buffer(0)) {
-      chunk = *numbers_.buffer(0);
+    if (!buffers.empty() && buffers[0].kind == GltfBuffer::Kind::chunk) {
+      if (const auto& changed = numbers_.buffer(0)) chunk = *changed;
     }
-    return glb_of(edits_.applied_to(layout_.file.json()), chunk, layout_.file.further_chunks()) +
+    return glb_of(edits_.applied_to(layout_.file.json().text()), chunk,
+                  layout_.file.further_chunks()) +
            std::string(layout_.file.tail());
   }
 
@@ -195,6 +272,8 @@ class GltfPatch {
   WriteReport& report_;
   GltfNumbers numbers_;
   TextEdits edits_;
+  // The mesh that stores each object; nothing if another object of the mesh stands for it.
+  std::vector<std::optional<std::size_t>> mesh_of_object_;
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ struct FileContent {
 /// Throws what GltfNumbers throws.
 ///
 /// If `morph_target` is not empty, nothing moves: see add_morph_target. If `source` does not
-/// describe `mesh`, the triangles differ: see splice_triangles.
+/// describe `mesh`, new primitives replace the triangles of the objects that changed. Throws
+/// InputError if such an object has no triangle left, or has morph targets.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
                                     const std::filesystem::path& target,
                                     const std::string& morph_target, WriteReport& report);

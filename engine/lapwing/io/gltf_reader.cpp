@@ -1,14 +1,15 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/base/srgb.h"
-#include "lapwing/io/formats.h"
-#include "lapwing/io/gltf_layout.h"
+#include "lapwing/io/gltf_scene.h"
 #include "lapwing/io/reading.h"
-#include "lapwing/io/welder.h"
+#include "lapwing/mesh/welder.h"
 
 namespace lapwing {
 namespace {
@@ -24,15 +25,17 @@ class GltfReader {
       : source_(file), layout_(std::make_unique<GltfLayout>(file)) {}
 
   Mesh read() {
-    std::size_t hidden = 0;
-    layout_->objects = find_objects(layout_->file, source_.object(), hidden);
-    if (hidden > 0) uneditable_.add("further nodes with the same mesh", hidden);
-    if (const auto materials = layout_->file.root().find("materials")) {
-      for (const JsonNode& material : materials->elements()) {
-        attributes_.materials.push_back(gltf_material_name(material, attributes_.materials.size()));
-      }
+    layout_->objects = find_objects(layout_->file, source_.object());
+    attributes_.materials = gltf_material_names(layout_->file.root());
+    attributes_.groups_are_objects = true;
+    for (std::size_t k = 0; k < layout_->objects.size(); ++k) {
+      const std::size_t before = std::max(mesh_.face_count(), mesh_.vertex_count());
+      require_few_copies(layout_->objects[k]);
+      read_object(k);
+      const std::size_t now = std::max(mesh_.face_count(), mesh_.vertex_count());
+      triangles_of_.try_emplace(layout_->objects[k].mesh, now - before);
     }
-    for (std::size_t k = 0; k < layout_->objects.size(); ++k) read_object(k);
+    note_shared_meshes();
     drop_what_no_face_has();
     note_the_rest();
     attributes_.uneditable = uneditable_.lines();
@@ -50,16 +53,36 @@ class GltfReader {
     std::size_t count = 0;
   };
 
+  // A short file can show a large mesh very often.
+  void require_few_copies(const GltfObject& object) {
+    const auto known = triangles_of_.find(object.mesh);
+    if (known == triangles_of_.end()) return;
+    copied_triangles_ += known->second;
+    require_at_most(kMostTriangles, static_cast<double>(copied_triangles_),
+                    source_.path().string() + ": the nodes that show a mesh again have",
+                    "name one object, such as '" + source_.path().filename().string() + "#" +
+                        object.name + "'");
+  }
+
+  void note_shared_meshes() {
+    std::map<std::size_t, std::size_t> users;
+    for (const GltfObject& object : layout_->objects) ++users[object.mesh];
+    const auto shared = std::ranges::count_if(users, [](const auto& of) { return of.second > 1; });
+    if (shared > 0) {
+      uneditable_.add("meshes that several nodes share", static_cast<std::size_t>(shared));
+    }
+  }
+
   void read_object(std::size_t number) {
     const GltfObject& object = layout_->objects[number];
-    const JsonNode mesh = *layout_->file.root().at("meshes").element(object.mesh);
+    const JsonNode mesh = layout_->file.root().at("meshes").at(object.mesh);
     attributes_.groups.push_back(object.name);
     Welder welder(mesh_.positions);
     std::map<Key, Place> known;
     for (const JsonNode& primitive : mesh.at("primitives").elements()) {
       const auto mode_node = primitive.find("mode");
       const std::size_t mode = mode_node ? mode_node->count() : kTriangles;
-      if (mode > kTriangleFan) mode_node->fail_expecting("a mode from 0 to 6");
+      if (mode_node && mode > kTriangleFan) mode_node->fail_expecting("a mode from 0 to 6");
       if (mode < kTriangles) {
         uneditable_.add("primitives of points or lines");
         continue;
@@ -122,11 +145,12 @@ class GltfReader {
     }
     if (key[1] != kNone) set.normals = accessor(attributes, key[1], 3, 3, count);
     if (key[2] != kNone) set.tangents = accessor(attributes, key[2], 4, 4, count);
-    for (const GltfAccessor* list : {&set.positions, set.normals ? &*set.normals : nullptr,
-                                     set.tangents ? &*set.tangents : nullptr}) {
-      if (list == nullptr || !list->sparse_indices()) continue;
-      layout_->indices.push_back(*list->sparse_indices());
-    }
+    const auto note_sparse_indices = [&](const GltfAccessor& list) {
+      if (const auto range = list.sparse_indices()) layout_->indices.push_back(*range);
+    };
+    note_sparse_indices(set.positions);
+    if (set.normals) note_sparse_indices(*set.normals);
+    if (set.tangents) note_sparse_indices(*set.tangents);
     CancelCheck cancel_check;
     for (std::size_t k = 0; k < count; ++k) {
       cancel_check();
@@ -212,12 +236,15 @@ class GltfReader {
       if (const auto range = indices->range()) layout_->indices.push_back(*range);
     }
     const std::size_t count = indices ? indices->count() : place.count;
+    // Returns kNoIndex if the file may be damaged and the corner names a missing vertex.
     const auto record_at = [&](std::size_t k) {
       const double index = indices ? indices->value(k, 0) : static_cast<double>(k);
       if (!(index >= 0.0 && index < static_cast<double>(place.count))) {
-        primitive.fail("corner " + std::to_string(k) + " names vertex " +
-                       std::to_string(static_cast<std::int64_t>(index)) + ", but there are " +
-                       std::to_string(place.count) + "; export the file again");
+        source_.report_defect(FileDefectKind::missing_vertex, primitive.where(),
+                              "corner " + std::to_string(k) + " names vertex " +
+                                  std::to_string(static_cast<std::int64_t>(index)) +
+                                  ", but there are " + std::to_string(place.count));
+        return kNoIndex;
       }
       return static_cast<Index>(place.first_record + static_cast<std::size_t>(index));
     };
@@ -225,8 +252,12 @@ class GltfReader {
     const bool is_mirrored = layout_->objects[object].to_world.linear().determinant() < 0.0;
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       if (is_mirrored) std::swap(b, c);
-      add_face({record_at(a), record_at(b), record_at(c)}, material_number,
-               static_cast<Index>(object));
+      std::array<Index, 3> records{};
+      for (std::size_t k = 0; const std::size_t corner : {a, b, c}) {
+        records[k] = record_at(corner);
+        if (records[k++] == kNoIndex) return;
+      }
+      add_face(records, material_number, static_cast<Index>(object));
     };
     CancelCheck cancel_check;
     const std::size_t step = mode == kTriangles ? 3 : 1;
@@ -264,15 +295,16 @@ class GltfReader {
 
   void note_the_rest() {
     const JsonNode& root = layout_->file.root();
-    constexpr std::array<std::pair<const char*, const char*>, 4> kLists{
-        {{"animations", "animations"},
-         {"cameras", "cameras"},
-         {"images", "images"},
-         {"extensionsUsed", "extensions"}}};
+    constexpr std::array<std::pair<const char*, const char*>, 3> kLists{
+        {{"animations", "animations"}, {"cameras", "cameras"}, {"extensionsUsed", "extensions"}}};
     for (const auto& [key, what] : kLists) {
       const auto list = root.find(key);
       if (list && !list->elements().empty()) uneditable_.add(what, list->elements().size());
     }
+    const auto images = root.find("images");
+    const std::size_t count = images ? images->elements().size() : 0;
+    const std::size_t base_colors = base_color_images(root).size();
+    if (count > base_colors) uneditable_.add("images other than base colours", count - base_colors);
   }
 
   SourceFile& source_;
@@ -284,6 +316,8 @@ class GltfReader {
   // Linked list of the normals of each vertex.
   std::vector<Index> first_normal_;
   std::vector<Index> next_normal_;
+  std::map<std::size_t, std::size_t> triangles_of_;  // by mesh
+  std::size_t copied_triangles_ = 0;
   Tally uneditable_;
 };
 

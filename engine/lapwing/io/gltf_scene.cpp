@@ -61,6 +61,7 @@ class SceneWalk {
 
   struct Found {
     GltfObject object;
+    std::string node_name;
     std::string mesh_name;
     bool in_scene = false;
   };
@@ -146,9 +147,14 @@ class SceneWalk {
     found.object.has_skin = node.has("skin");
     if (!found.object.has_skin) found.object.to_world = to_world;
     found.mesh_name = name_or_nothing(meshes_[found.object.mesh]);
-    found.object.name = name_or_nothing(node);
-    if (found.object.name.empty()) found.object.name = found.mesh_name;
-    if (found.object.name.empty()) found.object.name = "node " + std::to_string(number);
+    found.node_name = name_or_nothing(node);
+    const std::string& name = found.node_name.empty() ? found.mesh_name : found.node_name;
+    const std::string numbered = "node " + std::to_string(number);
+    found.object.name = name.empty() ? numbered : name;
+    // Objects with one name, such as unnamed nodes that show one mesh, stay apart.
+    if (!names_.insert(found.object.name).second) {
+      found.object.name = name + " (" + numbered + ")";
+    }
     found_.push_back(std::move(found));
   }
 
@@ -157,6 +163,7 @@ class SceneWalk {
   std::vector<JsonNode> meshes_;
   std::vector<bool> seen_;
   bool has_scene_ = false;
+  std::set<std::string> names_;
   std::vector<Found> found_;
 };
 
@@ -182,25 +189,37 @@ void require_invertible(const GltfFile& file, const GltfObject& object) {
 
 }  // namespace
 
-std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name,
-                                     std::size_t& hidden) {
-  std::vector<SceneWalk::Found> all = SceneWalk(file).run();
-  std::vector<GltfObject> chosen;
-  std::set<std::size_t> meshes;
-  hidden = 0;
-  for (const SceneWalk::Found& found : all) {
-    const bool is_chosen =
-        name.empty() ? found.in_scene : found.object.name == name || found.mesh_name == name;
-    if (!is_chosen) continue;
-    if (!meshes.insert(found.object.mesh).second) {
-      ++hidden;
-      continue;
+std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name) {
+  const std::vector<SceneWalk::Found> all = SceneWalk(file).run();
+  const auto choose = [&all](const auto& is_chosen) {
+    std::vector<GltfObject> chosen;
+    for (const SceneWalk::Found& found : all) {
+      if (is_chosen(found)) chosen.push_back(found.object);
     }
-    require_invertible(file, found.object);
-    chosen.push_back(found.object);
+    return chosen;
+  };
+  std::vector<GltfObject> chosen;
+  if (name.empty()) {
+    chosen = choose([](const SceneWalk::Found& found) { return found.in_scene; });
+  } else {
+    chosen = choose([&](const SceneWalk::Found& found) {
+      return found.node_name == name || found.object.name == name;
+    });
+    if (chosen.empty()) {
+      chosen = choose([&](const SceneWalk::Found& found) { return found.mesh_name == name; });
+    }
+    if (chosen.empty()) fail_unknown(file, name, all);
   }
-  if (chosen.empty() && !name.empty()) fail_unknown(file, name, all);
+  for (const GltfObject& object : chosen) require_invertible(file, object);
   return chosen;
+}
+
+std::vector<std::string> objects_showing(const GltfFile& file, std::size_t mesh) {
+  std::vector<std::string> names;
+  for (const SceneWalk::Found& found : SceneWalk(file).run()) {
+    if (found.object.mesh == mesh) names.push_back(found.object.name);
+  }
+  return names;
 }
 
 }  // namespace lapwing

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "lapwing/io/gltf_accessor.h"
 #include "lapwing/io/gltf_file.h"
 
 namespace lapwing {
 
-/// A node that shows a mesh.
+/// A node that shows a mesh. Several objects may show the same mesh.
 struct GltfObject {
-  std::string name;  ///< the node's, else its mesh's, else "node 3"
+  std::string name;  ///< the node's, else its mesh's, else "node 3"; unique in the file
   std::size_t node = 0;
   std::size_t mesh = 0;
   /// From mesh to world coordinates. The identity for a mesh with a skin, which its joints place:
@@ -20,12 +22,47 @@ struct GltfObject {
   bool has_skin = false;
 };
 
-/// Returns the objects called `name` (node or mesh) or, if `name` is empty, those of the scene,
-/// parents before children. Of several objects with one mesh, which an edit would move together,
-/// only the first is returned; `hidden` counts the others. Throws InputError if no object has that
-/// name (the message suggests names), if the nodes do not form trees, or if a transform is not
-/// invertible (scale 0).
-std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name,
-                                     std::size_t& hidden);
+/// Returns the objects of the scene, or those called `name` if that is not empty, parents before
+/// children. A node's name is looked for before the name of a mesh. Throws InputError if no object
+/// has that name (the message suggests names), if the nodes do not form trees, or if a transform is
+/// not invertible (scale 0).
+std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name);
+
+/// Returns the names of all objects of the file that show mesh `mesh`, also outside the scene.
+std::vector<std::string> objects_showing(const GltfFile& file, std::size_t mesh);
+
+/// The vertices of one or more primitives of an object, as the file stores them: split where
+/// texture coordinates or normals differ. Records are numbered across all sets, and record k
+/// belongs to mesh vertex GltfLayout::vertex_of_record[k]. Equal positions of an object are one
+/// vertex.
+struct GltfRecords {
+  std::size_t object = 0;  ///< into GltfLayout::objects
+  std::size_t first_record = 0;
+  GltfAccessor positions;
+  std::optional<GltfAccessor> normals;
+  std::optional<GltfAccessor> tangents;
+
+  std::size_t count() const { return positions.count(); }
+};
+
+/// What the glTF writer needs to know about the file that a mesh was read from.
+struct GltfLayout {
+  explicit GltfLayout(const SourceFile& source) : file(source) {}
+
+  GltfFile file;
+  std::vector<GltfObject> objects;
+  std::vector<GltfRecords> records;
+  std::vector<Index> vertex_of_record;
+  /// Index into MeshAttributes::normals or kNoIndex; equal normals of a vertex share one.
+  std::vector<Index> normal_of_record;
+  std::vector<Index> record_of_corner;
+  /// Byte ranges of triangle indices and of sparse indices.
+  std::vector<GltfAccessor::Range> indices;
+
+  /// Returns the position of element `k` in world coordinates, as read.
+  Eigen::Vector3d position(const GltfRecords& set, std::size_t k) const {
+    return objects[set.object].to_world * set.positions.vector3(k);
+  }
+};
 
 }  // namespace lapwing

@@ -1,17 +1,36 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "lapwing/io/gltf_edits.h"
 #include "lapwing/io/gltf_patch.h"
+#include "lapwing/io/material_transfer.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
 
-/// Returns a new glTF file of `mesh` alone. The extension of `target` selects GLB, or JSON with a
-/// ".bin" of the same name beside it. Materials have only names. Throws InputError if 32-bit floats
-/// cannot hold a position.
+/// Writes the faces of each part as primitives, one per material. Returns the JSON of each part,
+/// separated by commas, and adds their data to `appender`. `to_local` maps positions to the
+/// coordinates of the glTF mesh. Vertices are split where texture coordinates or normals differ.
+/// Corners without a normal get a computed one (computed_normals). Polygons are cut into triangles.
+/// Throws InputError if 32-bit floats cannot hold a position.
+std::vector<std::string> add_primitives(const Mesh& mesh, std::span<const std::vector<Index>> parts,
+                                        const Eigen::Affine3d& to_local, GltfAppender& appender,
+                                        double feature_angle_degrees = kFeatureAngleDegrees);
+
+/// Returns a new glTF file of `mesh` alone: a node with a mesh for each group. The extension of
+/// `target` selects GLB, or JSON with a ".bin" of the same name and the images of `materials`
+/// beside it. If rounding to 32-bit floats would move vertices visibly, the nodes have a
+/// translation, which prevents it for a mesh far from the origin. Throws InputError if 32-bit
+/// floats cannot hold a position.
 std::vector<FileContent> write_gltf(const Mesh& mesh, const std::filesystem::path& target,
+                                    const MaterialTransfer& materials, double feature_angle_degrees,
                                     WriteReport& report);
 
 }  // namespace lapwing

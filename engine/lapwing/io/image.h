@@ -54,6 +54,10 @@ inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{1} << 26U;
 /// what `read_image` throws, but does not see errors further on.
 ImageSize read_image_size(const std::filesystem::path& path);
 
+/// The same for the bytes of such a file, which messages call `name`.
+Image decode_image(std::string_view bytes, const std::string& name);
+ImageSize decode_image_size(std::string_view bytes, const std::string& name);
+
 /// Returns the bytes of a PNG file, without the fourth channel if the whole image is opaque. Stores
 /// `software`, if not empty, as the program that made the file. Throws IoError for more than 2^29
 /// bytes of pixels.

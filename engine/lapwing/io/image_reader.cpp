@@ -1,14 +1,16 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <turbojpeg.h>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/image.h"
-#include "lapwing/io/image_refusal.h"
-#include "lapwing/io/jpeg_reader.h"
 
 namespace lapwing {
 namespace {
@@ -40,23 +42,111 @@ namespace {
 
 constexpr int kImageChannels = 4;
 
+[[noreturn]] void throw_image_error(const std::filesystem::path& path, std::string_view reason) {
+  throw InputError(path.string() + ": cannot read the file as PNG, JPEG, BMP or TGA (" +
+                   std::string(reason) + "); convert it to PNG");
+}
+
 [[noreturn]] void fail_to_decode(const std::filesystem::path& path) {
   const char* const reason = stbi_failure_reason();
   throw_image_error(path, reason != nullptr ? reason : "no pixels");
 }
 
-// An image's file in memory.
+// libjpeg-turbo decodes JPEG files: baseline and progressive, grey, colour, CMYK and YCCK. Inks are
+// assumed to be inverted (255 is no ink), as Adobe's programs and nearly all such files store them:
+// red is the cyan of the file times its black. Colour profiles are not applied.
+
+struct JpegDecoderEnd {
+  void operator()(void* decoder) const { tjDestroy(decoder); }
+};
+using JpegDecoder = std::unique_ptr<void, JpegDecoderEnd>;
+
+JpegDecoder make_jpeg_decoder() {
+  JpegDecoder decoder(tjInitDecompress());
+  if (!decoder) throw std::bad_alloc();
+  return decoder;
+}
+
+struct JpegHead {
+  int width = 0;
+  int height = 0;
+  int sampling = 0;
+  int colors = 0;
+
+  bool is_of_inks() const { return colors == TJCS_CMYK || colors == TJCS_YCCK; }
+};
+
+const unsigned char* data_of(std::string_view bytes) {
+  return reinterpret_cast<const unsigned char*>(bytes.data());
+}
+
+[[noreturn]] void refuse_jpeg(const std::filesystem::path& path, const JpegDecoder& decoder) {
+  std::string_view reason = tjGetErrorStr2(decoder.get());
+  // Some messages begin with the name of the function.
+  constexpr std::string_view kAfterFunction = "(): ";
+  const std::size_t at = reason.find(kAfterFunction);
+  if (at != std::string_view::npos) reason.remove_prefix(at + kAfterFunction.size());
+  throw_image_error(path, reason);
+}
+
+JpegHead read_head(const std::filesystem::path& path, std::string_view bytes,
+                   const JpegDecoder& decoder) {
+  JpegHead head;
+  if (tjDecompressHeader3(decoder.get(), data_of(bytes), bytes.size(), &head.width, &head.height,
+                          &head.sampling, &head.colors) != 0) {
+    refuse_jpeg(path, decoder);
+  }
+  return head;
+}
+
+// Replaces inverted inks by the light that they leave: each colour times black.
+void put_light_for_inks(Image& image) {
+  for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+    const unsigned black = image.rgba[at + 3];
+    for (std::size_t c = at; c < at + 3; ++c) {
+      image.rgba[c] = static_cast<std::uint8_t>((image.rgba[c] * black + 127) / 255);
+    }
+    image.rgba[at + 3] = 255;
+  }
+}
+
+bool is_jpeg(std::string_view bytes) {
+  return bytes.starts_with("\xFF\xD8");
+}
+
+ImageSize jpeg_size(const std::filesystem::path& path, std::string_view bytes) {
+  const JpegHead head = read_head(path, bytes, make_jpeg_decoder());
+  return {static_cast<std::uint32_t>(head.width), static_cast<std::uint32_t>(head.height)};
+}
+
+// Throws for any error, even if the library could guess (a truncated file, bytes between segments).
+// Throws also for more than 500 scans, because each may cost the time of all pixels in a few bytes.
+Image decode_jpeg(const std::filesystem::path& path, std::string_view bytes) {
+  const JpegDecoder decoder = make_jpeg_decoder();
+  const JpegHead head = read_head(path, bytes, decoder);
+  Image image{static_cast<std::uint32_t>(head.width), static_cast<std::uint32_t>(head.height), {}};
+  image.rgba.resize(std::size_t{4} * image.width * image.height);
+  if (tjDecompress2(decoder.get(), data_of(bytes), bytes.size(), image.rgba.data(), head.width,
+                    4 * head.width, head.height, head.is_of_inks() ? TJPF_CMYK : TJPF_RGBA,
+                    TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
+    refuse_jpeg(path, decoder);
+  }
+  if (head.is_of_inks()) put_light_for_inks(image);
+  return image;
+}
+
+// An image's file in memory. Messages call it `path`.
 class ImageFile {
  public:
-  explicit ImageFile(const std::filesystem::path& path)
-      : path_(path), bytes_(FileBytes::read(path)) {
-    if (bytes_.view().size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-      throw InputError(path.string() + ": the file is larger than 2 GiB; make the image smaller");
+  ImageFile(std::filesystem::path path, std::string_view bytes)
+      : path_(std::move(path)), bytes_(bytes) {
+    if (bytes_.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+      throw InputError(path_.string() + ": the file is larger than 2 GiB; make the image smaller");
     }
   }
 
   ImageSize size() const {
-    const ImageSize size = is_jpeg(bytes_.view()) ? jpeg().size() : size_by_stb();
+    const ImageSize size = is_jpeg(bytes_) ? jpeg_size(path_, bytes_) : size_by_stb();
     if (std::uint64_t{size.width} * size.height > kMostImagePixels) {
       throw InputError(path_.string() + ": " + std::to_string(size.width) + " x " +
                        std::to_string(size.height) +
@@ -67,12 +157,10 @@ class ImageFile {
 
   Image decode() const {
     const ImageSize expected = size();
-    return is_jpeg(bytes_.view()) ? jpeg().decode() : decode_by_stb(expected);
+    return is_jpeg(bytes_) ? decode_jpeg(path_, bytes_) : decode_by_stb(expected);
   }
 
  private:
-  JpegReader jpeg() const { return {path_, bytes_.view()}; }
-
   ImageSize size_by_stb() const {
     int width = 0;
     int height = 0;
@@ -98,21 +186,29 @@ class ImageFile {
     return image;
   }
 
-  const stbi_uc* data() const { return reinterpret_cast<const stbi_uc*>(bytes_.view().data()); }
-  int length() const { return static_cast<int>(bytes_.view().size()); }
+  const stbi_uc* data() const { return reinterpret_cast<const stbi_uc*>(bytes_.data()); }
+  int length() const { return static_cast<int>(bytes_.size()); }
 
   std::filesystem::path path_;
-  FileBytes bytes_;
+  std::string_view bytes_;
 };
 
 }  // namespace
 
 Image read_image(const std::filesystem::path& path) {
-  return ImageFile(path).decode();
+  return decode_image(FileBytes::read(path).view(), path.string());
 }
 
 ImageSize read_image_size(const std::filesystem::path& path) {
-  return ImageFile(path).size();
+  return decode_image_size(FileBytes::read(path).view(), path.string());
+}
+
+Image decode_image(std::string_view bytes, const std::string& name) {
+  return ImageFile(name, bytes).decode();
+}
+
+ImageSize decode_image_size(std::string_view bytes, const std::string& name) {
+  return ImageFile(name, bytes).size();
 }
 
 }  // namespace lapwing

@@ -1,15 +1,18 @@
 #include "lapwing/io/mesh_file.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <system_error>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/printable_text.h"
-#include "lapwing/io/formats.h"
-#include "lapwing/io/gltf_layout.h"
 #include "lapwing/io/gltf_patch.h"
+#include "lapwing/io/gltf_scene.h"
 #include "lapwing/io/gltf_writer.h"
-#include "lapwing/io/source_patch.h"
+#include "lapwing/io/material_transfer.h"
+#include "lapwing/io/reading.h"
+#include "lapwing/io/source_file.h"
 #include "lapwing/io/stored_normals.h"
 #include "lapwing/io/writing.h"
 
@@ -57,11 +60,28 @@ Encoding choose_encoding(MeshFormat format, const SourceFile* source, const Writ
                                                          : Encoding::little_endian;
 }
 
+// An OBJ file of a mesh from a glTF file gets a material library, with the images.
+std::vector<FileContent> write_obj_files(const Mesh& mesh, const std::filesystem::path& path,
+                                         const SourceFile* origin, WriteReport& report) {
+  if (mesh.attributes().materials.empty() || origin == nullptr || !is_gltf(origin->format())) {
+    return {{path, write_obj(mesh, report)}};
+  }
+  std::vector<FileContent> library = mtl_files(read_materials(mesh, origin->path(), report), path);
+  Mesh with_library = mesh;
+  std::vector<std::string>& libraries = with_library.edit_attributes().material_libraries;
+  libraries.insert(libraries.begin(), library.front().path.filename().string());
+  std::vector<FileContent> files{{path, write_obj(with_library, report)}};
+  std::ranges::move(library, std::back_inserter(files));
+  return files;
+}
+
+// `origin` is the file that the mesh was made from, if that is known.
 std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem::path& path,
-                                        Encoding encoding, WriteReport& report) {
+                                        Encoding encoding, double feature_angle_degrees,
+                                        const SourceFile* origin, WriteReport& report) {
   switch (format_of(path)) {
     case MeshFormat::obj:
-      return {{path, write_obj(mesh, report)}};
+      return write_obj_files(mesh, path, origin, report);
     case MeshFormat::off:
       return {{path, write_off(mesh, report)}};
     case MeshFormat::ply:
@@ -70,7 +90,11 @@ std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem:
       return {{path, write_stl(mesh, encoding, report)}};
     case MeshFormat::glb:
     case MeshFormat::gltf:
-      return write_gltf(mesh, path, report);
+      return write_gltf(
+          mesh, path,
+          read_materials(mesh, origin == nullptr ? std::filesystem::path() : origin->path(),
+                         report),
+          feature_angle_degrees, report);
   }
   return {};
 }
@@ -108,14 +132,33 @@ void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path) {
+namespace {
+
+std::shared_ptr<SourceFile> open_source(const std::filesystem::path& path) {
   MeshPath name = split_mesh_path(path);
   const MeshFormat format = format_of(name.file);
-  const auto source = std::make_shared<SourceFile>(std::move(name), format);
+  return std::make_shared<SourceFile>(std::move(name), format);
+}
+
+Mesh read_from(const std::shared_ptr<SourceFile>& source) {
   Mesh mesh = read_format(*source);
+  if (!source->defects.empty()) return mesh;
   source->remember_topology(mesh);
   mesh.source = source;
   return mesh;
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& path) {
+  return read_from(open_source(path));
+}
+
+DamagedMesh read_damaged_mesh(const std::filesystem::path& path) {
+  const auto source = open_source(path);
+  source->may_be_damaged = true;
+  Mesh mesh = read_from(source);
+  return {std::move(mesh), source->defects, source};
 }
 
 WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
@@ -151,7 +194,9 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
     contents = patch(*old, with_updated_normals(mesh, nullptr), path, options, report);
   }
   if (contents.empty()) {
-    contents = write_new_file(with_updated_normals(mesh, source), path, encoding, report);
+    contents = write_new_file(with_updated_normals(mesh, source), path, encoding,
+                              options.feature_angle_degrees,
+                              mesh.source != nullptr ? mesh.source.get() : old, report);
   }
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
   // The files that a file needs are put in place before it.

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "lapwing/io/atomic_file.h"
+#include "lapwing/io/file_defects.h"
 #include "lapwing/io/mesh_format.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/mesh/split_normals.h"
 
 namespace lapwing {
 
@@ -17,15 +19,29 @@ namespace lapwing {
 /// faces keep the order of the file. Equal positions are welded to one vertex, in order of
 /// appearance, in STL files and in each object of a glTF file.
 ///
-/// Of a glTF file, "FILE.glb#NAME" is the object (node or mesh) of that name. Without a name, all
-/// objects of the scene are read in world coordinates, each mesh once. Skins, morph targets and
+/// Of a glTF file, "FILE.glb#NAME" is the object of that name, or all that show the mesh of that
+/// name. Without a name, all objects of the scene are read in world coordinates, each node as its
+/// own group. Skins, morph targets and
 /// animations stay in the file; a mesh with a skin is read in its bind pose.
 ///
 /// Throws IoError if the file cannot be read, and InputError "path:line: expected ..., found ..."
-/// (binary: "path: byte offset: ...") if it is malformed. Texture coordinates and normals that an
+/// (binary: "path: byte offset: ...") if it is malformed; the message says if `lapwing check` can
+/// repair it (see read_damaged_mesh). Texture coordinates and normals that an
 /// OBJ face names but the file lacks are left out and counted (MeshAttributes::uneditable). Time
 /// and memory are linear in the file's size, whatever its header says.
 Mesh read_mesh(const std::filesystem::path& path);
+
+/// A mesh from a file that may be damaged.
+struct DamagedMesh {
+  Mesh mesh;
+  std::vector<FileDefect> defects;  ///< what the reader left out or corrected, each kind once
+  /// The file, for WriteOptions::original_file.
+  std::shared_ptr<const SourceFile> file;
+};
+
+/// Reads a file as `read_mesh` does, but also past the defects in FileDefectKind, for which that
+/// throws. With defects the mesh has no source, so that it is written as a new file.
+DamagedMesh read_damaged_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {
   /// If unset, as in the file that the mesh was read from, else binary if the format has it.
@@ -37,8 +53,11 @@ struct WriteOptions {
   /// target of this name (see gltf_morph.h).
   std::string morph_target = {};
   /// The file that the mesh was made from, if the triangles have changed since. In a glTF file, the
-  /// new triangles replace the old ones (see gltf_splice.h).
+  /// new triangles replace the old ones (see gltf_patch.h).
   std::shared_ptr<const SourceFile> original_file = {};
+  /// For a glTF file of a mesh without normals: edges whose faces meet at more than this angle look
+  /// hard (SplitNormals).
+  double feature_angle_degrees = kFeatureAngleDegrees;
 };
 
 /// Messages to the user about a file that was written, in printable lines.

@@ -1,11 +1,10 @@
 #include "lapwing/io/mesh_format.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/io/text_scanner.h"
 
 namespace lapwing {
 
@@ -19,9 +18,7 @@ bool is_integer(Scalar type) {
 }
 
 MeshFormat format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowered(path.extension().string());
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".stl") return MeshFormat::stl;
@@ -42,9 +39,7 @@ bool is_gltf(MeshFormat format) {
 
 MeshPath split_mesh_path(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lowered(name);
   for (const std::string_view mark : {".glb#", ".gltf#"}) {
     const std::size_t at = lower.find(mark);
     std::error_code error;

@@ -16,94 +16,17 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/file_bytes.h"
+#include "lapwing/io/source_file.h"
 #include "lapwing/io/text_scanner.h"
-#include "lapwing/io/writing.h"
+#include "lapwing/io/text_table.h"
 
 namespace lapwing {
+
 namespace {
-
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
-bool is_npy(const std::filesystem::path& path) {
-  return lowered(path.extension().string()) == ".npy";
-}
-
-bool is_separator(char c) {
-  return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r';
-}
 
 [[noreturn]] void fail_too_many(const std::string& name) {
   throw InputError(name + ": more than " + std::to_string(kMostTableRows) +
                    " rows; check that this is the right file");
-}
-
-// Splits a header line into names.
-std::vector<std::string> read_names(std::string_view line) {
-  std::vector<std::string> names;
-  std::string name;
-  for (const char c : lowered(line) + ",") {
-    if (c == '"' || c == '\'') continue;
-    if (!is_separator(c)) {
-      name += c;
-    } else if (!name.empty()) {
-      names.push_back(std::exchange(name, {}));
-    }
-  }
-  return names;
-}
-
-// Adds the numbers of a line to the table. If a field is no number, returns it in `bad`.
-bool read_fields(std::string_view line, NumberTable& table, std::string_view& bad) {
-  const char* here = line.data();
-  const char* const end = here + line.size();
-  while (true) {
-    while (here != end && is_separator(*here)) ++here;
-    if (here == end) return true;
-    const char* stop = here;
-    while (stop != end && !is_separator(*stop)) ++stop;
-    double value = 0.0;
-    if (parse_number(here, stop, value) != stop) {
-      bad = {here, static_cast<std::size_t>(stop - here)};
-      return false;
-    }
-    table.numbers.push_back(value);
-    table.offsets.push_back(static_cast<std::uint64_t>(here - table.bytes->view().data()));
-    here = stop;
-  }
-}
-
-void read_text(NumberTable& table) {
-  const std::string& name = table.name;
-  std::string_view text = table.bytes->view();
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  std::size_t line_number = 0;
-  while (!text.empty()) {
-    ++line_number;
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, length);
-    text.remove_prefix(std::min(length + 1, text.size()));
-    if (line.starts_with('#')) continue;
-    std::string_view bad;
-    const bool is_header = table.row_count() == 0;
-    if (!read_fields(line, table, bad)) {
-      const bool any_number = table.numbers.size() > table.starts.back();
-      if (is_header && !any_number) {
-        table.header = read_names(line);
-        continue;
-      }
-      throw InputError(name + ":" + std::to_string(line_number) + ": expected a number, found \"" +
-                       std::string(bad.substr(0, 40)) + "\"");
-    }
-    if (table.numbers.size() == table.starts.back()) continue;
-    table.starts.push_back(table.numbers.size());
-    table.lines.push_back(line_number);
-    if (table.row_count() > kMostTableRows) fail_too_many(name);
-  }
 }
 
 struct NpyHeader {
@@ -164,11 +87,11 @@ NpyHeader read_header(const std::string& name, std::string_view bytes) {
     fail("the array is in Fortran order, expected C order (numpy.ascontiguousarray)");
   }
   std::string_view shape = after_key(header, "'shape'");
-  const auto rows = read_whole(shape);
-  const auto columns = read_whole(shape);
-  if (!rows || !columns || read_whole(shape)) fail("expected two dimensions");
-  read.rows = *rows;
-  read.columns = *columns;
+  std::vector<std::size_t> sizes;
+  while (const auto size = read_whole(shape)) sizes.push_back(*size);
+  if (sizes.size() != 2) fail("expected two dimensions");
+  read.rows = sizes[0];
+  read.columns = sizes[1];
   if (read.rows > kMostTableRows) fail_too_many(name);
   const std::size_t numbers = (bytes.size() - read.begin) / read.bytes;
   if (read.columns > 0 && read.rows > numbers / read.columns) {
@@ -208,39 +131,12 @@ void read_npy(NumberTable& table) {
   }
 }
 
+std::string in_quotes(std::string_view text) {
+  return '"' + std::string(text.substr(0, 40)) + '"';
+}
+
 bool is_equal(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
-}
-
-std::string text_with(const NumberTable& table, std::span<const double> numbers) {
-  const std::string_view old = table.bytes->view();
-  std::string text;
-  std::uint64_t copied = 0;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (is_equal(numbers[k], table.numbers[k])) continue;
-    text.append(old, copied, table.offsets[k] - copied);
-    append_number(text, numbers[k]);
-    double ignored = 0.0;
-    const char* const end =
-        parse_number(old.data() + table.offsets[k], old.data() + old.size(), ignored);
-    copied = static_cast<std::uint64_t>(end - old.data());
-  }
-  text.append(old, copied);
-  return text;
-}
-
-std::string npy_with(const NumberTable& table, std::span<const double> numbers) {
-  std::string bytes(table.bytes->view());
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (is_equal(numbers[k], table.numbers[k])) continue;
-    if (!table.type) {
-      throw InputError(table.name +
-                       ": its numbers are integers, but moved points need floats; save the table "
-                       "as floats");
-    }
-    store_number(bytes.data() + table.offsets[k], numbers[k], *table.type, table.encoding);
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -250,28 +146,129 @@ std::string NumberTable::place(std::size_t row) const {
   return name + ", row " + std::to_string(row);
 }
 
+std::optional<std::string_view> NumberTable::text_at(std::size_t row, std::size_t column) const {
+  const auto at = std::ranges::lower_bound(texts, starts[row] + column, {}, &TextField::field);
+  if (at == texts.end() || at->field != starts[row] + column) return std::nullopt;
+  return at->text;
+}
+
+void NumberTable::require_number(std::size_t row, std::size_t column) const {
+  const auto text = text_at(row, column);
+  if (!text) return;
+  const bool has_name = column < header.size();
+  throw InputError(place(row) + ": expected a number in column " +
+                   (has_name ? in_quotes(header[column]) : std::to_string(column + 1)) +
+                   ", found " + (text->empty() ? "nothing" : in_quotes(*text)) +
+                   (header.empty() ? "; correct it (a first or last column without numbers is text)"
+                                   : "; correct it"));
+}
+
+void NumberTable::end_row(std::size_t line) {
+  starts.push_back(numbers.size());
+  lines.push_back(line);
+  if (row_count() > kMostTableRows) fail_too_many(name);
+}
+
+std::span<const double> NumberColumns::of_row(const NumberTable& table, std::size_t row) const {
+  std::span<const double> numbers = table.row(row).subspan(first);
+  numbers = numbers.first(numbers.size() - behind);
+  // A separator at the end of a line adds an empty field.
+  while (!numbers.empty() && table.text_at(row, first + numbers.size() - 1)) {
+    numbers = numbers.first(numbers.size() - 1);
+  }
+  return numbers;
+}
+
+NumberColumns number_columns(const NumberTable& table) {
+  if (table.texts.empty()) return {};
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  NumberColumns columns{kAll, kAll};
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
+    const std::size_t count = table.row(r).size();
+    std::size_t first = 0;
+    while (first < count && table.text_at(r, first)) ++first;
+    if (first == count) {
+      throw InputError(table.place(r) + ": expected numbers, found " +
+                       in_quotes(table.text_at(r, 0).value_or("")) +
+                       "; only the first line may name the columns");
+    }
+    std::size_t behind = 0;
+    while (table.text_at(r, count - 1 - behind)) ++behind;
+    columns = {std::min(columns.first, first), std::min(columns.behind, behind)};
+  }
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
+    std::size_t end = table.row(r).size() - columns.behind;
+    while (table.text_at(r, end - 1) == "") --end;
+    for (std::size_t c = columns.first; c < end; ++c) table.require_number(r, c);
+  }
+  return columns;
+}
+
 NumberTable read_number_table(const std::filesystem::path& path) {
   NumberTable table{.name = path.string()};
   table.bytes = std::make_shared<const FileBytes>(FileBytes::read(path));
-  if (!is_number_table(path)) {
-    throw InputError(table.name + ": expected a table with the extension .csv, .txt, .tsv or .npy");
+  const std::string_view extension = table_extension(path);
+  if (extension.empty()) {
+    throw InputError(table.name +
+                     ": expected a table with the extension .csv, .txt, .tsv, .npy, .fcsv or "
+                     ".mrk.json");
   }
-  if (is_npy(path)) {
+  if (extension == ".npy") {
     read_npy(table);
+  } else if (extension == ".mrk.json") {
+    read_markups(table);
   } else {
-    read_text(table);
+    read_text_table(table);
   }
   if (table.row_count() == 0) throw InputError(table.name + ": the table has no rows");
   return table;
 }
 
-bool is_number_table(const std::filesystem::path& path) {
-  const std::string ending = lowered(path.extension().string());
-  return ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".npy";
+std::string_view table_extension(const std::filesystem::path& path) {
+  const std::string name = lowered(path.filename().string());
+  for (const std::string_view extension : {".csv", ".txt", ".tsv", ".npy", ".fcsv", ".mrk.json"}) {
+    if (name.ends_with(extension)) return extension;
+  }
+  return {};
 }
 
 std::string with_numbers(const NumberTable& table, std::span<const double> numbers) {
-  return table.encoding == Encoding::ascii ? text_with(table, numbers) : npy_with(table, numbers);
+  FilePatch patch(table.bytes->view(), table.encoding);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (is_equal(numbers[k], table.numbers[k])) continue;
+    if (!table.type && table.encoding != Encoding::ascii) {
+      throw InputError(table.name +
+                       ": its numbers are integers, but moved points need floats; save the table "
+                       "as floats");
+    }
+    patch.set_number(table.offsets[k], numbers[k], table.type.value_or(Scalar::float64));
+  }
+  return patch.apply();
+}
+
+std::string npy_bytes(std::span<const Eigen::Vector3d> rows, Scalar type) {
+  // The header ends at a multiple of this many bytes, with a line feed.
+  constexpr std::size_t kAlignment = 64;
+  constexpr std::size_t kBeforeHeader = 10;
+  std::string header = "{'descr': '<f" + std::to_string(size_of(type)) +
+                       "', 'fortran_order': False, 'shape': (" + std::to_string(rows.size()) +
+                       ", 3), }";
+  header.append(kAlignment - (kBeforeHeader + header.size() + 1) % kAlignment, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  bytes += static_cast<char>(header.size() % 256);
+  bytes += static_cast<char>(header.size() / 256);
+  bytes += header;
+
+  std::size_t at = bytes.size();
+  bytes.resize(at + 3 * rows.size() * size_of(type));
+  for (const Eigen::Vector3d& row : rows) {
+    for (const double number : row) {
+      store_number(bytes.data() + at, number, type, Encoding::little_endian);
+      at += size_of(type);
+    }
+  }
+  return bytes;
 }
 
 }  // namespace lapwing

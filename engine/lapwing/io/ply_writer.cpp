@@ -2,8 +2,7 @@
 #include <cmath>
 
 #include "lapwing/io/binary_numbers.h"
-#include "lapwing/io/formats.h"
-#include "lapwing/io/ply_header.h"
+#include "lapwing/io/ply_elements.h"
 #include "lapwing/io/writing.h"
 
 namespace lapwing {
@@ -133,12 +132,12 @@ class PlyWriter {
 
   void report_losses(WriteReport& report) const {
     const MeshAttributes& a = mesh_.attributes();
+    report_materials(report, MeshFormat::ply, a);
+    report_groups(report, MeshFormat::ply, a);
+    report_uneditable(report, MeshFormat::ply, a);
     if (!normals_) {
       report_loss(report, MeshFormat::ply, "normals that differ around a vertex", a.normals.size());
     }
-    report_materials(report, MeshFormat::ply, a);
-    report_loss(report, MeshFormat::ply, "groups", a.groups.size());
-    report_uneditable(report, MeshFormat::ply, a);
   }
 
  private:

@@ -16,6 +16,9 @@ using Eigen::Vector3d;
 template <std::size_t N>
 using Names = std::array<std::string_view, N>;
 constexpr Names<3> kPosition{"x", "y", "z"};
+// 3D Slicer uses these names when it exports control points.
+constexpr Names<3> kPositionRas{"r", "a", "s"};
+constexpr Names<3> kPositionLps{"l", "p", "s"};
 constexpr Names<3> kNormal{"nx", "ny", "nz"};
 constexpr Names<4> kRotation{"qw", "qx", "qy", "qz"};
 
@@ -41,25 +44,68 @@ std::optional<std::array<std::size_t, N>> find(const Names<N>& names, const Numb
                    std::string(missing) + "\"");
 }
 
-PointColumns columns_of(const NumberTable& table) {
-  const std::size_t count = table.row(0).size();
-  if (const auto position = find(kPosition, table)) {
-    if (table.header.size() != count) {
-      throw InputError(table.place(0) + ": expected " + std::to_string(table.header.size()) +
-                       " numbers, one for each column that the first line names, got " +
-                       std::to_string(count));
-    }
-    return {*position, find(kNormal, table), find(kRotation, table)};
+std::optional<std::array<std::size_t, 3>> find_position(const NumberTable& table) {
+  for (const Names<3>& names : {kPosition, kPositionRas, kPositionLps}) {
+    const bool has_all = std::ranges::all_of(
+        names, [&](std::string_view name) { return std::ranges::count(table.header, name) > 0; });
+    if (has_all) return find(names, table);
   }
-  PointColumns columns;
-  if (count == 6) columns.normal = {3, 4, 5};
-  if (count == 7) columns.rotation = {3, 4, 5, 6};
-  if (count == 3 || count == 6 || count == 7) return columns;
-  throw InputError(table.place(0) +
-                   ": expected 3 numbers (a point x, y, z), 6 (a point and a normal) or 7 (a point "
-                   "and a quaternion w, x, y, z), or a first line that names the columns x, y and "
-                   "z; got " +
+  return find(kPosition, table);
+}
+
+// Throws InputError if row `r` and the header line have different numbers of fields. Ignores extra
+// empty fields, because some programs end each line with a separator.
+void require_width(const NumberTable& table, std::size_t r) {
+  const std::size_t named = table.header.size();
+  std::size_t count = table.row(r).size();
+  while (count > named && table.text_at(r, count - 1) == "") --count;
+  if (count == named || table.header_is_comment) return;
+  throw InputError(table.place(r) + ": expected " + std::to_string(named) +
+                   " fields, one for each column that the first line names, got " +
                    std::to_string(count));
+}
+
+// Returns the end of an error message, which quotes the text fields in the first row.
+std::string text_beside(const NumberTable& table) {
+  std::string list;
+  for (const TextField& text : table.texts) {
+    if (text.field >= table.starts[1]) break;
+    list +=
+        (list.empty() ? " and the text \"" : ", \"") + std::string(text.text.substr(0, 40)) + '"';
+  }
+  return list;
+}
+
+// Derives the columns from the count of numbers in the first row. Call it if the header does not
+// name the columns.
+PointColumns columns_by_count(const NumberTable& table) {
+  const NumberColumns numbers = number_columns(table);
+  const std::size_t count = numbers.of_row(table, 0).size();
+  if (count != 3 && count != 6 && count != 7) {
+    throw InputError(table.place(0) +
+                     ": expected 3 numbers (a point x, y, z), 6 (a point and a normal) or 7 (a "
+                     "point and a quaternion w, x, y, z), or a first line that names the columns "
+                     "x, y and z; got " +
+                     std::to_string(count) + text_beside(table));
+  }
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
+    const std::size_t other = numbers.of_row(table, r).size();
+    if (other == count) continue;
+    throw InputError(table.place(r) + ": expected " + std::to_string(count) +
+                     " numbers, as in the first row, got " + std::to_string(other));
+  }
+  const std::size_t at = numbers.first;
+  PointColumns columns{.position = {at, at + 1, at + 2}};
+  if (count == 6) columns.normal = {at + 3, at + 4, at + 5};
+  if (count == 7) columns.rotation = {at + 3, at + 4, at + 5, at + 6};
+  return columns;
+}
+
+PointColumns columns_of(const NumberTable& table) {
+  const auto position = find_position(table);
+  if (!position) return columns_by_count(table);
+  for (std::size_t r = 0; r < table.row_count(); ++r) require_width(table, r);
+  return {*position, find(kNormal, table), find(kRotation, table)};
 }
 
 template <std::size_t N>
@@ -68,6 +114,11 @@ Eigen::Vector<double, static_cast<int>(N)> values_at(const NumberTable& table, s
                                                      std::string_view what) {
   Eigen::Vector<double, static_cast<int>(N)> values;
   for (std::size_t k = 0; k < N; ++k) {
+    if (columns[k] >= table.row(r).size()) {
+      throw InputError(table.place(r) + ": the row ends before column \"" +
+                       table.header[columns[k]] + "\"");
+    }
+    table.require_number(r, columns[k]);
     values[static_cast<Eigen::Index>(k)] = table.row(r)[columns[k]];
   }
   if (values.allFinite()) return values;
@@ -86,12 +137,7 @@ PointTable read_point_table(const std::filesystem::path& path) {
   PointTable points{.table = read_number_table(path)};
   const NumberTable& table = points.table;
   points.columns = columns_of(table);
-  const std::size_t count = table.row(0).size();
   for (std::size_t r = 0; r < table.row_count(); ++r) {
-    if (table.row(r).size() != count) {
-      throw InputError(table.place(r) + ": expected " + std::to_string(count) +
-                       " numbers, as in the first row, got " + std::to_string(table.row(r).size()));
-    }
     points.positions.push_back(values_at(table, r, points.columns.position, "position"));
     if (points.columns.normal) {
       points.normals.push_back(values_at(table, r, *points.columns.normal, "normal"));

@@ -28,11 +28,15 @@ struct PointTable {
   std::vector<Eigen::Quaterniond> rotations;  ///< one per point, or none
 };
 
-/// Reads a table of points. A header with the names x, y and z defines the columns, optionally with
-/// nx, ny, nz and qw, qx, qy, qz; other columns are kept. Without such a header, rows have 3
-/// numbers (position), 6 (and a normal) or 7 (and a quaternion w, x, y, z). Throws what
-/// `read_number_table` throws. Throws InputError, naming the row, if rows differ in length or have
-/// another length, or if a position, normal or quaternion is not finite.
+/// Reads a table of points. A header with the names x, y and z defines the columns. 3D Slicer
+/// exports the names r, a, s or l, p, s instead. Optional names are nx, ny, nz for a normal and qw,
+/// qx, qy, qz for a quaternion. Other columns may have any content.
+///
+/// If the header does not name the columns, each row has 3, 6 or 7 numbers. They are a position,
+/// then a normal or a quaternion w, x, y, z. Text may only precede or follow these numbers.
+///
+/// Throws what `read_number_table` and `number_columns` throw. Throws InputError, naming the row,
+/// if a row has a wrong length or if a position, normal or quaternion is not finite.
 PointTable read_point_table(const std::filesystem::path& path);
 
 /// Returns the file of `points` with their current positions, normals and rotations; all else keeps

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,10 @@
 #include <Eigen/Core>
 
 #include "lapwing/io/file_bytes.h"
+#include "lapwing/io/file_defects.h"
 #include "lapwing/io/mesh_format.h"
+#include "lapwing/io/stored_normals.h"
+#include "lapwing/json/json_text.h"
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
@@ -81,12 +85,25 @@ class SourceFile {
   /// Whether `mesh` still has the vertex count and the faces of the file.
   bool describes(const Mesh& mesh) const;
 
+  /// If true, the reader skips defects and collects them in `defects`.
+  bool may_be_damaged = false;
+  std::vector<FileDefect> defects;
+
+  /// Reports a defect at byte `offset` that a reader can skip. Unless `may_be_damaged` is true,
+  /// throws InputError, which names the command that repairs the file.
+  void report_defect(FileDefectKind kind, std::uint64_t offset, const std::string& message);
+  /// Reports a defect in a JSON document. `where` is the result of JsonNode::where.
+  void report_defect(FileDefectKind kind, const std::string& where, const std::string& message);
+
   /// Throws InputError "path:line: message; next step" with the line of byte `offset`.
   [[noreturn]] void fail_at_line(std::uint64_t offset, const std::string& message) const;
   /// The same, but with "path: byte offset: ..." if the encoding is binary.
   [[noreturn]] void fail(std::uint64_t offset, const std::string& message) const;
 
  private:
+  std::size_t line_at(std::uint64_t offset) const;
+  FileDefect& counted_defect(FileDefectKind kind);
+
   std::filesystem::path path_;
   std::string object_;
   MeshFormat format_;
@@ -94,5 +111,45 @@ class SourceFile {
   std::size_t vertex_count_ = 0;
   std::uint64_t topology_hash_ = 0;
 };
+
+/// Replaces numbers and text in the bytes of a file. All other bytes stay unchanged.
+class FilePatch {
+ public:
+  /// `bytes` must outlive the patch.
+  FilePatch(std::string_view bytes, Encoding encoding)
+      : old_(bytes), encoding_(encoding), binary_(encoding == Encoding::ascii ? "" : bytes) {}
+
+  /// Replaces the number at byte `offset`. In a text file, enough digits are printed to read back
+  /// the same number.
+  void set_number(std::uint64_t offset, double value, Scalar type);
+  /// Replaces `length` bytes of text, or inserts when `length` is 0.
+  void set_text(std::uint64_t offset, std::uint64_t length, std::string text) {
+    edits_.replace({offset, offset + length}, std::move(text));
+  }
+  std::string apply() const {
+    return encoding_ == Encoding::ascii ? edits_.applied_to(old_) : binary_;
+  }
+
+ private:
+  std::string_view old_;
+  Encoding encoding_;
+  std::string binary_;
+  TextEdits edits_;
+};
+
+/// Whether two positions are equal; NaN equals NaN.
+bool are_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// Returns the bytes of `source` with the positions of `mesh`, which it `describes`, and matching
+/// normals; nullopt if it cannot store them (moved coordinates in a file of integers).
+std::optional<std::string> patch_source(const SourceFile& source, const Mesh& mesh);
+
+/// Returns the positions in the file, per vertex.
+Positions source_positions(const SourceFile& source, const Mesh& mesh);
+
+/// Adds the new normals of `updated` after the last normal of an OBJ file, and updates the indices
+/// of face corners. Implemented in obj_file.cpp.
+void add_obj_normals(const Mesh& mesh, const StoredNormals& updated, const SourceFile& source,
+                     FilePatch& patch);
 
 }  // namespace lapwing

@@ -9,7 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/mesh/joined_surface.h"
+#include "lapwing/mesh/seams.h"
+#include "lapwing/mesh/split_normals.h"
 
 namespace lapwing {
 namespace {
@@ -203,6 +204,30 @@ class NormalUpdate {
 
 StoredNormals updated_normals(const Mesh& mesh, std::span<const Vector3d> rest) {
   return NormalUpdate(mesh, rest).run();
+}
+
+StoredNormals computed_normals(const Mesh& mesh, double feature_angle_degrees) {
+  const Topology& topology = mesh.topology();
+  const SplitNormals split = split_normals(mesh.positions, topology, feature_angle_degrees);
+  StoredNormals computed;
+  computed.normals.assign(mesh.vertex_count() + split.extra_vertices.size(), Vector3d::Zero());
+  computed.corner_normals = mesh.face_vertices();
+  for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    const Triangle& triangle = topology.triangles[t];
+    const Vector3d& a = mesh.positions[triangle[0]];
+    const Vector3d area = (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a);
+    const auto polygon = mesh.face(topology.triangle_faces[t]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index normal = split.of_corner[3 * t + k];
+      computed.normals[normal] += area;
+      for (std::size_t c = 0; c < polygon.size(); ++c) {
+        if (polygon[c] != triangle[k]) continue;
+        computed.corner_normals[mesh.face_starts()[topology.triangle_faces[t]] + c] = normal;
+      }
+    }
+  }
+  for (Vector3d& normal : computed.normals) normal = direction(normal);
+  return computed;
 }
 
 }  // namespace lapwing

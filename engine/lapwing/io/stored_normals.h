@@ -24,4 +24,9 @@ struct StoredNormals {
 /// a normal was shared by vertices that now differ, the others get new ones at the end. O(n log n).
 StoredNormals updated_normals(const Mesh& mesh, std::span<const Eigen::Vector3d> rest);
 
+/// Computes normals for a mesh that has none: area-weighted means, split at hard edges
+/// (SplitNormals). Every corner gets a normal, which is zero if all faces at its vertex have no
+/// area.
+StoredNormals computed_normals(const Mesh& mesh, double feature_angle_degrees);
+
 }  // namespace lapwing

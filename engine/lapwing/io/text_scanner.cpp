@@ -101,6 +101,18 @@ double TextScanner::number(std::string_view what) {
   return value;
 }
 
+Eigen::Vector3d TextScanner::triple(NumberTriples& places, std::string_view what) {
+  std::array<std::uint64_t, 3> offsets{};
+  Eigen::Vector3d value;
+  for (std::size_t k = 0; k < 3; ++k) {
+    skip_blanks();
+    offsets[k] = offset();
+    value[static_cast<Eigen::Index>(k)] = number(what);
+  }
+  places.add(offsets[0], offsets[1], offsets[2]);
+  return value;
+}
+
 std::int64_t TextScanner::integer(std::string_view what) {
   skip_blanks();
   const char* at = here_;
@@ -137,6 +149,14 @@ void TextScanner::fail_expected(std::string_view what) const {
     message += "'" + word + "'";
   }
   file_->fail_at_line(offset(), message);
+}
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return lower;
 }
 
 TextScanner scan_text(const SourceFile& file, char comment) {

@@ -50,6 +50,9 @@ class TextScanner {
 
   /// Returns the next number of this line. `what` names it in error messages.
   double number(std::string_view what);
+  /// Returns the next three numbers of this line, and adds their locations to `places`. `what`
+  /// names them in error messages.
+  Eigen::Vector3d triple(NumberTriples& places, std::string_view what);
   /// Returns the next integer of this line, which may end at any byte that is not a digit.
   std::int64_t integer(std::string_view what);
   /// Throws InputError unless a blank, a line end or a comment follows.
@@ -75,6 +78,9 @@ class TextScanner {
   const char* end_;
   char comment_;
 };
+
+/// Returns `text` in lower case. Changes only ASCII letters.
+std::string lowered(std::string_view text);
 
 /// Skips a UTF-8 byte order mark. Throws InputError for UTF-16 text and other files with NUL bytes.
 TextScanner scan_text(const SourceFile& file, char comment);

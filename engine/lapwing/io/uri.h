@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,5 +10,11 @@ namespace lapwing {
 std::string path_of_uri(std::string_view uri);
 /// Returns the URI of a relative path.
 std::string uri_of_path(std::string_view path);
+
+/// Decodes base64 (RFC 4648), with or without padding. Returns nullopt if `text` is not base64.
+std::optional<std::string> decode_base64(std::string_view text);
+
+/// Encodes `bytes` with padding.
+std::string encode_base64(std::string_view bytes);
 
 }  // namespace lapwing

@@ -4,9 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/grouped.h"
+#include "lapwing/base/printable_text.h"
 #include "lapwing/io/reading.h"
 
 namespace lapwing {
@@ -71,6 +72,63 @@ void report_loss(WriteReport& report, MeshFormat format, std::string_view what, 
                                "): " + std::string(name_of(format)) + " cannot store them");
 }
 
+void report_triangulation(WriteReport& report, MeshFormat format, const Mesh& mesh) {
+  std::size_t polygons = 0;
+  std::vector<bool> used(mesh.vertex_count(), false);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    polygons += mesh.face(f).size() > 3 ? 1 : 0;
+    for (const Index v : mesh.face(f)) used[v] = true;
+  }
+  report_loss(report, format, "polygons, now written as triangles", polygons);
+  report_loss(report, format, "vertices without a face",
+              static_cast<std::size_t>(std::count(used.begin(), used.end(), false)));
+}
+
+namespace {
+
+double mean_edge_length(const Mesh& mesh) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const double length =
+          (mesh.positions[face[(k + 1) % face.size()]] - mesh.positions[face[k]]).norm();
+      if (!std::isfinite(length)) continue;
+      sum += length;
+      ++count;
+    }
+  }
+  return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+Rounding rounding_of(const Mesh& mesh, const Eigen::Vector3d& origin) {
+  Rounding rounding;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    const Eigen::Vector3d local = position - origin;
+    const double error = (local - local.cast<float>().cast<double>()).norm();
+    if (std::isfinite(error)) rounding.error = std::max(rounding.error, error);
+  }
+  const double edge = rounding.error > 0.0 ? mean_edge_length(mesh) : 0.0;
+  if (edge > 0.0) rounding.mean_edges = rounding.error / edge;
+  return rounding;
+}
+
+void report_rounding(WriteReport& report, MeshFormat format, const Mesh& mesh,
+                     const Eigen::Vector3d& origin) {
+  const Rounding rounding = rounding_of(mesh, origin);
+  if (rounding.mean_edges <= kHarmlessRounding) return;
+  std::array<char, 160> numbers{};
+  std::snprintf(numbers.data(), numbers.size(), "by up to %.3g, %.3g times the mean edge length",
+                rounding.error, rounding.mean_edges);
+  report.not_carried.push_back(
+      "exact positions: the 32-bit floats of " + std::string(name_of(format)) + " move vertices " +
+      numbers.data() +
+      (is_gltf(format) ? "; write .obj or .ply instead" : "; write .obj, .ply or .glb instead"));
+}
+
 void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
   for (const ExtraAttribute& extra : attributes.vertex_extras) {
     report_loss(report, format, "vertex property '" + extra.name + "'", extra.values.size());
@@ -81,8 +139,12 @@ void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes&
 }
 
 void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
-  report_loss(report, format, "material libraries", attributes.material_libraries.size());
-  report_loss(report, format, "materials", attributes.materials.size());
+  report_loss(report, format, "colours and images of materials", attributes.materials.size());
+}
+
+void report_groups(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
+  report_loss(report, format, attributes.groups_are_objects ? "names of objects" : "groups",
+              attributes.groups.size());
 }
 
 void report_uneditable(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {

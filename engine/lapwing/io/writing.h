@@ -35,10 +35,27 @@ void append_numbers(std::string& out, const Vector& values) {
 /// Reports "texture coordinates (14,290): OFF has no place for them", unless `count` is 0.
 void report_loss(WriteReport& report, MeshFormat format, std::string_view what, std::size_t count);
 
+/// Reports polygons and isolated vertices of `mesh`, which triangle formats cannot hold.
+void report_triangulation(WriteReport& report, MeshFormat format, const Mesh& mesh);
+
+/// Rounding errors up to this number of mean edge lengths are not reported.
+inline constexpr double kHarmlessRounding = 1e-3;
+/// Stores the largest error from rounding positions relative to an origin to 32-bit floats.
+struct Rounding {
+  double error = 0.0;
+  double mean_edges = 0.0;  ///< `error` in mean edge lengths; 0 if the mesh has no edges
+};
+Rounding rounding_of(const Mesh& mesh, const Eigen::Vector3d& origin);
+/// Reports the rounding error if it exceeds kHarmlessRounding.
+void report_rounding(WriteReport& report, MeshFormat format, const Mesh& mesh,
+                     const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+
 /// Reports extra attributes, which only PLY can hold.
 void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
 /// Reports materials, for a format that cannot hold them.
 void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
+/// Reports groups or objects. Call it for a format that cannot hold them.
+void report_groups(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
 /// Reports data that only the source file holds.
 void report_uneditable(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
 
@@ -83,5 +100,14 @@ std::optional<std::vector<Vector>> per_vertex(const Mesh& mesh, const std::vecto
 /// Throws InputError if an index of a face or attribute is out of range, or if a list does not have
 /// the length that MeshAttributes states.
 void validate_for_writing(const Mesh& mesh);
+
+// These functions write each format except glTF. Each returns a complete new file, and appends to
+// `report` all data that the format cannot hold. The order of importance is materials, groups,
+// other content of the file, precision, attributes.
+
+std::string write_obj(const Mesh& mesh, WriteReport& report);
+std::string write_off(const Mesh& mesh, WriteReport& report);
+std::string write_ply(const Mesh& mesh, Encoding encoding, WriteReport& report);
+std::string write_stl(const Mesh& mesh, Encoding encoding, WriteReport& report);
 
 }  // namespace lapwing

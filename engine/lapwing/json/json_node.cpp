@@ -153,6 +153,12 @@ std::optional<JsonNode> JsonNode::element(std::size_t k) const {
   return child(&(*value_->json)[k], std::to_string(k));
 }
 
+JsonNode JsonNode::at(std::size_t k) const {
+  if (auto found = element(k)) return *std::move(found);
+  fail("element " + std::to_string(k) + " is missing; the list has " +
+       std::to_string(value_->json->size()));
+}
+
 bool JsonNode::is_object() const {
   return value_->json->is_object();
 }

@@ -49,6 +49,8 @@ class JsonNode {
   std::vector<JsonNode> elements() const;
   /// Returns element `k` of this list, or nothing if the list is shorter.
   std::optional<JsonNode> element(std::size_t k) const;
+  /// Returns element `k` of this list. Throws InputError if the list is shorter.
+  JsonNode at(std::size_t k) const;
   bool is_object() const;
   bool is_string() const;
   bool boolean() const;

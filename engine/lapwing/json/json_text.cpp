@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lapwing/base/errors.h"
+
 namespace lapwing {
 namespace {
 
@@ -15,6 +17,23 @@ bool says(std::string_view quoted, std::string_view key) {
 }
 
 }  // namespace
+
+std::string line_and_column(std::string_view text, std::size_t at, std::size_t first_line) {
+  const std::string_view before = text.substr(0, std::min(at, text.size()));
+  const auto line = first_line + static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  const std::size_t line_start = before.rfind('\n') + 1;
+  return std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1);
+}
+
+void JsonText::fail(JsonPlace value, const std::string& message) const {
+  throw InputError(name_ + ":" + line_and_column(text_, value.begin) + ": " + message +
+                   "; export the file again");
+}
+
+void JsonText::require(JsonPlace value, char bracket, std::string_view type) const {
+  if (value.begin < value.end && text_[value.begin] == bracket) return;
+  fail(value, "expected " + std::string(type));
+}
 
 std::size_t JsonText::skip_blanks(std::size_t at) const {
   return std::min(text_.find_first_not_of(" \t\r\n", at), text_.size());
@@ -54,37 +73,39 @@ JsonPlace JsonText::root() const {
   return {begin, skip_value(begin)};
 }
 
-std::optional<JsonPlace> JsonText::find_member(JsonPlace object, std::string_view key,
-                                               std::size_t& value) const {
+std::optional<JsonText::Member> JsonText::find_member(JsonPlace object,
+                                                      std::string_view key) const {
+  require(object, '{', "an object");
   std::size_t at = skip_blanks(object.begin + 1);
   while (at < object.end && text_[at] == '"') {
-    const std::size_t key_end = skip_string(at);
-    const bool is_it = says(text_.substr(at, key_end - at), key);
-    const std::size_t begin = skip_blanks(skip_blanks(key_end) + 1);  // after the colon
-    const std::size_t end = skip_value(begin);
-    if (is_it) {
-      value = begin;
-      return JsonPlace{at, end};
-    }
-    at = skip_blanks(skip_blanks(end) + 1);  // after the comma
+    const JsonPlace name{at, skip_string(at)};
+    const std::size_t begin = skip_blanks(skip_blanks(name.end) + 1);  // skips the colon
+    const JsonPlace value{begin, skip_value(begin)};
+    if (says(text_.substr(name.begin, name.end - name.begin), key)) return Member{name, value};
+    at = skip_blanks(skip_blanks(value.end) + 1);  // skips the comma
   }
   return std::nullopt;
 }
 
-std::optional<JsonPlace> JsonText::member(JsonPlace object, std::string_view key) const {
-  std::size_t value = 0;
-  const auto found = find_member(object, key, value);
-  if (!found) return std::nullopt;
-  return JsonPlace{value, found->end};
+std::optional<JsonPlace> JsonText::find(JsonPlace object, std::string_view key) const {
+  const auto member = find_member(object, key);
+  if (!member) return std::nullopt;
+  return member->value;
 }
 
-std::optional<JsonPlace> JsonText::member_with_key(JsonPlace object, std::string_view key) const {
-  std::size_t value = 0;
-  return find_member(object, key, value);
+JsonPlace JsonText::at(JsonPlace object, std::string_view key) const {
+  if (const auto value = find(object, key)) return *value;
+  fail(object, "the key \"" + std::string(key) + "\" is missing");
+}
+
+std::optional<JsonPlace> JsonText::find_with_key(JsonPlace object, std::string_view key) const {
+  const auto member = find_member(object, key);
+  if (!member) return std::nullopt;
+  return JsonPlace{member->key.begin, member->value.end};
 }
 
 void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits) {
-  const auto place = text.member_with_key(object, key);
+  const auto place = text.find_with_key(object, key);
   if (!place) return;
   // Remove the comma after the member, or the one before it if it is the last.
   std::size_t begin = place->begin;
@@ -100,6 +121,7 @@ void remove_member(const JsonText& text, JsonPlace object, std::string_view key,
 }
 
 std::vector<JsonPlace> JsonText::elements(JsonPlace list) const {
+  require(list, '[', "a list");
   std::vector<JsonPlace> places;
   std::size_t at = skip_blanks(list.begin + 1);
   while (at + 1 < list.end) {
@@ -110,10 +132,19 @@ std::vector<JsonPlace> JsonText::elements(JsonPlace list) const {
   return places;
 }
 
+JsonPlace JsonText::element(std::string_view list, std::size_t number) const {
+  const JsonPlace place = at(root(), list);
+  const std::vector<JsonPlace> places = elements(place);
+  if (number < places.size()) return places[number];
+  fail(place, "element " + std::to_string(number) + " of \"" + std::string(list) +
+                  "\" is missing; the list has " + std::to_string(places.size()));
+}
+
 std::string TextEdits::applied_to(std::string_view text) const {
   std::vector<const Edit*> sorted;
   for (const Edit& edit : edits_) sorted.push_back(&edit);
-  std::ranges::stable_sort(sorted, {}, [](const Edit* edit) { return edit->place.begin; });
+  const auto begin_of = [](const Edit* edit) { return edit->place.begin; };
+  if (!std::ranges::is_sorted(sorted, {}, begin_of)) std::ranges::stable_sort(sorted, {}, begin_of);
   std::string result;
   std::size_t copied = 0;
   for (const Edit* edit : sorted) {

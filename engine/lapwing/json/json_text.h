@@ -14,48 +14,55 @@ struct JsonPlace {
   std::size_t end = 0;
 };
 
+/// Returns the line and the column of byte `at` in `text`, such as "3:14". The first line of `text`
+/// has the number `first_line`.
+std::string line_and_column(std::string_view text, std::size_t at, std::size_t first_line = 1);
+
 /// Finds values in a text that `parse_json` has accepted, so that one can be replaced while all
-/// other bytes stay. Each call scans the given value once.
+/// other bytes stay. Each call scans the given value once. All calls throw InputError, with line
+/// and column, if a value has an unexpected type or a required member or element is missing.
 class JsonText {
  public:
-  explicit JsonText(std::string_view text) : text_(text) {}
+  /// Error messages start with `name`. `text` must outlive this object.
+  JsonText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
   std::string_view text() const { return text_; }
   JsonPlace root() const;
-  /// Returns the place of the value of `key` in `object`, or nothing if it has no such key.
-  std::optional<JsonPlace> member(JsonPlace object, std::string_view key) const;
-  /// The same, starting at the first byte of the key.
-  std::optional<JsonPlace> member_with_key(JsonPlace object, std::string_view key) const;
+  /// Returns the location of the value of `key` in `object`. Throws InputError if the key is
+  /// missing.
+  JsonPlace at(JsonPlace object, std::string_view key) const;
+  /// Returns the location of the value of `key`, or nullopt if `object` does not have the key.
+  std::optional<JsonPlace> find(JsonPlace object, std::string_view key) const;
+  /// Returns the same as `find`, but the location includes the key.
+  std::optional<JsonPlace> find_with_key(JsonPlace object, std::string_view key) const;
   /// Returns the places of the values in `list`, in order.
   std::vector<JsonPlace> elements(JsonPlace list) const;
-  /// Returns element `number` of the list `list` of the document's root. Both must exist.
-  JsonPlace element(std::string_view list, std::size_t number) const {
-    return elements(*member(root(), list)).at(number);
-  }
+  /// Returns the location of element `number` in the list that the root has under the key `list`.
+  JsonPlace element(std::string_view list, std::size_t number) const;
 
  private:
-  // Returns the place of key and value, and sets `value` to the beginning of the value.
-  std::optional<JsonPlace> find_member(JsonPlace object, std::string_view key,
-                                       std::size_t& value) const;
+  struct Member {
+    JsonPlace key;
+    JsonPlace value;
+  };
+  std::optional<Member> find_member(JsonPlace object, std::string_view key) const;
+  void require(JsonPlace value, char bracket, std::string_view type) const;
+  [[noreturn]] void fail(JsonPlace value, const std::string& message) const;
   std::size_t skip_blanks(std::size_t at) const;
   std::size_t skip_string(std::size_t at) const;
   std::size_t skip_value(std::size_t at) const;
 
   std::string_view text_;
+  std::string name_;
 };
-
-class TextEdits;
-
-/// Removes `key` and its value from `object`, if it has the key.
-void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits);
 
 /// Replaces ranges of a text and keeps the rest.
 class TextEdits {
  public:
   void replace(JsonPlace place, std::string text) { edits_.push_back({place, std::move(text)}); }
   void insert(std::size_t at, std::string text) { replace({at, at}, std::move(text)); }
-  bool empty() const { return edits_.empty(); }
 
+  bool is_empty() const { return edits_.empty(); }
   /// Returns `text` with all edits. Insertions at one place keep the order of the calls.
   std::string applied_to(std::string_view text) const;
 
@@ -66,5 +73,8 @@ class TextEdits {
   };
   std::vector<Edit> edits_;
 };
+
+/// Removes `key` and its value from `object`, if it has the key.
+void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits);
 
 }  // namespace lapwing

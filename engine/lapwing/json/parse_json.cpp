@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/json/json_text.h"
 
 namespace lapwing {
 
@@ -48,6 +49,13 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
       : text_(text), name_(name), first_line_(first_line) {}
 
   Json build() {
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
+      fail(0, "expected UTF-8 text, found UTF-16; save the file as UTF-8");
+    }
+    // nlohmann-json treats a NUL byte as the end of the text and would ignore the bytes after it.
+    if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
+      fail(nul + 1, "expected UTF-8 text, found a NUL byte; the file is damaged, or is not text");
+    }
     Json::sax_parse(CountedText(text_.data(), &read_),
                     CountedText(text_.data() + text_.size(), &read_), this);
     return std::move(root_);
@@ -146,13 +154,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
   [[noreturn]] void fail(std::size_t position, const std::string& message) const {
-    const std::string_view before =
-        text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()));
-    const auto line =
-        first_line_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    const std::size_t line_start = before.rfind('\n') + 1;
-    throw InputError(name_ + ":" + std::to_string(line) + ":" +
-                     std::to_string(before.size() - line_start + 1) + ": " + message);
+    throw InputError(name_ + ":" +
+                     line_and_column(text_, position > 0 ? position - 1 : 0, first_line_) + ": " +
+                     message);
   }
 
   std::string_view text_;

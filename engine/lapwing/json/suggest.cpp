@@ -35,21 +35,26 @@ std::string quoted_list(std::span<const std::string_view> names) {
   return text;
 }
 
-std::string suggest(std::string_view name, std::span<const std::string_view> known) {
+std::string_view nearest(std::string_view name, std::span<const std::string_view> known) {
   // If half of the letters differ, it is another word and not a typo.
   std::size_t least = std::max<std::size_t>(name.size() / 2, 1) + 1;
-  std::string_view nearest;
+  std::string_view best;
   for (const std::string_view candidate : known) {
     // A prefix counts like one wrong letter.
     const bool is_start = !name.empty() && candidate.starts_with(name);
     const std::size_t distance = is_start ? 1 : edit_distance(name, candidate);
     if (distance < least) {
       least = distance;
-      nearest = candidate;
+      best = candidate;
     }
   }
+  return best;
+}
+
+std::string suggest(std::string_view name, std::span<const std::string_view> known) {
   std::string text;
-  if (!nearest.empty()) text.append("did you mean \"").append(nearest).append("\"? ");
+  const std::string_view meant = nearest(name, known);
+  if (!meant.empty()) text.append("did you mean \"").append(meant).append("\"? ");
   return text + "Known here: " + quoted_list(known);
 }
 

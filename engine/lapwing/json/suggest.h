@@ -10,6 +10,9 @@ namespace lapwing {
 /// here: "op", "roi"`. Leaves the question out if no known name is close.
 std::string suggest(std::string_view name, std::span<const std::string_view> known);
 
+/// Returns the known name closest to `name`, or an empty string if no known name is close.
+std::string_view nearest(std::string_view name, std::span<const std::string_view> known);
+
 /// Returns the names in quotes, separated by commas.
 std::string quoted_list(std::span<const std::string_view> names);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "lapwing/kernels/kernels.h"
-#include "lapwing/kernels/response_columns.h"
 
 namespace lapwing {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
 
@@ -13,7 +14,27 @@ extern const RingLoops kRingLoopsAvx2;
 extern const RingLoops kRingLoopsAvx512;
 #endif
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+namespace {
+
+Matrix3d matrix_of(const double (&entries)[9][kFitLanes], int lane) {
+  Matrix3d m;
+  for (Eigen::Index k = 0; k < 9; ++k) m(k % 3, k / 3) = entries[k][lane];
+  return m;
+}
+
+Matrix3d stretch_of(const FitStretch& stretch, int lane) {
+  const auto& S = stretch.S;
+  Matrix3d m;
+  m << S[0][lane], S[5][lane], S[4][lane],  //
+      S[5][lane], S[1][lane], S[3][lane],   //
+      S[4][lane], S[3][lane], S[2][lane];
+  return m;
+}
+
+}  // namespace
 
 const RingLoops& ring_loops([[maybe_unused]] InstructionSet set) {
 #ifdef __x86_64__
@@ -74,8 +95,73 @@ void CpuRingRotations::pack_batch(std::size_t batch) {
   }
 }
 
-std::vector<Eigen::Matrix3d> CpuRingRotations::transforms() const {
-  std::vector<Eigen::Matrix3d> transforms(rings_.row_count(), Eigen::Matrix3d::Identity());
+void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
+                                     std::span<double> energies) {
+  constexpr std::size_t kVerticesPerTask = 8192;
+  constexpr std::size_t kBatchesPerTask = 32;
+  parallel_for(displacement.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::copy_n(displacement[v].data(), 3, displacement_[v].xyz0);
+    }
+  });
+  parallel_for(rest_.size(), kBatchesPerTask, [&](std::size_t begin, std::size_t end) {
+    FitBatch batch;
+    for (std::size_t b = begin; b < end; ++b) {
+      fit(b, batch);
+      const std::size_t first = b * kFitLanes;
+      const std::size_t last = std::min(first + kFitLanes, rings_.row_count());
+      for (std::size_t r = first; r < last; ++r) {
+        const auto lane = static_cast<int>(r - first);
+        for (std::size_t k = 0; k < 9; ++k) {
+          turns_[r].column[k / 3].xyz0[k % 3] = batch.T[k][lane] - (k % 4 == 0 ? 1.0 : 0.0);
+        }
+        for (std::size_t a = 0; a < 3; ++a) residuals_[r].xyz0[a] = batch.residual[a][lane];
+        energies[r] = batch.energy[lane];
+      }
+    }
+  });
+}
+
+void CpuRingRotations::fit(std::size_t number, FitBatch& batch) const {
+  const std::size_t begin = entry_starts_[number];
+  const FitRings rings{rest_[number],
+                       entries_.data() + begin,
+                       entry_starts_[number + 1] - begin,
+                       static_cast<Index>(number * kFitLanes),
+                       displacement_.data(),
+                       stretch_.empty() ? nullptr : &stretch_[number]};
+  const unsigned unsure = loops_.fit(rings, batch);
+  if (unsure == 0) return;
+  // These rings need the slow, robust fit.
+  for (int lane = 0; lane < kFitLanes; ++lane) {
+    if ((unsure >> static_cast<unsigned>(lane) & 1U) == 0) continue;
+    Matrix3d T = nearest_rotation(matrix_of(batch.C, lane));
+    if (rings.stretch != nullptr) T = T * stretch_of(*rings.stretch, lane);
+    for (Eigen::Index k = 0; k < 9; ++k) batch.T[k][lane] = T(k % 3, k / 3);
+  }
+  loops_.finish(rings, batch);
+}
+
+void CpuRingRotations::energy_gradient(std::span<double> g) {
+  constexpr std::size_t kUnknownsPerTask = 256;
+  const GradientRings rings{rings_.starts.data(),
+                            rings_.neighbours.data(),
+                            rings_.edges.empty() ? nullptr : rings_.edges.front().data(),
+                            rings_.reverse_weights.data(),
+                            rings_.stiffness.empty() ? nullptr : rings_.stiffness.data(),
+                            rings_.row_count(),
+                            rings_.unknown_rows.data(),
+                            rings_.unknown_rows.size(),
+                            displacement_.data(),
+                            residuals_.data(),
+                            turns_.data()};
+  parallel_for(rings.unknown_count, kUnknownsPerTask, [&](std::size_t first, std::size_t last) {
+    loops_.gradient(rings, first, last, g.data());
+  });
+}
+
+std::vector<Matrix3d> CpuRingRotations::transforms() const {
+  std::vector<Matrix3d> transforms(rings_.row_count(), Matrix3d::Identity());
   for (std::size_t r = 0; r < transforms.size(); ++r) {
     for (Eigen::Index c = 0; c < 3; ++c) {
       transforms[r].col(c) += Eigen::Map<const Vector3d>(turns_[r].column[c].xyz0);
@@ -84,13 +170,13 @@ std::vector<Eigen::Matrix3d> CpuRingRotations::transforms() const {
   return transforms;
 }
 
-void CpuRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) {
+void CpuRingRotations::set_rest_stretch(std::span<const Matrix3d> stretch) {
   if (stretch.empty()) return stretch_.clear();
   FitStretch identity{};
   for (int k = 0; k < 3; ++k) std::fill_n(identity.S[k], kFitLanes, 1.0);
   stretch_.resize(rest_.size(), identity);
   for (std::size_t r = 0; r < stretch.size(); ++r) {
-    const Eigen::Matrix3d& S = stretch[r];
+    const Matrix3d& S = stretch[r];
     const double numbers[] = {S(0, 0), S(1, 1), S(2, 2), S(1, 2), S(0, 2), S(0, 1)};
     for (int k = 0; k < 6; ++k) stretch_[r / kFitLanes].S[k][r % kFitLanes] = numbers[k];
   }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/laplacian/region_rings.h"
-#include "lapwing/laplacian/rsi_system.h"
-#include "lapwing/mesh/surface_point.h"
+#include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
 
@@ -79,6 +79,18 @@ struct MappedRings {
   std::span<const SurfacePoint> points;
 };
 
+/// Returns `values`, one per vertex, interpolated at `point`, minus `anchor`. If `anchor` is near
+/// the values, differences of such offsets keep their digits, however far from 0 these are. `point`
+/// must not be nowhere.
+inline Eigen::Vector3d offset_from(const Eigen::Vector3d& anchor, const SurfacePoint& point,
+                                   std::span<const Eigen::Vector3d> values) {
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  for (std::size_t c = 0; c < 3; ++c) {
+    offset += point.weights[c] * (values[point.corners[c]] - anchor);
+  }
+  return offset;
+}
+
 /// How Laplacians are sampled from a source surface.
 enum class MappedSampling {
   one_ring,  ///< the Laplacian of the target's ring, mapped to the source
@@ -89,6 +101,19 @@ enum class MappedSampling {
 struct FramedSurface {
   std::span<const Eigen::Vector3d> positions;
   std::span<const Eigen::Vector3d> normals;
+};
+
+/// A linear response of a mesh's vertices to some parameters (kernel blend_response):
+///     position[v] = rest[v] + sum_k parameters[k] column_k[v]     for v in `moving`.
+struct ResponseColumns {
+  std::span<const Index> moving;  ///< ascending
+  std::size_t count = 0;
+  /// Column after column, 3 |moving| numbers each; x, y, z of moving[0] first.
+  std::span<const double> numbers;
+  /// If true, each column displaces along one axis, and x, y and z share their numbers. For each
+  /// axis, column 12 h + 4 axis + k is column 4 h + k of `numbers`, which holds a third of the
+  /// columns with |moving| numbers each. `count` must be a multiple of 12.
+  bool along_axes = false;
 };
 
 /// The kernels, as the core sees the device. Each has a CPU twin in double precision (CpuKernels)

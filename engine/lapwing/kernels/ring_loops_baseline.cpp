@@ -5,8 +5,7 @@ namespace {
 
 constexpr int kLanes = 2;  // numbers per register
 
-#include "lapwing/kernels/fit_batch.inl"
-#include "lapwing/kernels/gradient_rows.inl"
+#include "lapwing/kernels/ring_loops.inl"
 
 }  // namespace
 

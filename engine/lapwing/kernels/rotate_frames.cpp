@@ -4,7 +4,6 @@
 
 #include "lapwing/base/parallel.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/kernels/mapped_ring.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {

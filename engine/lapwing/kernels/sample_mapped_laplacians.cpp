@@ -1,6 +1,5 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/kernels/mapped_ring.h"
 
 namespace lapwing {
 namespace {

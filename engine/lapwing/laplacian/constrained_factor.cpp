@@ -77,12 +77,12 @@ void ConstrainedFactor::hold(std::size_t unknown, double weight) {
   W_[unknown] = weight;
 }
 
-bool ConstrainedFactor::holds(std::span<const double> W) const {
+bool ConstrainedFactor::is_factorized_for(std::span<const double> W) const {
   return factored_ && std::equal(W.begin(), W.end(), W_.begin(), W_.end());
 }
 
 void ConstrainedFactor::factorize(std::span<const double> W, const Progress& progress) {
-  if (holds(W)) return;
+  if (is_factorized_for(W)) return;
   std::vector<Index> changed;
   for (std::size_t u = 0; u < W_.size(); ++u) {
     if (W[u] == W_[u]) continue;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/laplacian/system_pattern.h"
 #include "lapwing/solve/block_solver.h"
 
@@ -35,11 +35,13 @@ class ConstrainedFactor {
   const BlockMatrix& matrix() const { return A_; }
   /// Returns A as set last.
   BlockMatrix unconstrained_matrix() const;
+  /// Returns the diagonal of A, one number per scalar unknown.
+  std::span<const double> unconstrained_diagonal() const { return diagonal_; }
   /// Returns the memory of A for the next matrix. Leaves no A.
   Numbers take_memory();
 
   /// Returns true if the current factor is that of A + diag(W).
-  bool holds(std::span<const double> W) const;
+  bool is_factorized_for(std::span<const double> W) const;
 
   /// Factorizes A + diag(W), after `analyze` and `set_matrix`. Does nothing if that is the current
   /// factor. If only W has changed, keeps the parts of the factor that do not depend on the change;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
+#include "lapwing/laplacian/springs.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
 
@@ -11,22 +14,23 @@ namespace lapwing {
 /// The unknowns of an edit, and how firmly each is held to its prescribed displacement.
 struct Constraints {
   Unknowns unknowns;
-  std::vector<double> W;  ///< per unknown: squared weight on handle and belt, less if a handle is
-                          ///< graded, 0 elsewhere
+  std::vector<double> W;  ///< per unknown: kStiff or the squared weight on handle and belt, less if
+                          ///< a handle is graded, 0 elsewhere
 };
 
-/// Returns the share of the full stiffness for a graded weight from 0 to 1: its fourth power.
-/// Against the bending of the surface, a stiffness W holds shapes longer than W^(-1/4) edges. So a
-/// weight of 1/2 holds shapes longer than 2 edges, 1/10 those longer than 10. On a sheet with a
-/// falloff 24 edges wide, the surface follows by 1, 0.84 and 0.25 at half, three quarters and all
-/// of its width.
-double stiffness_of(double weight);
+/// Returns the constraints of a region. `weight` is DeformOptions::constraint_weight. If it is
+/// empty, kStiff holds the belt and the handles that name no weight. With soft constraints, all
+/// vertices of the region are unknowns, except those with hard targets. With hard constraints, only
+/// free vertices are unknowns. The motion of all other vertices is given. Soft targets and points
+/// in triangles are springs. Vertices without a ring do not move if nothing holds them, and are not
+/// unknowns.
+Constraints constraints_of(const EditRegion& region, const Topology& topology,
+                           std::optional<double> weight, bool hard);
 
-/// Returns the constraints of a region. If they are soft, the region's vertices are the unknowns.
-/// If they are hard, only free vertices are, and the motion of handle and belt is given. The motion
-/// of vertices with hard targets is given in either case. Soft targets and points in triangles are
-/// springs. Vertices without a ring that nothing holds stay, and are not unknowns.
-Constraints constraints_of(const EditRegion& region, const Topology& topology, double weight,
-                           bool hard);
+/// Returns one vector per vertex of the mesh: `prescribed` at the vertices of `roi` that are not
+/// unknowns, and 0 elsewhere. Right-hand sides must account for it. Returns an empty vector if all
+/// are 0, as with soft constraints, to save a field over the mesh.
+std::vector<Eigen::Vector3d> dirichlet_values(std::span<const Index> roi, const Unknowns& unknowns,
+                                              std::span<const Eigen::Vector3d> prescribed);
 
 }  // namespace lapwing

@@ -38,10 +38,10 @@ struct EnergyWeights {
 ///     om_i = mean ring area of the region / the larger of that of i and its neighbours' mean,
 ///     k_ij = mu c_ij / (2 * 2 sqrt(3)),   mu = A / (n * 2 sqrt(3) * (detail_length r)^2).
 /// The region has n vertices, the area A and the radius of gyration r. A / r^2 is at least that of
-/// a strip 100 times as long as wide, whose triangles may have no area at all. c_ij is half of
-/// cotangent_sums, at least kSmallestCotangentShare of a regular triangulation's 1 / sqrt(3), whose
-/// 6 around a vertex sum to 2 sqrt(3). A ring smaller than those around it counts with their mean
-/// area, because Laplacians as firm as a tiny ring's would fold its triangles. Linear time.
+/// a strip 100 times as long as wide. c_ij is half of cotangent_sums, and at least
+/// kSmallestCotangentShare of 1 / sqrt(3). In a regular triangulation c_ij is 1 / sqrt(3), and the
+/// 6 around a vertex sum to 2 sqrt(3). om_i includes the neighbours' areas, because the large
+/// weight of a tiny ring alone would fold its triangles. Takes linear time.
 EnergyWeights energy_weights(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms);
 

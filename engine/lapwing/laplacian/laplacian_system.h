@@ -10,8 +10,8 @@
 #include "lapwing/laplacian/constrained_factor.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/laplacian/energy_weights.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/laplacian/region_rings.h"
-#include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/springs.h"
 #include "lapwing/laplacian/system_pattern.h"
 
@@ -62,14 +62,17 @@ class LaplacianSystem {
   void analyze();
   bool is_analyzed() const { return factor_.is_analyzed(); }
   /// Factorizes under `W`, one number per unknown, and redoes only what has changed since the last
-  /// time. Throws SolverError as above, and then keeps all but the factor.
+  /// time. Replaces kStiff by 1000 times the diagonal of the matrix at the vertex, or 1000 times
+  /// its mean if that is larger. Throws SolverError as above, and then keeps all but the factor.
   void factorize(std::span<const double> W);
   /// Returns true if the system is factored under `W`.
-  bool holds(std::span<const double> W) const { return is_assembled_ && factor_.holds(W); }
+  bool is_factorized_for(std::span<const double> W) const {
+    return is_assembled_ && factor_.is_factorized_for(finite_weights(W));
+  }
 
   /// Returns the rings, with unknowns and rows in the order of elimination, so that neighbours in
   /// space are neighbours in memory: unknown k of the rings is unknown `elimination_order()[k]`.
-  /// The first call builds them. The system must be analyzed.
+  /// The first call builds them. Call `analyze` first.
   const RegionRings& rings() const { return *shared_rings(); }
   /// The same, unchanged when others are built.
   std::shared_ptr<const RegionRings> shared_rings() const;
@@ -80,10 +83,10 @@ class LaplacianSystem {
   std::size_t factor_bytes() const { return factor_.solver().statistics().peak_bytes; }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
-  /// Computes b = W d - (L'Om L + K) d': x of all unknowns, then y, then z. `wanted` has one vector
-  /// per vertex of the mesh. d are those of the held unknowns, d' those of the region's vertices
-  /// whose motion is given.
-  void right_hand_side(std::span<const Eigen::Vector3d> wanted, std::span<double> b) const;
+  /// Computes b = W d - (L'Om L + K) d', ordered as x of all unknowns, then y, then z. `prescribed`
+  /// has one vector per vertex of the mesh. d are its values at the held unknowns, and d' those at
+  /// the vertices of the region whose motion is given.
+  void right_hand_side(std::span<const Eigen::Vector3d> prescribed, std::span<double> b) const;
 
   /// Adds the forces of the springs to b, in that order.
   void add_spring_forces(std::span<double> b) const;
@@ -96,6 +99,7 @@ class LaplacianSystem {
   void solve_in_elimination_order(std::span<double> columns_of_b, std::size_t columns) const;
 
  private:
+  std::vector<double> finite_weights(std::span<const double> W) const;
   std::vector<Index> rows_by_elimination() const;
   void add_edge_terms(BlockMatrix& A) const;
 

@@ -70,7 +70,7 @@ Numbers spring_forces(std::span<const Spring> springs, const Unknowns& unknowns)
       const Index row = unknowns.of_vertex[spring.corners[k]];
       if (row == kNoIndex) continue;
       Eigen::Map<Vector3d>(forces.data() + 3 * row) +=
-          spring.stiffness * spring.shares[k] * spring.wanted;
+          spring.stiffness * spring.shares[k] * spring.prescribed;
     }
   }
   return forces;

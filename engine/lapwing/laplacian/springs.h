@@ -6,21 +6,23 @@
 #include <vector>
 
 #include "lapwing/base/numbers.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/solve/block_matrix.h"
 
 namespace lapwing {
 
 /// A spring that draws a point of the surface to a place. It adds
-///     stiffness |sum_k shares_k u(corner k) - wanted|^2
+///     stiffness |sum_k shares_k u(corner k) - prescribed|^2
 /// to the energy, like the held vertices of eq. 5, but for points within triangles too.
 struct Spring {
-  std::array<Index, 3> corners{};                    ///< of one triangle; all the same for a vertex
-  std::array<double, 3> shares{};                    ///< of the corners; they sum to 1
-  Eigen::Vector3d wanted = Eigen::Vector3d::Zero();  ///< displacement
+  std::array<Index, 3> corners{};  ///< of one triangle; all the same for a vertex
+  std::array<double, 3> shares{};  ///< of the corners; they sum to 1
+  Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< displacement
   double stiffness = 1.0;  ///< above 0; kStiff is far stiffer than the surface
 };
 
+/// The stiffness of a spring or unknown that is held firmly. LaplacianSystem replaces it by a
+/// finite one.
 inline constexpr double kStiff = std::numeric_limits<double>::infinity();
 
 /// Returns the springs with a finite stiffness instead of kStiff: 1e7 times the mean of the

@@ -1,26 +1,8 @@
 #include "lapwing/laplacian/system_pattern.h"
 
-#include <cmath>
-#include <utility>
-
 #include "lapwing/base/cancellation.h"
-#include "lapwing/solve/dissection/mesh_dissection.h"
-#include "lapwing/solve/ordering.h"
 
 namespace lapwing {
-namespace {
-
-// Returns true if nested dissection pays for M'M of `n` unknowns, given the `operations` for L'L in
-// the minimum degree order. On surfaces, nested dissection needs about 84 n^1.5 for L'L. M'M takes
-// 27 times as many. The search takes as long as kSearch operations per unknown.
-bool is_worth_dissecting(double n, double operations) {
-  constexpr double kOfDissection = 84.0;
-  constexpr double kSearch = 250'000.0;
-  return 27.0 * (operations - kOfDissection * n * std::sqrt(n)) > kSearch * n;
-}
-
-}  // namespace
-
 CouplingGraph coupling_graph(const Adjacency& rings, std::span<const Index> rows,
                              const Unknowns& unknowns) {
   std::vector<int> node_of(rings.row_count(), -1);
@@ -50,28 +32,18 @@ SystemPattern::SystemPattern(const Topology& topology, std::span<const Index> ro
     : normal_(ring_blocks(topology.rings, roi), unknowns),
       coupling_(coupling_graph(topology.rings, roi, unknowns)) {}
 
-const std::vector<int>& SystemPattern::order() const {
-  ordering_([&] {
-    if (blocks().size() > kMinimumDegreeLimit) {
-      order_ = dissection_order(coupling_);
-      return;
-    }
-    MinimumDegreeOrder found = minimum_degree_order(blocks());
-    operations_ = found.operations;
-    order_ = std::move(found.order);
-  });
-  return order_;
+const EliminationOrder& SystemPattern::quick() const {
+  ordering_([&] { quick_ = quick_order(blocks(), coupling_); });
+  return quick_;
 }
 
 const std::vector<int>& SystemPattern::factorization_order() const {
-  order();
+  quick();
   thorough_ordering_([&] {
-    if (is_worth_dissecting(static_cast<double>(blocks().size()), operations_)) {
-      thorough_order_ = dissection_order(coupling_);
-    }
+    thorough_ = thorough_order(quick_, coupling_);
     coupling_ = {};
   });
-  return thorough_order_.empty() ? order_ : thorough_order_;
+  return thorough_.empty() ? quick_.order : thorough_;
 }
 
 std::shared_ptr<const SolverAnalysis> SystemPattern::analysis() const {

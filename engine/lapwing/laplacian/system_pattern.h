@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/base/once.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/normal_matrix.h"
 #include "lapwing/solve/block_solver.h"
-#include "lapwing/solve/dissection/coupling_graph.h"
+#include "lapwing/solve/dissection/order_choice.h"
 
 namespace lapwing {
 
@@ -25,14 +25,11 @@ class SystemPattern {
   const NormalPattern& normal() const { return normal_; }
   const BlockPattern& blocks() const { return normal_.blocks(); }
 
-  /// Returns the order for L'L, new to old. It is found fast, because a preview waits for it: by
-  /// minimum degree, or by nested dissection above kMinimumDegreeLimit unknowns. The first call on
-  /// any thread finds it.
-  const std::vector<int>& order() const;
+  /// Returns the order for L'L, new to old (`quick_order`). The first call on any thread finds it.
+  const std::vector<int>& order() const { return quick().order; }
   /// Returns true if the order is known. Do not call while another thread may be finding it.
-  bool is_ordered() const { return order_.size() == blocks().size(); }
-  /// Returns the order for M'M: the same, or that of nested dissection if its search costs less
-  /// than it saves in the factorization, which takes 27 times the operations. The first call finds
+  bool is_ordered() const { return quick_.order.size() == blocks().size(); }
+  /// Returns the order for M'M, which is `order()` or the `thorough_order`. The first call finds
   /// it.
   const std::vector<int>& factorization_order() const;
   /// Returns the symbolic factorization of M'M in that order, which all its factors share. Computed
@@ -42,13 +39,14 @@ class SystemPattern {
   bool has_analysis() const;
 
  private:
+  const EliminationOrder& quick() const;
+
   NormalPattern normal_;
   mutable CouplingGraph coupling_;  // until the orders are known
   mutable Once ordering_;
-  mutable std::vector<int> order_;
-  mutable double operations_ = 0;  // of L'L in that order, if minimum degree found it
+  mutable EliminationOrder quick_;
   mutable Once thorough_ordering_;
-  mutable std::vector<int> thorough_order_;  // empty if it is the same
+  mutable std::vector<int> thorough_;  // empty if it equals `order()`
   mutable std::mutex analyzing_;
   mutable std::weak_ptr<const SolverAnalysis> analysis_;
 };

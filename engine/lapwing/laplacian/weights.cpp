@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -66,19 +67,15 @@ double sum_of(std::span<const double> row) {
   return sum;
 }
 
-class AllRows {
- public:
-  explicit AllRows(const Topology& topology) : count_(topology.rings.row_count()) {}
-  std::size_t size() const { return count_; }
-  Index operator[](std::size_t k) const { return static_cast<Index>(k); }
-
- private:
-  std::size_t count_;
-};
+std::vector<Index> all_rows(const Topology& topology) {
+  std::vector<Index> all(topology.rings.row_count());
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
 
 // Calls body(i, entries of row i) for each of `rows` that has entries.
-template <typename Rows, typename Body>
-void for_rows(const Topology& topology, const Rows& rows, std::span<double> values,
+template <typename Body>
+void for_rows(const Topology& topology, std::span<const Index> rows, std::span<double> values,
               const Body& body) {
   constexpr std::size_t kRowsPerTask = 2048;
   const Adjacency& rings = topology.rings;
@@ -91,13 +88,6 @@ void for_rows(const Topology& topology, const Rows& rows, std::span<double> valu
   });
 }
 
-template <typename Rows>
-void set_sums(const Topology& topology, std::span<const Vector3d> positions, const Rows& rows,
-              std::span<double> sums) {
-  for_rows(topology, rows, sums,
-           [&](Index i, std::span<double> row) { set_cotangents(topology, i, positions, row); });
-}
-
 // Turns a row of cotangent sums into weights.
 void make_weights(std::span<double> row) {
   if (!make_positive(row)) return set_uniform(row);
@@ -105,29 +95,22 @@ void make_weights(std::span<double> row) {
   for (double& w : row) w /= sum;
 }
 
-template <typename Rows>
-void set_weights(const Topology& topology, std::span<const Vector3d> positions,
-                 LaplacianWeights scheme, const Rows& rows, std::span<double> weights) {
-  for_rows(topology, rows, weights, [&](Index i, std::span<double> row) {
-    if (scheme == LaplacianWeights::uniform) return set_uniform(row);
-    set_cotangents(topology, i, positions, row);
-    make_weights(row);
-  });
-}
-
 }  // namespace
 
 std::vector<double> laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
                                       LaplacianWeights scheme) {
-  std::vector<double> weights(topology.rings.values.size());
-  set_weights(topology, positions, scheme, AllRows(topology), weights);
-  return weights;
+  const Numbers weights = laplacian_weights(topology, positions, scheme, all_rows(topology));
+  return {weights.begin(), weights.end()};
 }
 
 Numbers laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
                           LaplacianWeights scheme, std::span<const Index> rows) {
   Numbers weights(topology.rings.values.size());
-  set_weights(topology, positions, scheme, rows, weights);
+  for_rows(topology, rows, weights, [&](Index i, std::span<double> row) {
+    if (scheme == LaplacianWeights::uniform) return set_uniform(row);
+    set_cotangents(topology, i, positions, row);
+    make_weights(row);
+  });
   return weights;
 }
 
@@ -141,21 +124,17 @@ Numbers laplacian_weights(const Topology& topology, const Numbers& cotangent_sum
   return weights;
 }
 
-std::vector<double> cotangent_sums(const Topology& topology, std::span<const Vector3d> positions) {
-  std::vector<double> sums(topology.rings.values.size());
-  set_sums(topology, positions, AllRows(topology), sums);
-  return sums;
-}
-
 Numbers cotangent_sums(const Topology& topology, std::span<const Vector3d> positions,
                        std::span<const Index> rows) {
   Numbers sums(topology.rings.values.size());
-  set_sums(topology, positions, rows, sums);
+  for_rows(topology, rows, sums,
+           [&](Index i, std::span<double> row) { set_cotangents(topology, i, positions, row); });
   return sums;
 }
 
 std::vector<double> edge_weights(const Topology& topology, std::span<const Vector3d> positions) {
-  std::vector<double> weights = cotangent_sums(topology, positions);
+  const Numbers sums = cotangent_sums(topology, positions, all_rows(topology));
+  std::vector<double> weights(sums.begin(), sums.end());
   if (weights.empty()) return weights;
   if (!make_positive(weights)) {
     std::fill(weights.begin(), weights.end(), 1.0);

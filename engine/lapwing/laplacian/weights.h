@@ -14,11 +14,11 @@ enum class LaplacianWeights {
   cotangent,  ///< w_ij proportional to cot a_ij + cot b_ij, the angles opposite edge ij
 };
 
-/// Returns one weight per entry of `topology.rings`. Each row sums to 1; a row without entries is
-/// empty. Cotangents are limited to kLargestCotangent. Weights are made positive: each is at least
-/// kSmallestCotangentShare of its row's mean absolute weight. Otherwise, obtuse triangles give
-/// negative weights, and a row of them can sum to 0, which removes the row's diagonal. Rows without
-/// any cotangent (all neighbours at one place) get uniform weights. Linear time.
+/// Returns one weight per entry of `topology.rings`. Each row sums to 1. Cotangents are limited to
+/// kLargestCotangent. Each weight is at least kSmallestCotangentShare of the mean absolute weight
+/// of its row. Without this limit, obtuse triangles would give negative weights, and a row could
+/// sum to 0. Rows without any cotangent (all neighbours at one place) get uniform weights. Takes
+/// linear time.
 std::vector<double> laplacian_weights(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions,
                                       LaplacianWeights scheme);
@@ -44,10 +44,8 @@ inline constexpr double kSmallestCotangentShare = 0.01;
 /// triangles; with this one, 11.
 inline constexpr double kLargestCotangent = 1e4;
 
-/// Returns cot a_ij + cot b_ij per entry of `topology.rings`, of any sign. Linear time.
-std::vector<double> cotangent_sums(const Topology& topology,
-                                   std::span<const Eigen::Vector3d> positions);
-/// The same for `rows` alone. Entries of other rows are undefined.
+/// Returns cot a_ij + cot b_ij, which may be negative, per entry of `topology.rings`. Computes only
+/// the entries of `rows`; the others are undefined.
 Numbers cotangent_sums(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                        std::span<const Index> rows);
 

@@ -102,10 +102,10 @@ class Decimation {
   // Adds the planes of the triangles at v. At a boundary edge it also adds the plane through the
   // edge perpendicular to the triangle, which holds the boundary in place.
   void find_quadric(Index v) {
-    std::vector<IncidentEdge> spokes;
-    if (is_plain_[v] == 0) spokes = incident_edges(v, around_[v], triangles_);
+    std::vector<IncidentEdge> incident;
+    if (is_plain_[v] == 0) incident = incident_edges(v, around_[v], triangles_);
     const auto is_on_boundary = [&](Index w) {
-      const auto at = std::lower_bound(spokes.begin(), spokes.end(), w,
+      const auto at = std::lower_bound(incident.begin(), incident.end(), w,
                                        [](const IncidentEdge& s, Index to) { return s.to < to; });
       return at->triangles() == 1;
     };
@@ -133,16 +133,16 @@ class Decimation {
 
   // Returns the number of edges at v with one triangle, or kMany if v must be kept: on an edge of
   // more than two triangles, or where fans meet.
-  std::size_t boundary_edges(Index v, std::span<const IncidentEdge> spokes) const {
+  std::size_t boundary_edges(Index v, std::span<const IncidentEdge> incident) const {
     constexpr std::size_t kMany = 3;
     std::size_t open = 0;
-    for (const IncidentEdge& spoke : spokes) {
-      if (spoke.triangles() > 2) return kMany;
-      if (spoke.triangles() == 1) ++open;
+    for (const IncidentEdge& edge : incident) {
+      if (edge.triangles() > 2) return kMany;
+      if (edge.triangles() == 1) ++open;
     }
     // A single fan has as many edges as triangles, or one more on a boundary.
     const std::size_t of_one_fan = around_.size(v) + (open > 0 ? 1 : 0);
-    return spokes.size() == of_one_fan ? open : kMany;
+    return incident.size() == of_one_fan ? open : kMany;
   }
 
   Merge cheapest(Index v) const {
@@ -159,11 +159,11 @@ class Decimation {
       for (const Index t : around_[v]) look_at(next_corner(triangles_[t], v));
       return best;
     }
-    const std::vector<IncidentEdge> spokes = incident_edges(v, around_[v], triangles_);
-    const std::size_t open = boundary_edges(v, spokes);
+    const std::vector<IncidentEdge> incident = incident_edges(v, around_[v], triangles_);
+    const std::size_t open = boundary_edges(v, incident);
     if (open > 2) return best;
-    for (const IncidentEdge& spoke : spokes) {
-      if (open == 0 || spoke.triangles() == 1) look_at(spoke.to);
+    for (const IncidentEdge& edge : incident) {
+      if (open == 0 || edge.triangles() == 1) look_at(edge.to);
     }
     return best;
   }
@@ -330,8 +330,8 @@ class Decimation {
     for (std::size_t k = 0; k < merges.size(); ++k) {
       if (is_still[k] != 0) continue;
       const Index into = merges[k].into;
-      for (const IncidentEdge& spoke : incident_edges(into, around_[into], triangles_)) {
-        if (!spoke.is_plain()) is_plain_[spoke.to] = is_plain_[into] = 0;
+      for (const IncidentEdge& edge : incident_edges(into, around_[into], triangles_)) {
+        if (!edge.is_plain()) is_plain_[edge.to] = is_plain_[into] = 0;
       }
     }
   }
@@ -362,7 +362,8 @@ class Decimation {
   std::vector<Index> owners_;      ///< per vertex: the vertex it was merged into, or itself
   std::vector<char> has_changed_;  ///< per vertex: whether `cheapest_` must be recomputed
   std::vector<Merge> cheapest_;    ///< per vertex
-  /// Per vertex: `has_plain_spokes`. It may still be 0 after the spokes have become plain again.
+  /// Per vertex: a cached result of `has_plain_spokes`. The entry may remain 0 after a merge has
+  /// made all incident edges plain.
   std::vector<char> is_plain_;
   std::vector<ErrorQuadric> quadrics_;
   Adjacency around_;

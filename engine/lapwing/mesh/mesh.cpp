@@ -1,5 +1,7 @@
 #include "lapwing/mesh/mesh.h"
 
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "lapwing/base/cancellation.h"
@@ -33,9 +35,8 @@ const Topology& Mesh::topology() const& {
 
 std::shared_ptr<const Topology> Mesh::shared_topology() const {
   if (!connectivity_) throw std::logic_error("a mesh that was moved from has no topology");
-  connectivity_->building([&] {
-    connectivity_->topology = std::make_shared<const Topology>(build_topology(*this));
-  });
+  connectivity_->building(
+      [&] { connectivity_->topology = std::make_shared<const Topology>(build_topology(*this)); });
   if (connectivity_->topology->vertex_count() != vertex_count()) {
     throw std::logic_error(
         "vertices were added or removed after the topology of the mesh was built; "
@@ -73,6 +74,26 @@ void validate_indices(const Mesh& mesh) {
       }
     }
   }
+}
+
+double require_extent(std::span<const Index> vertices, std::span<const Eigen::Vector3d> positions,
+                      const std::string& where) {
+  std::optional<Bounds> bounds;
+  for (const Index v : vertices) {
+    const Eigen::Vector3d& p = positions[v];
+    if (!p.allFinite()) continue;
+    if (!bounds) bounds = {p, p};
+    bounds->min = bounds->min.cwiseMin(p);
+    bounds->max = bounds->max.cwiseMax(p);
+  }
+  if (!bounds) return 0.0;
+  // The squared length of the diagonal would overflow long before.
+  const double extent = (bounds->max - bounds->min).maxCoeff();
+  if (extent == 0.0 || (extent >= kSmallestExtent && extent <= kLargestExtent)) return extent;
+  std::ostringstream text;
+  text << where << ": the vertices span " << extent << ", outside the supported range from "
+       << kSmallestExtent << " to " << kLargestExtent << "; scale the mesh";
+  throw InputError(text.str());
 }
 
 }  // namespace lapwing

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/base/once.h"
+#include "lapwing/base/parallel.h"
 
 namespace lapwing {
 
@@ -36,12 +36,13 @@ struct MeshAttributes {
   std::vector<Eigen::Vector3d> normals;        ///< the file's normals, in its order
   std::vector<Index> corner_normals;           ///< per corner: index into `normals`, or kNoIndex
   bool has_vertex_normals = false;             ///< one stored normal per vertex (PLY, NOFF)
+  bool groups_are_objects = false;             ///< OBJ files get `o` instead of `g` statements
   std::vector<Eigen::Vector4f> vertex_colors;  ///< per vertex, RGBA in [0, 1]
   std::vector<Eigen::Vector4f> face_colors;    ///< per face, RGBA in [0, 1]
   std::vector<std::string> material_libraries;
   std::vector<std::string> materials;  ///< names
   std::vector<Index> face_materials;   ///< per face: index into `materials`, or kNoIndex
-  std::vector<std::string> groups;     ///< names (OBJ groups, STL solids)
+  std::vector<std::string> groups;     ///< names of OBJ groups and objects, glTF nodes, STL solids
   std::vector<Index> face_groups;      ///< per face: index into `groups`, or kNoIndex
   std::vector<std::string> comments;
   std::vector<ExtraAttribute> vertex_extras;
@@ -144,5 +145,16 @@ Bounds united(const Bounds& a, const Bounds& b);
 
 /// Throws InputError, naming the face, if a face uses a vertex that the mesh does not have.
 void validate_indices(const Mesh& mesh);
+
+/// Sizes of meshes that the engine supports: all that 32-bit floats can hold (1e-38 to 3e38). The
+/// mathematics uses up to the sixth power of edge lengths, which doubles hold even for edges of a
+/// ten-thousandth of the size.
+inline constexpr double kSmallestExtent = 1e-38;
+inline constexpr double kLargestExtent = 1e39;
+
+/// Returns the largest side of the bounding box of the vertices with finite positions, or 0 if they
+/// coincide. Throws InputError, naming `where`, if any other size is outside those limits.
+double require_extent(std::span<const Index> vertices, std::span<const Eigen::Vector3d> positions,
+                      const std::string& where);
 
 }  // namespace lapwing

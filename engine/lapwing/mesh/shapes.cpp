@@ -17,9 +17,12 @@ void require_room(double triangles) {
   require_at_most(kMostTriangles, triangles, "the shape would have", "ask for a coarser one");
 }
 
-void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
-  const std::array<Index, 3> t{a, b, c};
-  mesh.add_face(t);
+// Adds the square a, b, c, d as two triangles. The diagonal goes from a to c, or from b to d if
+// `turned` is true.
+void add_square(Mesh& mesh, const std::array<Index, 4>& corners, bool turned = false) {
+  const auto& [a, b, c, d] = corners;
+  mesh.add_face(std::array{a, b, turned ? d : c});
+  mesh.add_face(std::array{turned ? b : a, c, d});
 }
 
 // Creates the vertices on the surface of a box of grid points on demand.
@@ -62,16 +65,8 @@ Mesh grid(Index columns, Index rows) {
   for (Index r = 0; r < rows; ++r) {
     for (Index c = 0; c < columns; ++c) {
       const Index a = r * (columns + 1) + c;
-      const Index b = a + 1;
       const Index d = a + columns + 1;
-      const Index e = d + 1;
-      if ((r + c) % 2 == 0) {
-        add_triangle(mesh, a, b, e);
-        add_triangle(mesh, a, e, d);
-      } else {
-        add_triangle(mesh, a, b, d);
-        add_triangle(mesh, b, e, d);
-      }
+      add_square(mesh, {a, a + 1, d + 1, d}, (r + c) % 2 != 0);
     }
   }
   return mesh;
@@ -107,13 +102,7 @@ Mesh cylinder(Index around, Index rings, double radius, double height) {
       const Index next = (a + 1) % around;
       const Index low = r * around;
       const Index high = low + around;
-      if (r % 2 == 0) {
-        add_triangle(mesh, low + a, low + next, high + a);
-        add_triangle(mesh, low + next, high + next, high + a);
-      } else {
-        add_triangle(mesh, low + a, low + next, high + next);
-        add_triangle(mesh, low + a, high + next, high + a);
-      }
+      add_square(mesh, {low + a, low + next, high + next, high + a}, r % 2 == 0);
     }
   }
   return mesh;
@@ -160,17 +149,12 @@ Mesh bar(Index across, Index along, double width, double length) {
       };
       for (Index i = 0; i < size[u]; ++i) {
         for (Index j = 0; j < size[v]; ++j) {
+          // The order of the calls matters, because `corner` numbers the vertices it creates.
           const Index a = corner(i, j);
           const Index b = far ? corner(i + 1, j) : corner(i, j + 1);
           const Index c = corner(i + 1, j + 1);
           const Index d = far ? corner(i, j + 1) : corner(i + 1, j);
-          if ((i + j) % 2 == 0) {
-            add_triangle(mesh, a, b, c);
-            add_triangle(mesh, a, c, d);
-          } else {
-            add_triangle(mesh, a, b, d);
-            add_triangle(mesh, b, c, d);
-          }
+          add_square(mesh, {a, b, c, d}, (i + j) % 2 != 0);
         }
       }
     }
@@ -193,8 +177,7 @@ Mesh torus(Index around, Index across, double radius, double tube_radius) {
     for (Index b = 0; b < across; ++b) {
       const Index a1 = (a + 1) % around;
       const Index b1 = (b + 1) % across;
-      add_triangle(mesh, a * across + b, a1 * across + b, a1 * across + b1);
-      add_triangle(mesh, a * across + b, a1 * across + b1, a * across + b1);
+      add_square(mesh, {a * across + b, a1 * across + b, a1 * across + b1, a * across + b1});
     }
   }
   return mesh;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/base/counted.h"
+#include "lapwing/base/errors.h"
 
 namespace lapwing {
 namespace {
@@ -152,6 +154,32 @@ std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const A
     if (listed[v] != 0) list.push_back(v);
   }
   return list;
+}
+
+std::string why_no_surface(const Mesh& mesh) {
+  const auto is_finite = [&](Index v) { return mesh.positions[v].allFinite(); };
+  for (const Triangle& triangle : mesh.topology().triangles) {
+    if (std::ranges::all_of(triangle, is_finite)) return {};
+  }
+  if (mesh.face_count() > 0) return "none of its faces has three different, finite vertices";
+  return "it has " + counted(mesh.vertex_count(), "vertices") + " and no faces";
+}
+
+void require_surface(const Mesh& mesh, const std::string& where) {
+  const std::string why = why_no_surface(mesh);
+  if (why.empty()) return;
+  throw InputError(where + ": the mesh has no surface to edit: " + why +
+                   "; export it with its faces, or reconstruct the surface of the points first");
+}
+
+Positions surface_positions(std::span<const Eigen::Vector3d> positions, const Topology& topology) {
+  if (topology.triangles.empty()) return {positions.begin(), positions.end()};
+  Positions used;
+  used.reserve(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (topology.vertex_triangles.size(v) > 0) used.push_back(positions[v]);
+  }
+  return used;
 }
 
 double mean_edge_length(const Adjacency& rings, std::span<const Eigen::Vector3d> positions) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"
@@ -39,6 +40,13 @@ struct Topology {
 /// Builds the topology of `mesh` in linear time. Skips triangles that use a vertex twice. Throws
 /// InputError if a face uses a vertex that the mesh does not have.
 Topology build_topology(const Mesh& mesh);
+
+/// Returns the reason if `mesh` has no surface, such as "it has 4 vertices and no faces". Returns
+/// an empty string if at least one triangle has three finite corners.
+std::string why_no_surface(const Mesh& mesh);
+
+/// Throws InputError, with a message that begins with `where`, if `mesh` has no surface.
+void require_surface(const Mesh& mesh, const std::string& where);
 
 /// Returns the triangles around each vertex, ascending. Linear time.
 Adjacency triangles_around_vertices(std::size_t vertex_count, std::span<const Triangle> triangles);
@@ -79,6 +87,11 @@ NumberedTriangles numbered(std::span<const Triangle> triangles);
 
 /// Returns `vertices` and their ring neighbours, ascending.
 std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings);
+
+/// Returns the positions of the vertices that triangles use, or all positions if `topology` has no
+/// triangles. Cameras and lengths relative to the diagonal use these positions, so that distant
+/// isolated vertices have no effect. Linear time.
+Positions surface_positions(std::span<const Eigen::Vector3d> positions, const Topology& topology);
 
 /// Returns the mean length of the ring edges, or 0 without edges.
 double mean_edge_length(const Adjacency& rings, std::span<const Eigen::Vector3d> positions);

@@ -1,19 +1,209 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <span>
 #include <string>
+#include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/laplacian/decompositions.h"
 #include "lapwing/parameterize/domain_map.h"
-#include "lapwing/parameterize/principal_view.h"
+#include "lapwing/parameterize/patch.h"
 
 namespace lapwing {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+// Moments that differ from each other, or from 0, by less than this share of their size give no
+// direction. The shape is then symmetric, and rounding would choose the direction.
+constexpr double kSymmetric = 1e-6;
+
+// Shows a patch along its mean normal from its centre of area; the patch must have an area. The
+// axes are its principal directions, right-handed, the wider one first. The view follows every
+// rotation, translation and scaling of the patch. If symmetry leaves several choices, the numbers
+// of the boundary vertices decide. The arguments must outlive the object.
+class PrincipalView {
+ public:
+  PrincipalView(const Patch& patch, std::span<const Eigen::Vector3d> own_positions);
+
+  // Returns the position of the patch's vertex `v` in the view.
+  Eigen::Vector2d operator()(Index v) const { return seen(positions_[v]); }
+  // Returns the largest distance of a vertex from the centre of area.
+  double radius() const { return radius_; }
+
+ private:
+  struct Sample {
+    Eigen::Vector3d position;
+    double area;
+  };
+
+  void sample_area();
+  void place_center();
+  void look_along_normal();
+  void turn_to_principal_direction();
+  void choose_sign();
+
+  Eigen::Vector2d seen(const Eigen::Vector3d& p) const {
+    return {axes_[0].dot(p - center_), axes_[1].dot(p - center_)};
+  }
+  void turn(double angle);
+  std::complex<double> moment(int power, int rounds = 0) const;
+
+  const Patch& patch_;
+  std::span<const Eigen::Vector3d> positions_;
+  std::vector<Sample> samples_;  //< points all over the patch and their shares of its area
+  double area_ = 0.0;
+  double radius_ = 0.0;
+  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();
+  std::array<Eigen::Vector3d, 2> axes_{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
+};
+
+// Returns the item with the largest score. If scores are equal up to the rounding of numbers of
+// size `scale`, returns the smallest of these items. A rigid motion then does not change the
+// choice.
+template <class Score>
+Index best_of(std::span<const Index> items, double scale, const Score& score) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const Index item : items) best = std::max(best, score(item));
+  Index chosen = kNoIndex;
+  for (const Index item : items) {
+    if (score(item) >= best - kSymmetric * scale) chosen = std::min(chosen, item);
+  }
+  return chosen;
+}
+
+PrincipalView::PrincipalView(const Patch& patch, std::span<const Vector3d> own_positions)
+    : patch_(patch), positions_(own_positions) {
+  sample_area();
+  place_center();
+  look_along_normal();
+  turn_to_principal_direction();
+  choose_sign();
+}
+
+// Six points per triangle that integrate polynomials of degree 4 exactly (Dunavant 1985).
+void PrincipalView::sample_area() {
+  constexpr std::array<std::array<double, 2>, 2> kOrbits{
+      {{0.445948490915965, 0.223381589678011}, {0.091576213509771, 0.109951743655322}}};
+  samples_.reserve(6 * patch_.triangles.size());
+  CancelCheck cancel_check;
+  for (const Triangle& t : patch_.triangles) {
+    cancel_check();
+    const std::array corners{positions_[t[0]], positions_[t[1]], positions_[t[2]]};
+    const double area = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    area_ += area;
+    for (const auto& [place, weight] : kOrbits) {
+      const Vector3d common = place * (corners[0] + corners[1] + corners[2]);
+      for (const Vector3d& corner : corners) {
+        samples_.push_back({common + (1.0 - 3.0 * place) * corner, weight * area});
+      }
+    }
+  }
+}
+
+void PrincipalView::place_center() {
+  double area = 0.0;
+  for (const Sample& s : samples_) {
+    center_ += s.area * s.position;
+    area += s.area;
+  }
+  center_ /= area;
+  for (const Vector3d& p : positions_) radius_ = std::max(radius_, (p - center_).norm());
+}
+
+// Looks along the mean normal or, if the patch nearly closes, along its least extent.
+void PrincipalView::look_along_normal() {
+  Vector3d normal = Vector3d::Zero();
+  for (const auto& [a, b, c] : patch_.triangles) {
+    normal += 0.5 * (positions_[b] - positions_[a]).cross(positions_[c] - positions_[a]);
+  }
+  if (!(normal.norm() > kSymmetric * area_)) {
+    Matrix3d covariance = Matrix3d::Zero();
+    for (const Sample& s : samples_) {
+      covariance += s.area * (s.position - center_) * (s.position - center_).transpose();
+    }
+    normal = symmetric_eigenvectors(covariance).vectors.col(0);
+    if (normal.dot(positions_[patch_.loop.front()] - center_) < 0.0) normal = -normal;
+  }
+  normal_ = normal.normalized();
+  // Before they are turned, the axes follow the boundary vertex that appears farthest away.
+  const auto flat = [&](Index v) {
+    const Vector3d p = positions_[v] - center_;
+    return Vector3d(p - p.dot(normal_) * normal_);
+  };
+  const Vector3d first =
+      flat(best_of(patch_.loop, radius_, [&](Index v) { return flat(v).norm(); }));
+  axes_[0] = first.norm() > kSymmetric * radius_ ? first.normalized() : normal_.unitOrthogonal();
+  axes_[1] = normal_.cross(axes_[0]);
+}
+
+// Turns the axes about the normal.
+void PrincipalView::turn(double angle) {
+  const Vector3d first = std::cos(angle) * axes_[0] + std::sin(angle) * axes_[1];
+  axes_ = {first, normal_.cross(first)};
+}
+
+// Returns the mean of z^power |z|^(2 rounds) over the patch, z = x + i y, in units of the radius.
+std::complex<double> PrincipalView::moment(int power, int rounds) const {
+  std::complex<double> sum = 0.0;
+  CancelCheck cancel_check;
+  for (const Sample& s : samples_) {
+    cancel_check();
+    const Vector2d p = seen(s.position) / radius_;
+    const std::complex<double> z(p.x(), p.y());
+    sum += s.area / area_ * std::pow(z, power) * std::pow(std::norm(z), rounds);
+  }
+  return sum;
+}
+
+void PrincipalView::turn_to_principal_direction() {
+  const double size = moment(0, 1).real();
+  const std::complex<double> second = moment(2);
+  if (std::abs(second) > kSymmetric * size) {
+    turn(0.5 * std::arg(second));
+    return;
+  }
+  // The patch is equally wide all around, like a square, so the axes follow its sides. If the
+  // fourth moment gives no direction either, they stay as they are.
+  const std::complex<double> fourth = moment(4);
+  if (std::abs(fourth) <= kSymmetric * size * size) return;
+  turn(0.25 * (std::arg(fourth) + std::numbers::pi));
+  // Of the four directions, take the one with the first boundary vertex at the lower left. That
+  // quadrant is rotated a little, so that a vertex in the middle of a side is not at its limit.
+  const Vector2d first = (*this)(patch_.loop.front());
+  const double quarter = 0.5 * std::numbers::pi;
+  const double angle = std::atan2(first.y(), first.x()) + std::numbers::pi - 0.2 * quarter;
+  turn(quarter * std::floor(angle / quarter));
+}
+
+// Points the first axis to the heavier tail or, without one, away from the first boundary vertex
+// that is on one side.
+void PrincipalView::choose_sign() {
+  double tail = 0.0;
+  for (const Sample& s : samples_) {
+    const double x = seen(s.position).x() / radius_;
+    tail += s.area / area_ * x * x * x;
+  }
+  if (std::abs(tail) <= kSymmetric) {
+    tail = 0.0;
+    for (const Index v : patch_.loop) {
+      const double x = (*this)(v).x();
+      if (tail == 0.0 && std::abs(x) > kSymmetric * radius_) tail = -x;
+    }
+  }
+  if (tail < 0.0) axes_ = {-axes_[0], -axes_[1]};
+}
 
 // Returns four vertices of the loop a quarter of its length apart, from place `first` on.
 BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, std::size_t first) {

@@ -8,7 +8,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/parameterize/planar.h"
 
 namespace lapwing {

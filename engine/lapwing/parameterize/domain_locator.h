@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/mesh/surface_point.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/laplacian/rsi_system.h"
-#include "lapwing/patch/patch.h"
+#include "lapwing/laplacian/normal_matrix.h"
+#include "lapwing/parameterize/patch.h"
 
 namespace lapwing {
 
@@ -16,19 +16,13 @@ BlockRows mean_value_rows(std::span<const Triangle> triangles,
                           std::span<const Eigen::Vector3d> own_positions,
                           std::span<const Index> inner);
 
-/// The solver of `mean_value_points`.
-enum class MapSolver {
-  automatic,         ///< normal_equations; sparse_lu if these leave a residual or a fold
-  normal_equations,  ///< Cholesky factor of A'A, refined with the residual of A
-  sparse_lu,         ///< Eigen's SparseLU, refined likewise: slower, exact on thin protrusions too
-};
-
-/// Returns all points of the patch if those of its loop are `boundary`, in the loop's order. Throws
-/// InputError as `mean_value_map` does if the patch has no area or is not finite.
+/// Returns all points of the patch if `boundary` are those of its loop, in the loop's order. Solves
+/// the normal equations and refines the solution with the residual of A. If a residual or a fold
+/// remains, as on thin protrusions, solves by Eigen's SparseLU instead. Throws InputError as
+/// `mean_value_map` does if the patch has no area or is not finite.
 std::vector<Eigen::Vector2d> mean_value_points(const Patch& patch,
                                                std::span<const Eigen::Vector3d> own_positions,
-                                               std::span<const Eigen::Vector2d> boundary,
-                                               MapSolver solver = MapSolver::automatic);
+                                               std::span<const Eigen::Vector2d> boundary);
 
 /// Returns the largest |sum_j w_ij (x_j - x_i)| over the rows.
 double largest_residual(const BlockRows& A, std::span<const Eigen::Vector2d> points);

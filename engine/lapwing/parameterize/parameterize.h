@@ -1,22 +1,42 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include <Eigen/Core>
+
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/mesh/topology.h"
 #include "lapwing/parameterize/domain_map.h"
-#include "lapwing/parameterize/stretch.h"
+#include "lapwing/parameterize/patch.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing {
 
+/// The distortion of a planar triangulation relative to its surface. With G >= g the largest and
+/// least factor by which a triangle's lengths grow from the plane to the surface, its stretch is
+/// sqrt((G^2 + g^2) / 2) (Sander et al. 2001), and its shear is G / g. Stretch is relative to that
+/// of a map of the same areas that keeps all proportions. Both are 1 if shape is kept.
+struct MapDistortion {
+  double stretch = 1.0;          ///< root mean square over the surface
+  double largest_stretch = 1.0;  ///< of any triangle
+  double shear = 1.0;            ///< mean over the surface
+  double largest_shear = 1.0;
+};
+
+/// Ignores triangles without area in the plane or on the surface.
+MapDistortion measure_distortion(std::span<const Triangle> triangles,
+                                 std::span<const Eigen::Vector3d> positions,
+                                 std::span<const Eigen::Vector2d> points);
+
 /// A request to map a region to the plane, without the mesh.
 struct ParameterizeRequest {
-  RegionSpec region;  ///< a disk
+  RegionSpec region = {};  ///< must be a disk
   Domain domain = Domain::disk;
   /// As BoundaryPins, but in vertices of the mesh; empty: `default_pins`.
-  std::vector<Index> pins;
+  std::vector<Index> pins = {};
   std::string where = "parameterize";  ///< as in RegionSpec; ignored by ==
   bool operator==(const ParameterizeRequest& other) const {
     return region == other.region && domain == other.domain && pins == other.pins;
@@ -42,5 +62,11 @@ struct Parameterized {
 /// pin is not in the patch; what `mean_value_map` throws about pins and positions; and Cancelled.
 Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request,
                            const Progress& progress = {});
+
+/// Returns `mesh` with `uvs`, one per own number of a patch of it, as texture coordinates on the
+/// corners of the polygons that lie wholly in the patch. All other corners lose theirs. Polygons
+/// with a halved edge are replaced by the patch's triangles, with the midpoints as new vertices
+/// after the others. No other polygon changes its shape.
+Mesh with_uvs(const Mesh& mesh, const Patch& patch, std::span<const Eigen::Vector2d> uvs);
 
 }  // namespace lapwing

@@ -7,7 +7,6 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/parameterize/planar.h"
 #include "lapwing/solve/ordering.h"
-#include "lapwing/solve/scalar_lower.h"
 
 namespace lapwing {
 namespace {

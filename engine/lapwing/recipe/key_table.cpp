@@ -1,6 +1,5 @@
-#include "lapwing/recipe/key_table.h"
-
-#include "lapwing/step/key_visitor.h"
+#include "lapwing/recipe/key_visitor.h"
+#include "lapwing/recipe/step.h"
 
 namespace lapwing {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lapwing/json/json_node.h"
-#include "lapwing/step/step.h"
+#include "lapwing/recipe/step.h"
 
 namespace lapwing {
 
@@ -28,6 +28,9 @@ struct Recipe {
   std::filesystem::path save_path() const { return save.empty() ? save : base_directory / save; }
   bool operator==(const Recipe&) const = default;
 };
+
+/// Reads a step. Throws InputError with the JSON pointer of the first mistake.
+Step read_step(const JsonNode& node);
 
 /// Reads a recipe from JSON text. Messages call it `name`. Checks everything that needs no mesh.
 /// Throws InputError with the JSON pointer, what was expected and what was found, or with line and

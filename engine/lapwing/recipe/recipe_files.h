@@ -1,11 +1,27 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "lapwing/recipe/recipe.h"
 
 namespace lapwing {
+
+/// Calls `read` with every file that the step reads, and `written` with every file that it names to
+/// write. Paths are as written; both functions may change them. An empty path stands for the mesh
+/// itself.
+void for_each_file(Step& step, const std::function<void(std::filesystem::path&)>& read,
+                   const std::function<void(std::filesystem::path&)>& written);
+
+/// Returns the files that the step reads, as written.
+std::vector<std::filesystem::path> files_read(const Step& step);
+
+/// Returns the default path of a carried file: in the folder of the result, with "-carried"
+/// appended to its stem. hat.obj becomes hat-carried.obj, and F.mrk.json becomes
+/// F-carried.mrk.json.
+std::filesystem::path carried_path(const std::filesystem::path& file,
+                                   const std::filesystem::path& result);
 
 /// The files that a recipe names, relative to the current folder.
 struct RecipeFiles {

@@ -4,7 +4,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/region/edit_region.h"
-#include "lapwing/region/region_components.h"
+#include "lapwing/region/submesh.h"
 
 namespace lapwing {
 namespace {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "lapwing/region/region_spec.h"
 
@@ -21,13 +23,27 @@ using BeltSpec = std::variant<BoundaryAnchors, RegionSpec>;
 /// Returns whether some edge of `v` has only one triangle.
 bool on_mesh_boundary(Index v, const Topology& topology);
 
-/// Returns the vertices of the ROI that have a ring neighbour outside it. A component without any
-/// contributes its vertices on the mesh boundary, so a closed one contributes none.
-VertexSet roi_border(const VertexSet& roi, const Topology& topology);
+struct BorderBelt {
+  VertexSet vertices;
+  /// Has one vertex of each hole whose rim is in the belt because nothing else can hold its
+  /// component.
+  std::vector<Index> held_holes;
+};
 
-/// Returns the vertices of the ROI whose geodesic distance to the border is at most `fraction` of
-/// the largest such distance in their component. Paths stay in the ROI. Throws InputError, naming
-/// `where`, if the fraction is not from 0 to 1.
-VertexSet resolve_border_belt(const BoundaryAnchors& belt, const VertexSet& roi, const Mesh& mesh);
+/// Returns the vertices of the ROI that are near its border, without those of the handles. A vertex
+/// is near if its geodesic distance to the border is at most `fraction` of the largest such
+/// distance in its component. Paths stay in the ROI. `handles` lists the vertices of each handle
+/// and of each target.
+///
+/// The border of a component is where it has ring neighbours outside the ROI. A component without
+/// such neighbours is a whole component of the mesh. Its border consists of its rims, the connected
+/// parts of its boundary. Rims less than half as large as the largest one are holes and move with
+/// the surface. If the largest rim is small compared with the surface, as on a statue with holes,
+/// all rims are holes. This needs at least two handles that can hold the component; with fewer, the
+/// largest rims hold it. A closed component has no border.
+///
+/// Throws InputError, naming `where`, if the fraction is not from 0 to 1.
+BorderBelt resolve_border_belt(const BoundaryAnchors& belt, const VertexSet& roi,
+                               std::span<const VertexSet> handles, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/region/vertex_set.h"
 
 namespace lapwing {

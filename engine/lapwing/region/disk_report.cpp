@@ -5,8 +5,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/union_find.h"
-#include "lapwing/mesh/fans.h"
-#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/region/boundary_loops.h"
 
 namespace lapwing {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/region/region_triangles.h"
+#include "lapwing/region/submesh.h"
 
 namespace lapwing {
 
@@ -25,7 +25,7 @@ struct DiskReport {
   long euler_characteristic = 0;  ///< vertices - edges + triangles
   long handles = 0;               ///< sum of the genera; 0 if an edge is crowded or turned
   std::vector<std::array<Index, 2>> non_manifold_edges;  ///< edges with more than two triangles
-  std::vector<std::array<Index, 2>> turned_edges;   ///< their two triangles face opposite ways
+  std::vector<std::array<Index, 2>> turned_edges;        ///< their two triangles face opposite ways
   VertexSet
       pinched;      ///< vertices where parts touch without a common edge: several fans around them
   VertexSet loose;  ///< vertices in no triangle; they do not count

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/mesh/extent.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -51,16 +51,19 @@ void require_finite(const VertexSet& roi, const Mesh& mesh, const std::string& w
                    broken);
 }
 
-VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
-                       const std::vector<VertexSet>& handles, const Mesh& mesh) {
-  if (const auto* region = std::get_if<RegionSpec>(&spec)) {
-    VertexSet belt = resolve(*region, mesh);
-    require_inside(belt, roi, region->where, "belt");
-    return belt;
-  }
-  VertexSet belt = resolve_border_belt(std::get<BoundaryAnchors>(spec), roi, mesh);
-  for (const VertexSet& handle : handles) belt = subtract(belt, handle);
+VertexSet resolve_belt(const RegionSpec& spec, const VertexSet& roi, const Mesh& mesh) {
+  VertexSet belt = resolve(spec, mesh);
+  require_inside(belt, roi, spec.where, "belt");
   return belt;
+}
+
+// Sets the belt along the border. Vertices of handles and targets do not become part of it.
+void resolve_border_belt(const BoundaryAnchors& spec, const Mesh& mesh, EditRegion& region) {
+  std::vector<VertexSet> holders = region.handles;
+  for (const Target& target : region.targets) holders.push_back(corners_of({&target, 1}));
+  auto [vertices, held_holes] = resolve_border_belt(spec, region.roi, holders, mesh);
+  region.belt = std::move(vertices);
+  region.held_holes = std::move(held_holes);
 }
 
 void require_field(std::span<const double> field, const Mesh& mesh, const std::string& where) {
@@ -127,14 +130,14 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
   require_finite(region.roi, mesh, roi.where);
   require_extent(region.roi, mesh.positions, roi.where);
   resolve_handles(handles, mesh, region);
-  region.belt = resolve_belt(belt, region.roi, region.handles, mesh);
-  const bool belt_gives_way = std::holds_alternative<BoundaryAnchors>(belt);
-  VertexSet held = belt_gives_way ? VertexSet() : region.belt;
+  const auto* border = std::get_if<BoundaryAnchors>(&belt);
+  if (border == nullptr) region.belt = resolve_belt(std::get<RegionSpec>(belt), region.roi, mesh);
+  VertexSet held = region.belt;
   for (const VertexSet& handle : region.handles)
     held.insert(held.end(), handle.begin(), handle.end());
   region.targets = resolve_targets(targets, region.roi, make_vertex_set(std::move(held)), mesh);
   region.hard_targets = targets.hard;
-  if (belt_gives_way) region.belt = subtract(region.belt, corners_of(region.targets));
+  if (border != nullptr) resolve_border_belt(*border, mesh, region);
   for (std::size_t k = 0; k < handles.size(); ++k) {
     require_disjoint(region.handles[k], region.belt, handles[k].region.where, "the belt");
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,15 +40,16 @@ struct EditRegion {
   VertexSet roi;
   VertexSet belt;                  ///< in the ROI; does not move
   std::vector<VertexSet> handles;  ///< in the ROI, not empty, disjoint from each other and the belt
-  std::vector<double> handle_weights = {};  ///< Falloff::weight of each; empty: all 1
-  std::vector<FalloffVertex> graded = {};   ///< ascending, free; none has a hard target
-  std::vector<Target> targets = {};         ///< in the ROI, none at a vertex of belt or handles
-  bool hard_targets = false;                ///< whether targets are reached exactly
-  std::vector<LoosePart> loose = {};        ///< parts to carry; in none of the above
-  std::vector<VertexSet> left_out = {};     ///< parts that stay; in none of the above
+  std::vector<std::optional<double>> handle_weights = {};  ///< Falloff::weight of each; empty: none
+  std::vector<FalloffVertex> graded = {};  ///< ascending, free; none has a hard target
+  std::vector<Target> targets = {};        ///< in the ROI, none at a vertex of belt or handles
+  bool hard_targets = false;               ///< whether targets are reached exactly
+  std::vector<LoosePart> loose = {};       ///< parts to carry; in none of the above
+  std::vector<VertexSet> left_out = {};    ///< parts that stay; in none of the above
   /// Components of the ROI may turn freely about a line of anchors, because no firmer component
   /// could carry them. They turn as little as possible.
   bool turns_freely = false;
+  std::vector<Index> held_holes = {};  ///< BorderBelt::held_holes of the belt
   bool operator==(const EditRegion&) const = default;
 
   /// Returns the number of vertices of the ROI in neither belt nor handle.

@@ -77,9 +77,9 @@ void split_by_field(const VertexSet& region, std::span<const double> field, std:
 }
 
 void require_falloff(const Falloff& falloff, const std::string& where) {
-  if (!is_weight(falloff.weight)) {
+  if (falloff.weight && !is_weight(*falloff.weight)) {
     std::ostringstream text;
-    text << where << ": expected " << kWeightWords << ", got " << falloff.weight;
+    text << where << ": expected " << kWeightWords << ", got " << *falloff.weight;
     throw InputError(text.str());
   }
   if (!falloff.transition) return;

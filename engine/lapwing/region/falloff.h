@@ -26,8 +26,10 @@ inline constexpr std::string_view kWeightWords = "a weight from 0.000001 to 1000
 
 /// How firmly a handle holds its vertices and those around it.
 struct Falloff {
-  /// Factor on the constraint weight, kMinWeight to kMaxWeight; no effect on hard constraints.
-  double weight = 1.0;
+  /// A factor from kMinWeight to kMaxWeight on the constraint weight, or on 1 if there is none. If
+  /// it is empty, the constraint weight holds the handle, or firm constraints do if there is none.
+  /// Hard constraints ignore the factor.
+  std::optional<double> weight = {};
   /// Outside the handle's region, its weight falls from 1 to 0 over this geodesic distance. There
   /// is no falloff if this is empty or its width is 0.
   std::optional<Transition> transition = {};

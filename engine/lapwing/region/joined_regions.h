@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lapwing/mesh/joined_surface.h"
+#include "lapwing/mesh/seams.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {

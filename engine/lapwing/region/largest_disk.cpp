@@ -7,7 +7,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/union_find.h"
-#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/region/disk_report.h"
 #include "lapwing/region/geodesic.h"
 

@@ -23,6 +23,48 @@ std::vector<Index> triangles_at(const VertexSet& region, const Topology& topolog
 
 }  // namespace
 
+std::vector<VertexSet> region_components(const VertexSet& region, const Topology& topology) {
+  // A vertex's mark is cleared when it is added to a component.
+  std::vector<char> unvisited = vertex_mask(topology.vertex_count(), region);
+  std::vector<VertexSet> components;
+  CancelCheck cancel_check;
+  for (const Index seed : region) {
+    cancel_check();
+    if (!unvisited[seed] || topology.rings.size(seed) == 0) continue;
+    VertexSet component{seed};
+    unvisited[seed] = 0;
+    for (std::size_t next = 0; next < component.size(); ++next) {
+      for (const Index w : topology.rings[component[next]]) {
+        if (!unvisited[w]) continue;
+        unvisited[w] = 0;
+        component.push_back(w);
+      }
+    }
+    std::sort(component.begin(), component.end());
+    components.push_back(std::move(component));
+  }
+  return components;
+}
+
+RegionTriangles region_triangles(const VertexSet& region, const Topology& topology) {
+  RegionTriangles part;
+  std::vector<char> within = vertex_mask(topology.vertex_count(), region);
+  std::vector<Triangle> whole;
+  CancelCheck cancel_check;
+  for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    cancel_check();
+    const auto& [a, b, c] = topology.triangles[t];
+    if (within[a] == 0 || within[b] == 0 || within[c] == 0) continue;
+    part.sources.push_back(static_cast<Index>(t));
+    whole.push_back(topology.triangles[t]);
+  }
+  NumberedTriangles own = numbered(whole);
+  part.vertices = std::move(own.vertices);
+  part.triangles = std::move(own.triangles);
+  part.loose = subtract(region, part.vertices);
+  return part;
+}
+
 Submesh submesh_around(const VertexSet& region, const Topology& topology) {
   Submesh part;
   part.vertices = with_ring_neighbours(region, topology.rings);

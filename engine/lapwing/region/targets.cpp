@@ -8,7 +8,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/closest/closest_point.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/falloff.h"
 

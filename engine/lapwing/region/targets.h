@@ -26,7 +26,7 @@ struct TargetRow {
 
 /// The landmarks of an edit (eq. 5 with any vertices and positions).
 struct TargetSpec {
-  std::vector<TargetRow> rows;
+  std::vector<TargetRow> rows = {};
   /// Table from which a recipe step reads the rows. `deform` itself opens no file and needs `rows`.
   std::filesystem::path file = {};
   bool hard = false;              ///< reached exactly instead of in the least-squares sense

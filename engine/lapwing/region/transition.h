@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace lapwing {
 
 /// A ramp from 0 to 1 over a distance.
@@ -14,6 +16,10 @@ struct Transition {
 };
 
 /// Returns the value of the ramp, 0 to 1, at `distance` from its start. It is 1 if the width is 0.
-double fade(const Transition& transition, double distance);
+inline double fade(const Transition& transition, double distance) {
+  if (transition.width <= 0.0) return 1.0;
+  const double x = std::clamp(distance / transition.width, 0.0, 1.0);
+  return transition.profile == Transition::Profile::linear ? x : x * x * (3.0 - 2.0 * x);
+}
 
 }  // namespace lapwing

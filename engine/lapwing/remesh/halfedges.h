@@ -42,8 +42,6 @@ class Halfedges {
 
   /// The next half-edge out of the same vertex, counterclockwise; kNoIndex past the last triangle.
   Index turn(Index h) const { return twins_[previous(h)]; }
-  /// The same, clockwise.
-  Index turn_back(Index h) const { return twins_[h] == kNoIndex ? kNoIndex : next(twins_[h]); }
 
   /// Calls `visit(h)` for the half-edges out of `v`, counterclockwise; their triangles are those
   /// around `v`.

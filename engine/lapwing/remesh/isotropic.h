@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/vertex_set.h"
 

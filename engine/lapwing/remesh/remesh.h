@@ -1,22 +1,33 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/region/region_spec.h"
+#include "lapwing/region/vertex_set.h"
 #include "lapwing/remesh/isotropic.h"
-#include "lapwing/remesh/quality.h"
 
 namespace lapwing {
 
+/// Shape statistics of the faces whose corners are all in a region.
+struct RegionQuality {
+  std::size_t vertices = 0;  ///< vertices of these faces
+  std::size_t faces = 0;
+  double mean_edge = 0.0;               ///< 0 without faces
+  double smallest_angle_degrees = 0.0;  ///< smallest corner angle; 0 without faces
+};
+RegionQuality region_quality(const Mesh& mesh, const VertexSet& region);
+
 /// Input of `remesh` besides the mesh.
 struct RemeshRequest {
-  RegionSpec region;
-  std::optional<double> length;  ///< wanted edge length, above 0; if empty, `scale` sets it
-  double scale = 1.0;            ///< wanted edge length over the region's mean one, above 0
-  RemeshOptions options;
+  RegionSpec region = {};
+  std::optional<double> length = {};  ///< wanted edge length, above 0; if empty, `scale` sets it
+  double scale = 1.0;                 ///< wanted / mean edge length of the region, above 0
+  RemeshOptions options = {};
   std::string where = "remesh";  ///< as in RegionSpec; ignored by ==
   bool operator==(const RemeshRequest& other) const {
     return region == other.region && length == other.length && scale == other.scale &&

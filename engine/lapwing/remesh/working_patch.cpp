@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "lapwing/base/errors.h"
 
 namespace lapwing::remeshing {
 namespace {
 
 using Eigen::Vector3d;
+using Corners = std::array<Vector3d, 3>;
 
 // Triangles of this quality, with angles from about 15 degrees, are good enough.
 constexpr double kGoodEnough = 0.4;
@@ -19,8 +23,6 @@ constexpr double kNoQuality = 1e-9;
 constexpr double kLineTolerance = 0.1;
 constexpr int kLineSamples = 8;
 constexpr double kLargestTurnCosine = 0.5;
-
-using Corners = std::array<Vector3d, 3>;
 
 Vector3d area_vector(const Corners& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]);
@@ -43,6 +45,15 @@ Adjacency numbered(const Adjacency& lists) {
 }
 
 }  // namespace
+
+double TargetSizingField::at(const Eigen::Vector3d& point) const {
+  const double length = length_(point);
+  if (length > 0.0 && std::isfinite(length)) return length;
+  std::ostringstream message;
+  message << "the target edge length at (" << point.transpose() << ") is " << length
+          << "; it must be positive";
+  throw InputError(message.str());
+}
 
 Reference::Reference(const OriginalPatch& original)
     : original_(original),

@@ -1,13 +1,27 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "lapwing/base/numbers.h"
-#include "lapwing/closest/closest_point.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/remesh/original_patch.h"
-#include "lapwing/remesh/target_sizing_field.h"
 
 namespace lapwing::remeshing {
+
+/// The sizing field: the edge length wanted at a point. `at` throws InputError, naming the point,
+/// if the length is not positive or not finite.
+class TargetSizingField {
+ public:
+  explicit TargetSizingField(const std::function<double(const Eigen::Vector3d&)>& length)
+      : length_(length) {}
+  double at(const Eigen::Vector3d& point) const;
+
+ private:
+  const std::function<double(const Eigen::Vector3d&)>& length_;
+};
 
 /// A point on a line of the original patch, at the fraction `along` of the way from the origin of
 /// `halfedge` to its target.

@@ -120,10 +120,6 @@ class CornerPainter {
 
 }  // namespace
 
-CornerColors corner_colors(const Mesh& mesh, const FileColors& colors) {
-  return corner_colors(mesh, mesh, colors);
-}
-
 CornerColors corner_colors(const Mesh& drawn, const Mesh& mesh, const FileColors& colors) {
   const MeshAttributes& a = mesh.attributes();
   if (colors.materials.empty() && a.vertex_colors.empty() && a.face_colors.empty()) return {};

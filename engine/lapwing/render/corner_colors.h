@@ -25,12 +25,13 @@ struct CornerColors {
   std::vector<std::array<float, 2>> places;
 };
 
-/// Returns the colours that `mesh` and its file give each corner. The first of these colours a
-/// triangle: an image with a position at every corner, vertex colours, its face colour, its
-/// material's colour. Kd does not darken an image.
-CornerColors corner_colors(const Mesh& mesh, const FileColors& colors);
-/// The same for `drawn`, whose polygons have the same corners as those of `mesh` but may use other
-/// vertices, as with joined seams (JoinedSurface). Returns nothing if the corners differ.
+/// Returns the colours of `mesh` and its file for each corner of `drawn`. The polygons of both
+/// meshes must have the same corners, but may use other vertices, as in a JoinedSurface. Returns an
+/// empty result if the corners differ.
+///
+/// Each triangle takes its colours from the first available source: an image, vertex colours, its
+/// face colour, its material's colour. An image needs a position at every corner. The diffuse
+/// colour Kd does not darken an image.
 CornerColors corner_colors(const Mesh& drawn, const Mesh& mesh, const FileColors& colors);
 
 }  // namespace lapwing

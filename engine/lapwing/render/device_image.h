@@ -2,13 +2,9 @@
 
 #include <string>
 
-#include <volk.h>
+#include "lapwing/gpu/owned.h"
 
 namespace lapwing {
-
-namespace gpu {
-class Context;
-}
 
 /// Parameters of a device image.
 struct DeviceImageInfo {
@@ -41,28 +37,27 @@ class DeviceImage {
  public:
   /// Throws GpuError, naming the image and the limit, if it cannot be created.
   DeviceImage(const gpu::Context& context, const DeviceImageInfo& info);
-  ~DeviceImage();
-  DeviceImage(DeviceImage&& other) noexcept;
-  DeviceImage& operator=(DeviceImage&& other) noexcept;
 
-  VkImage handle() const { return handle_; }
-  VkImageView view() const { return view_; }
+  const gpu::Context& context() const { return *context_; }
+  VkImage handle() const { return handle_.get(); }
+  VkImageView view() const { return view_.get(); }
   /// Returns the view in the second format, if there is one, else the first.
-  VkImageView second_view() const { return second_view_ != VK_NULL_HANDLE ? second_view_ : view_; }
+  VkImageView second_view() const {
+    return second_view_.get() != VK_NULL_HANDLE ? second_view_.get() : view_.get();
+  }
   /// Records a barrier as transition_image does.
   void transition(VkCommandBuffer commands, const ImageState& from, const ImageState& to) const;
 
  private:
   void allocate(const std::string& name);
-  void create_view(VkFormat format, VkImageView& view);
-  void release() noexcept;
+  gpu::Owned<VkImageView> create_view(VkFormat format) const;
 
   const gpu::Context* context_;
   VkImageAspectFlags aspect_;
-  VkImage handle_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  VkImageView view_ = VK_NULL_HANDLE;
-  VkImageView second_view_ = VK_NULL_HANDLE;
+  gpu::Owned<VkDeviceMemory> memory_;  ///< declared first to outlive the image and views
+  gpu::Owned<VkImage> handle_;
+  gpu::Owned<VkImageView> view_;
+  gpu::Owned<VkImageView> second_view_;
 };
 
 }  // namespace lapwing

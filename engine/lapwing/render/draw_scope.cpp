@@ -29,6 +29,17 @@ void resolve(VkRenderingAttachmentInfo& color, VkImageView picture) {
 
 }  // namespace
 
+void record_read_back(gpu::Recorder& recorder, const DeviceImage& image, VkExtent2D extent,
+                      const gpu::Buffer& buffer) {
+  image.transition(recorder.handle(), kColorTarget, kCopySource);
+  recorder.access(buffer, kCopySource.stages, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+  VkBufferImageCopy region{};
+  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.imageExtent = {extent.width, extent.height, 1};
+  image.context().vk().vkCmdCopyImageToBuffer(recorder.handle(), image.handle(), kCopySource.layout,
+                                              buffer.handle(), 1, &region);
+}
+
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted) {
   // A sample count is its own bit.
   const VkSampleCountFlags supported =

@@ -5,6 +5,7 @@
 
 #include <volk.h>
 
+#include "lapwing/gpu/recorder.h"
 #include "lapwing/render/device_image.h"
 #include "lapwing/render/graphics_pipeline.h"
 
@@ -21,6 +22,11 @@ inline constexpr ImageState kCopySource{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
 /// State of an image whose contents are discarded. Waits for all earlier uses.
 inline constexpr ImageState kDiscarded{VK_IMAGE_LAYOUT_UNDEFINED,
                                        VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE};
+
+/// Records a copy of `image` into `buffer`, row by row from the top. The image must be in the state
+/// kColorTarget.
+void record_read_back(gpu::Recorder& recorder, const DeviceImage& image, VkExtent2D extent,
+                      const gpu::Buffer& buffer);
 
 /// Returns the most samples per pixel, up to `wanted`, that the context's device supports.
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted);

@@ -1,7 +1,6 @@
 #include "lapwing/render/graphics_pipeline.h"
 
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 #include "lapwing/base/errors.h"
@@ -12,36 +11,16 @@ namespace lapwing {
 namespace {
 
 constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-constexpr std::size_t kMaxBuffers = 10;
 
-class ShaderModule {
- public:
-  ShaderModule(const gpu::Context& context, std::span<const std::uint32_t> spirv)
-      : context_(context) {
-    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    info.codeSize = spirv.size_bytes();
-    info.pCode = spirv.data();
-    context.check(context.vk().vkCreateShaderModule(context.device(), &info, nullptr, &handle_),
-                  "vkCreateShaderModule");
-  }
-  ~ShaderModule() { context_.vk().vkDestroyShaderModule(context_.device(), handle_, nullptr); }
-  ShaderModule(const ShaderModule&) = delete;
-  ShaderModule& operator=(const ShaderModule&) = delete;
-
-  VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits kind,
-                                        const VkSpecializationInfo& constants) const {
-    VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
-    info.stage = kind;
-    info.module = handle_;
-    info.pName = "main";
-    info.pSpecializationInfo = &constants;
-    return info;
-  }
-
- private:
-  const gpu::Context& context_;
-  VkShaderModule handle_ = VK_NULL_HANDLE;
-};
+VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits kind, VkShaderModule module,
+                                      const VkSpecializationInfo& constants) {
+  VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+  info.stage = kind;
+  info.module = module;
+  info.pName = "main";
+  info.pSpecializationInfo = &constants;
+  return info;
+}
 
 // The states that do not depend on the pipeline, except blending.
 struct FixedState {
@@ -82,6 +61,11 @@ struct FixedState {
   FixedState& operator=(const FixedState&) = delete;
 };
 
+const gpu::Context& checked(const gpu::Context& context) {
+  require_graphics(context);
+  return context;
+}
+
 VkCullModeFlags culled(Sides sides) {
   switch (sides) {
     case Sides::both:
@@ -118,52 +102,29 @@ void require_graphics(const gpu::Context& context) {
                  "device (`lapwing info` lists them) or do without the picture");
 }
 
-GraphicsPipeline::GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,
-                                   const GraphicsPipelineInfo& info)
-    : context_(context), name_(info.name) {
-  require_graphics(context);
-  try {
-    create_layout(info);
-    create_pipeline(target, info);
-  } catch (...) {
-    release();
-    throw;
-  }
+void set_viewport(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area) {
+  const VkViewport viewport{static_cast<float>(area.offset.x),
+                            static_cast<float>(area.offset.y),
+                            static_cast<float>(area.extent.width),
+                            static_cast<float>(area.extent.height),
+                            0.0F,
+                            1.0F};
+  context.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
+  context.vk().vkCmdSetScissor(commands, 0, 1, &area);
 }
 
-void GraphicsPipeline::create_layout(const GraphicsPipelineInfo& info) {
-  std::array<VkDescriptorSetLayoutBinding, kMaxBuffers> bindings{};
-  if (info.storage_buffers > bindings.size()) {
-    throw std::logic_error(name_ + " needs more buffers than kMaxBuffers");
-  }
-  for (std::uint32_t b = 0; b < info.storage_buffers; ++b) {
-    bindings[b].binding = b;
-    bindings[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    bindings[b].descriptorCount = 1;
-    bindings[b].stageFlags = kStages;
-  }
-  const auto& vk = context_.vk();
-  VkDescriptorSetLayoutCreateInfo set{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
-  set.bindingCount = info.storage_buffers;
-  set.pBindings = bindings.data();
-  context_.check(vk.vkCreateDescriptorSetLayout(context_.device(), &set, nullptr, &set_layout_),
-                 "vkCreateDescriptorSetLayout");
-
-  const VkPushConstantRange push{kStages, 0, info.push_constant_bytes};
-  VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  layout.setLayoutCount = 1;
-  layout.pSetLayouts = &set_layout_;
-  layout.pushConstantRangeCount = 1;
-  layout.pPushConstantRanges = &push;
-  context_.check(vk.vkCreatePipelineLayout(context_.device(), &layout, nullptr, &layout_),
-                 "vkCreatePipelineLayout");
+GraphicsPipeline::GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,
+                                   const GraphicsPipelineInfo& info)
+    : context_(checked(context)),
+      name_(info.name),
+      layout_(context, kStages, info.storage_buffers, info.push_constant_bytes) {
+  create_pipeline(target, info);
 }
 
 void GraphicsPipeline::create_pipeline(const TargetFormat& target,
                                        const GraphicsPipelineInfo& info) {
-  const ShaderModule vertex(context_, info.vertex_spirv);
-  const ShaderModule fragment(context_, info.fragment_spirv);
+  const auto vertex = gpu::shader_module(context_, info.vertex_spirv);
+  const auto fragment = gpu::shader_module(context_, info.fragment_spirv);
   std::vector<VkSpecializationMapEntry> entries;
   for (std::uint32_t c = 0; c < info.constants.size(); ++c) {
     entries.push_back(
@@ -171,8 +132,8 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
   }
   const VkSpecializationInfo constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                        info.constants.size_bytes(), info.constants.data()};
-  const std::array stages{vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, constants),
-                          fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, constants)};
+  const std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex.get(), constants),
+                          stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment.get(), constants)};
   VkPipelineMultisampleStateCreateInfo multisample{
       VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
   multisample.rasterizationSamples = target.samples;
@@ -199,41 +160,28 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
   create.pDepthStencilState = &depth;
   create.pColorBlendState = &fixed.blend;
   create.pDynamicState = &fixed.dynamic;
-  create.layout = layout_;
-  context_.check(context_.vk().vkCreateGraphicsPipelines(context_.device(), VK_NULL_HANDLE, 1,
-                                                         &create, nullptr, &pipeline_),
+  create.layout = layout_.handle();
+  const auto& vk = context_.vk();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  context_.check(vk.vkCreateGraphicsPipelines(context_.device(), VK_NULL_HANDLE, 1, &create,
+                                              nullptr, &pipeline),
                  ("vkCreateGraphicsPipelines for " + name_).c_str());
+  pipeline_ = {context_, pipeline, vk.vkDestroyPipeline};
 }
 
 void GraphicsPipeline::bind_bytes(VkCommandBuffer commands,
-                                  std::span<const gpu::Buffer* const> buffers,
+                                  std::span<const gpu::BufferRange> buffers,
                                   std::span<const std::byte> push, Sides sides) const {
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
-  std::array<VkDescriptorBufferInfo, kMaxBuffers> infos;
-  std::array<VkWriteDescriptorSet, kMaxBuffers> writes;
-  for (std::uint32_t b = 0; b < buffers.size(); ++b) {
-    if (buffers[b]->bytes() > limit) {
-      throw GpuError("drawing " + name_ + ": the buffer \"" + buffers[b]->name() + "\" of " +
-                     std::to_string(buffers[b]->bytes()) + " bytes exceeds the limit of " +
-                     std::to_string(limit) + " of " + context_.description().name +
-                     "; draw a smaller mesh");
-    }
-    infos[b] = {buffers[b]->handle(), 0, VK_WHOLE_SIZE};
-    writes[b] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    writes[b].dstBinding = b;
-    writes[b].descriptorCount = 1;
-    writes[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    writes[b].pBufferInfo = &infos[b];
+  for (const gpu::BufferRange& range : buffers) {
+    if (range.bytes <= limit) continue;
+    throw GpuError("drawing " + name_ + ": the buffer \"" + range.buffer->name() + "\" of " +
+                   std::to_string(range.bytes) + " bytes exceeds the limit of " +
+                   std::to_string(limit) + " of " + context_.description().name +
+                   "; draw a smaller mesh");
   }
-  const auto& vk = context_.vk();
-  vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
-  vk.vkCmdSetCullMode(commands, culled(sides));
-  if (!buffers.empty()) {
-    vk.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0,
-                                 static_cast<std::uint32_t>(buffers.size()), writes.data());
-  }
-  vk.vkCmdPushConstants(commands, layout_, kStages, 0, static_cast<std::uint32_t>(push.size()),
-                        push.data());
+  layout_.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get(), buffers, push);
+  context_.vk().vkCmdSetCullMode(commands, culled(sides));
 }
 
 void GraphicsPipeline::draw_vertices(VkCommandBuffer commands, std::uint32_t vertices,
@@ -244,20 +192,6 @@ void GraphicsPipeline::draw_vertices(VkCommandBuffer commands, std::uint32_t ver
 void GraphicsPipeline::draw_indices(VkCommandBuffer commands, const IndexRange& indices) const {
   context_.vk().vkCmdBindIndexBuffer(commands, indices.buffer->handle(), 0, VK_INDEX_TYPE_UINT32);
   context_.vk().vkCmdDrawIndexed(commands, indices.count, 1, indices.first, 0, 0);
-}
-
-void GraphicsPipeline::release() noexcept {
-  const auto& vk = context_.vk();
-  const VkDevice device = context_.device();
-  if (pipeline_ != VK_NULL_HANDLE) vk.vkDestroyPipeline(device, pipeline_, nullptr);
-  if (layout_ != VK_NULL_HANDLE) vk.vkDestroyPipelineLayout(device, layout_, nullptr);
-  if (set_layout_ != VK_NULL_HANDLE) {
-    vk.vkDestroyDescriptorSetLayout(device, set_layout_, nullptr);
-  }
-}
-
-GraphicsPipeline::~GraphicsPipeline() {
-  release();
 }
 
 }  // namespace lapwing

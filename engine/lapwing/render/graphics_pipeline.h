@@ -7,14 +7,9 @@
 #include <string>
 #include <type_traits>
 
-#include <volk.h>
+#include "lapwing/gpu/pipeline_layout.h"
 
 namespace lapwing {
-
-namespace gpu {
-class Buffer;
-class Context;
-}  // namespace gpu
 
 /// Format of the images that pipelines draw into: a window's or an offscreen target's.
 struct TargetFormat {
@@ -55,21 +50,23 @@ struct IndexRange {
   std::uint32_t count;
 };
 
-/// A pipeline that draws triangles without vertex buffers: shaders pull what they need from storage
-/// buffers. Viewport and scissor are dynamic. The context must outlive it.
+/// Sets the viewport and the scissor to `area`. Both are dynamic states of every GraphicsPipeline.
+void set_viewport(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area);
+
+/// Draws triangles without vertex buffers. The shaders read vertex data from
+/// storage buffers. The context must outlive the pipeline.
 class GraphicsPipeline {
  public:
   /// Throws GpuError, naming the pipeline, if the device cannot draw or rejects the pipeline.
   GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,
                    const GraphicsPipelineInfo& info);
-  ~GraphicsPipeline();
   GraphicsPipeline(const GraphicsPipeline&) = delete;
   GraphicsPipeline& operator=(const GraphicsPipeline&) = delete;
 
   /// Records a draw of `vertices` vertices, starting with number `first`, in a rendering scope.
   /// `buffers` are in the order of their bindings.
   template <typename Push>
-  void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
+  void draw(VkCommandBuffer commands, std::initializer_list<gpu::BufferRange> buffers,
             const Push& push, std::uint32_t vertices, std::uint32_t first = 0,
             Sides sides = Sides::both) const {
     bind(commands, buffers, push, sides);
@@ -77,33 +74,30 @@ class GraphicsPipeline {
   }
   /// The same for the vertices that `indices` lists.
   template <typename Push>
-  void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
+  void draw(VkCommandBuffer commands, std::initializer_list<gpu::BufferRange> buffers,
             const Push& push, const IndexRange& indices, Sides sides = Sides::both) const {
     bind(commands, buffers, push, sides);
     draw_indices(commands, indices);
   }
 
  private:
-  void create_layout(const GraphicsPipelineInfo& info);
   void create_pipeline(const TargetFormat& target, const GraphicsPipelineInfo& info);
   template <typename Push>
-  void bind(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
+  void bind(VkCommandBuffer commands, std::initializer_list<gpu::BufferRange> buffers,
             const Push& push, Sides sides) const {
     static_assert(std::is_trivially_copyable_v<Push>);
     bind_bytes(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)),
                sides);
   }
-  void bind_bytes(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
+  void bind_bytes(VkCommandBuffer commands, std::span<const gpu::BufferRange> buffers,
                   std::span<const std::byte> push, Sides sides) const;
   void draw_vertices(VkCommandBuffer commands, std::uint32_t vertices, std::uint32_t first) const;
   void draw_indices(VkCommandBuffer commands, const IndexRange& indices) const;
-  void release() noexcept;
 
   const gpu::Context& context_;
   std::string name_;
-  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
-  VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  gpu::PipelineLayout layout_;
+  gpu::Owned<VkPipeline> pipeline_;
 };
 
 /// Throws GpuError with the next step if the context's queue has no graphics.

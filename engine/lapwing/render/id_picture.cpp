@@ -84,26 +84,16 @@ void IdPicture::record(const Surface& surface) {
   const VkCommandBuffer commands = recorder.handle();
   target_->ids.transition(commands, kDiscarded, kColorTarget);
   target_->scope.begin(commands, target_->ids.view());
-  const VkViewport viewport{
-      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
-  const VkRect2D scissor{{0, 0}, extent};
-  context_.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
-  context_.vk().vkCmdSetScissor(commands, 0, 1, &scissor);
+  set_viewport(context_, commands, {{0, 0}, extent});
   if (surface.triangle_count() > 0) {
     IdPush push;
     Eigen::Map<Eigen::Matrix4f>(push.clip_from_surface.data()) =
         clip_from_surface(camera_, extent, surface.origin()).cast<float>();
-    pipeline_.draw(commands, {&surface.position_buffer(), &surface.triangle_buffer()}, push,
+    pipeline_.draw(commands, {surface.position_buffer(), surface.triangle_buffer()}, push,
                    static_cast<std::uint32_t>(3 * surface.triangle_count()));
   }
   target_->scope.end(commands, target_->ids.view());
-  target_->ids.transition(commands, kColorTarget, kCopySource);
-  recorder.access(target_->read_back, kCopySource.stages, VK_ACCESS_2_TRANSFER_WRITE_BIT);
-  VkBufferImageCopy region{};
-  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  region.imageExtent = {extent.width, extent.height, 1};
-  context_.vk().vkCmdCopyImageToBuffer(commands, target_->ids.handle(), kCopySource.layout,
-                                       target_->read_back.handle(), 1, &region);
+  record_read_back(recorder, target_->ids, extent, target_->read_back);
   recorder.finish();
 }
 
@@ -117,13 +107,11 @@ std::optional<Pick> IdPicture::pick(const Surface& surface, std::uint32_t x, std
   const std::uint32_t id = ids()[std::size_t{y} * target_->extent.width + x];
   if (id == 0) return {};
   Triangle triangle;
-  transfer_.download(surface.triangle_buffer(), std::span<Index>(triangle),
-                     VkDeviceSize{id - 1} * sizeof triangle);
+  transfer_.download(surface.triangle_buffer(), triangle, VkDeviceSize{id - 1} * sizeof triangle);
   std::array<Vector3d, 3> corners;
   for (std::size_t c = 0; c < 3; ++c) {
     std::array<float, 4> place;
-    transfer_.download(surface.position_buffer(), std::span<float>(place),
-                       VkDeviceSize{triangle[c]} * sizeof place);
+    transfer_.download(surface.position_buffer(), place, VkDeviceSize{triangle[c]} * sizeof place);
     corners[c] = surface.origin() + Vector3d(place[0], place[1], place[2]);
   }
   const Ray ray = line_of_sight(camera_, Eigen::Vector2d(x + 0.5, y + 0.5),

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "lapwing/io/file_colors.h"
 #include "lapwing/io/image.h"
 
 namespace lapwing {
@@ -19,5 +21,15 @@ namespace lapwing {
 /// Opacity is dropped, so that the edited surface stays visible. Images without pixels must not be
 /// looked up.
 std::vector<std::uint32_t> mip_levels(std::span<const Image> images);
+
+/// The colours of a file, ready for surfaces of every mesh with attributes from that file.
+struct FilePaint {
+  explicit FilePaint(FileColors read) : colors(std::move(read)), images(mip_levels(colors.images)) {
+    colors.images = {};
+  }
+
+  FileColors colors;                  ///< without the images
+  std::vector<std::uint32_t> images;  ///< result of mip_levels
+};
 
 }  // namespace lapwing

@@ -26,8 +26,7 @@ VkExtent2D checked_extent(const gpu::Context& context, std::uint32_t width, std:
 
 OffscreenTarget::OffscreenTarget(gpu::Context& context, std::uint32_t width, std::uint32_t height,
                                  std::uint32_t samples)
-    : context_(context),
-      extent_(checked_extent(context, width, height)),
+    : extent_(checked_extent(context, width, height)),
       format_(antialiased(context, TargetFormat{}.color, samples)),
       color_(context, {"picture", format_.color, extent_, VK_SAMPLE_COUNT_1_BIT,
                        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
@@ -41,13 +40,7 @@ Image OffscreenTarget::render(const std::function<void(VkCommandBuffer)>& draw) 
   scope_.begin(recorder.handle(), color_.view());
   draw(recorder.handle());
   scope_.end(recorder.handle(), color_.view());
-  color_.transition(recorder.handle(), kColorTarget, kCopySource);
-  recorder.access(pixels_, kCopySource.stages, VK_ACCESS_2_TRANSFER_WRITE_BIT);
-  VkBufferImageCopy region{};
-  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  region.imageExtent = {extent_.width, extent_.height, 1};
-  context_.vk().vkCmdCopyImageToBuffer(recorder.handle(), color_.handle(), kCopySource.layout,
-                                       pixels_.handle(), 1, &region);
+  record_read_back(recorder, color_, extent_, pixels_);
   recorder.finish();
   commands_.run();
   const auto bytes = pixels_.mapped_as<std::uint8_t>();

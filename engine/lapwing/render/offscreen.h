@@ -33,7 +33,6 @@ class OffscreenTarget {
   Image render(const std::function<void(VkCommandBuffer commands)>& draw);
 
  private:
-  gpu::Context& context_;
   VkExtent2D extent_;
   TargetFormat format_;
   DeviceImage color_;  ///< the picture to read back

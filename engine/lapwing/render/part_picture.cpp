@@ -64,14 +64,13 @@ Image part_picture(const std::shared_ptr<gpu::Context>& context, const Mesh& mes
   std::vector<VertexClass> classes(mesh.vertex_count(), VertexClass::outside);
   for (const Index v : loop) classes[v] = VertexClass::handle;
   paint.set_classes(classes);
+  const Positions shown = surface_positions(mesh.positions, topology);
   RenderOptions options;
   options.width = side;
   options.height = side;
   options.background = Background::transparent;
   options.style.color = SurfaceColor::regions;
-  return render_image(surface, paint,
-                      fit(mesh.positions, standing_view(mesh.positions, frame.normal), 1.0),
-                      options);
+  return render_image(surface, paint, fit(shown, standing_view(shown, frame.normal), 1.0), options);
 }
 
 }  // namespace lapwing

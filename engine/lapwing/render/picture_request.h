@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "lapwing/mesh/split_normals.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/turntable.h"
 
@@ -13,17 +14,19 @@ struct PictureRequest {
   std::uint32_t width = 1280;  ///< in pixels
   std::uint32_t height = 960;  ///< in pixels
   View view = View::three_quarter;
-  std::optional<Eigen::Vector3d> from;  ///< direction to the eye, instead of the view
+  std::optional<Eigen::Vector3d> from = {};  ///< direction to the eye; replaces `view`
   UpAxis up = UpAxis::y;
   Background background = Background::gradient;
   bool orthographic = false;
   bool wireframe = false;
-  bool flat = false;  ///< one normal per triangle
+  bool flat = false;                                    ///< draws each triangle with one normal
+  double feature_angle_degrees = kFeatureAngleDegrees;  ///< see split_normals()
 
   /// Returns whether `from` is unset or a direction not along the upward axis.
   bool can_look() const;
   RenderOptions options() const;
-  /// Returns a camera that frames all of `points`, beside a legend if there is one.
+  /// Returns a camera that frames all `points`, usually the surface_positions of a mesh. If
+  /// `with_legend` is true, the camera leaves space for the legend.
   Camera camera(std::span<const Eigen::Vector3d> points, bool with_legend) const;
   /// Returns a turntable that begins at the same view.
   Turntable turntable(std::span<const Eigen::Vector3d> points, bool with_legend) const;

@@ -21,7 +21,7 @@ void PointCloud::place(std::span<const Eigen::Vector3d> positions) {
   places.reserve(positions.size());
   for (const Eigen::Vector3d& position : positions) places.push_back(place_of(position, origin_));
   revision_.renew();
-  transfer_.upload(buffer_, std::span<const Vec4>(places));
+  transfer_.upload(buffer_, places);
 }
 
 }  // namespace lapwing

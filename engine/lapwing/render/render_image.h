@@ -16,9 +16,9 @@ struct RenderOptions {
   std::uint32_t height = 960;  ///< in pixels
   std::uint32_t samples = 4;   ///< per pixel, as far as the device has them
   Background background = Background::gradient;
-  SurfaceStyle style;
-  bool legend = true;        ///< beside a surface coloured by numbers
-  std::string legend_title;  ///< one or more lines above the legend, or empty
+  SurfaceStyle style = {};
+  bool legend = true;             ///< draws a legend if numbers colour the surface
+  std::string legend_title = {};  ///< lines above the legend; may be empty
 
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }
 };

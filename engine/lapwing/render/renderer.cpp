@@ -87,7 +87,7 @@ gpu::Buffer make_color_maps(gpu::Context& context) {
     }
   }
   gpu::Buffer buffer(context, "colour maps", entries.size() * sizeof entries[0]);
-  gpu::Transfer(context).upload(buffer, std::as_bytes(std::span(entries)));
+  gpu::Transfer(context).upload(buffer, entries);
   return buffer;
 }
 
@@ -150,7 +150,7 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
                {.name = "a surface",
                 .vertex_spirv = shaders::surface_vert(),
                 .fragment_spirv = shaders::surface_frag(),
-                .storage_buffers = 10,
+                .storage_buffers = 11,
                 .push_constant_bytes = sizeof(SurfacePush),
                 .constants = constants,
                 .depth = true}) {}
@@ -197,14 +197,7 @@ void Renderer::begin(VkCommandBuffer commands, const VkRect2D& area, Background 
 }
 
 void Renderer::fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const {
-  const VkViewport viewport{static_cast<float>(area.offset.x),
-                            static_cast<float>(area.offset.y),
-                            static_cast<float>(area.extent.width),
-                            static_cast<float>(area.extent.height),
-                            0.0F,
-                            1.0F};
-  context_.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
-  context_.vk().vkCmdSetScissor(commands, 0, 1, &area);
+  set_viewport(context_, commands, area);
   background_.draw(commands, {}, background_push(background), 3);
 }
 
@@ -216,9 +209,10 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   const auto draw = [&](Sides sides, Numbers numbers, const auto&... what) {
     surface_pipeline(push.flags, numbers)
         .draw(commands,
-              {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
-               &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_,
-               &paint.corner_source_buffer(), &paint.corner_place_buffer(), &paint.image_buffer()},
+              {surface.position_buffer(), surface.normal_buffer(), surface.triangle_buffer(),
+               paint.class_buffer(), paint.scalar_buffer(), paint.edge_buffer(), color_maps_,
+               paint.corner_source_buffer(), paint.corner_place_buffer(), paint.image_buffer(),
+               surface.corner_normal_buffer()},
               push, what..., sides);
   };
   const bool needs_corners = (push.flags & (kWireframe | kFlat | kFileColor)) != 0;
@@ -230,16 +224,10 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   }
   const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
   const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
-  // If there are no triangles of a kind, draw one without area. The driver compiles shaders at
-  // their first draw, which would otherwise delay the drag frame in which the first such triangle
-  // appears.
-  const auto some = [&](std::uint32_t first, std::uint32_t count) {
-    const gpu::Buffer* indices = &order->index_buffer();
-    return count > 0 ? IndexRange{indices, first, count} : IndexRange{indices, smooth + sharp, 3};
-  };
   const auto draw_sides = [&](Sides sides) {
-    draw(sides, Numbers::vertices, some(0, smooth));
-    draw(sides, Numbers::corners, some(smooth, sharp));
+    const gpu::Buffer* indices = &order->index_buffer();
+    if (smooth > 0) draw(sides, Numbers::vertices, IndexRange{indices, 0, smooth});
+    if (sharp > 0) draw(sides, Numbers::corners, IndexRange{indices, smooth, sharp});
   };
   if (style.sides != Sides::both) return draw_sides(style.sides);
   // Most backs lie behind fronts. Draw the fronts first, so that these backs need no shading.
@@ -262,7 +250,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent,
   if (overlay.rectangle_count() == 0) return;
   const OverlayPush push{
       {2.0F / static_cast<float>(extent.width), 2.0F / static_cast<float>(extent.height)}};
-  overlay_.draw(commands, {&overlay.buffer()}, push, 6 * overlay.rectangle_count());
+  overlay_.draw(commands, {overlay.buffer()}, push, 6 * overlay.rectangle_count());
 }
 
 void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
@@ -280,7 +268,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDr
   const float radius = style.pixels_per_point * kCarriedRadiusPt;
   push.clip_radius = {2.0F * radius / static_cast<float>(extent.width),
                       2.0F * radius / static_cast<float>(extent.height)};
-  points_.draw(commands, {&points.buffer()}, push, static_cast<std::uint32_t>(6 * points.size()));
+  points_.draw(commands, {points.buffer()}, push, static_cast<std::uint32_t>(6 * points.size()));
 }
 
 }  // namespace lapwing

@@ -23,7 +23,7 @@ std::vector<Vec4> places_of(std::span<const Vector3d> positions, const Vector3d&
 std::vector<Vector3d> download_vectors(gpu::Transfer& transfer, const gpu::Buffer& buffer,
                                        const Vector3d& offset) {
   std::vector<Vec4> values(buffer.bytes() / sizeof(Vec4));
-  transfer.download(buffer, std::span<Vec4>(values));
+  transfer.download(buffer, values);
   std::vector<Vector3d> vectors;
   vectors.reserve(values.size());
   for (const Vec4& v : values) vectors.emplace_back(Vector3d(v[0], v[1], v[2]) + offset);
@@ -33,21 +33,32 @@ std::vector<Vector3d> download_vectors(gpu::Transfer& transfer, const gpu::Buffe
 }  // namespace
 
 Surface::Surface(std::shared_ptr<gpu::Context> context, std::span<const Vector3d> positions,
-                 const Topology& topology)
+                 const Topology& topology, double feature_angle_degrees)
+    : Surface(std::move(context), positions, topology,
+              split_normals(positions, topology, feature_angle_degrees)) {}
+
+Surface::Surface(std::shared_ptr<gpu::Context> context, std::span<const Vector3d> positions,
+                 const Topology& topology, SplitNormals split)
     : context_(std::move(context)),
       topology_(topology),
       transfer_(*context_),
       blend_(BlendResponse::kernel(*context_)),
       commands_(*context_, "surface"),
-      origin_(bounds_of(positions).center()),
+      origin_(bounds_of(surface_positions(positions, topology)).center()),
       positions_(*context_, "positions", positions.size() * sizeof(Vec4)),
-      normals_(*context_, "normals", positions.size() * sizeof(Vec4)),
+      normals_(*context_, "normals",
+               (positions.size() + split.extra_vertices.size()) * sizeof(Vec4)),
       triangles_(*context_, "triangles", topology.triangles.size() * sizeof(Triangle)),
-      vertex_normals_(*context_, transfer_, topology),
+      vertex_normals_(*context_, transfer_, topology, split),
       on_host_(context_->description().type == "software" && !normals_.mapped().empty()),
       known_(places_of(positions, origin_)) {
-  transfer_.upload(positions_, std::span<const Vec4>(known_));
-  transfer_.upload(triangles_, std::span<const Triangle>(topology.triangles));
+  transfer_.upload(positions_, known_);
+  transfer_.upload(triangles_, topology.triangles);
+  if (!split.extra_vertices.empty()) {
+    corner_normals_.emplace(*context_, "corner normals", split.of_corner.size() * sizeof(Index));
+    transfer_.upload(*corner_normals_, split.of_corner);
+    if (on_host_) normal_of_corner_ = std::move(split.of_corner);
+  }
   make_normals();
 }
 
@@ -56,7 +67,7 @@ void Surface::make_normals() {
   std::iota(all.begin(), all.end(), 0U);
   if (on_host_) return vertex_normals_.run_on_host(all, positions_, normals_);
   const gpu::Buffer list(*context_, "all vertices", all.size() * sizeof(Index));
-  transfer_.upload(list, std::span<const Index>(all));
+  transfer_.upload(list, all);
   gpu::Recorder recorder(commands_);
   recorder.fill(normals_, 0);
   vertex_normals_.record(recorder, list, positions_, normals_);
@@ -69,9 +80,9 @@ const DrawOrder* Surface::draw_order() const {
   const bool fits =
       3 * std::uint64_t{triangle_count()} <= context_->limits().maxDrawIndexedIndexValue;
   if (!on_host_ || !fits) return nullptr;
-  const std::span<const Vec4> positions = positions_.mapped_as<Vec4>();
-  if (!order_) order_.emplace(*context_, positions, topology_.triangles);
-  if (std::exchange(is_order_old_, false)) order_->split(positions, normals_.mapped_as<Vec4>());
+  if (!order_) {
+    order_.emplace(*context_, positions_.mapped_as<Vec4>(), topology_.triangles, normal_of_corner_);
+  }
   return &*order_;
 }
 
@@ -130,7 +141,6 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
   watch.restart();
   vertex_normals_.run_on_host(response->affected().mapped_as<Index>(), positions_, normals_);
   times_.normals_ms += watch.elapsed_ms();
-  is_order_old_ = true;
 }
 
 void Surface::record_blend(gpu::Recorder& recorder) const {

@@ -10,7 +10,7 @@
 #include "lapwing/gpu/kernel.h"
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/gpu/transfer.h"
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/split_normals.h"
 #include "lapwing/render/draw_order.h"
 #include "lapwing/render/revision.h"
 #include "lapwing/vulkan/blend_response.h"
@@ -32,9 +32,10 @@ struct SurfaceTimes {
 /// The device must have finished the last draw before the surface is moved. Not thread-safe.
 class Surface {
  public:
-  /// `topology` must outlive it.
+  /// `topology` must outlive the surface. An edge looks hard if its faces at these `positions` meet
+  /// at more than the feature angle. It remains hard when the surface moves.
   Surface(std::shared_ptr<gpu::Context> context, std::span<const Eigen::Vector3d> positions,
-          const Topology& topology);
+          const Topology& topology, double feature_angle_degrees = kFeatureAngleDegrees);
 
   /// Moves the vertices to `positions`, one for each vertex of the mesh. Uploads those that differ.
   void place(std::span<const Eigen::Vector3d> positions);
@@ -58,8 +59,8 @@ class Surface {
   /// Returns the times of the work on the CPU since the last call.
   SurfaceTimes take_times();
 
-  /// Returns the positions on the device, in mesh coordinates, and the unit normals, which are zero
-  /// at a vertex without a triangle with area. For tests.
+  /// Returns the device's positions in mesh coordinates and its unit normals in the order of
+  /// SplitNormals. A normal is zero if all its triangles have no area. Only tests call these.
   Positions positions();
   std::vector<Eigen::Vector3d> normals();
 
@@ -69,21 +70,27 @@ class Surface {
   gpu::Context& context() const { return *context_; }
   std::size_t vertex_count() const { return known_.size(); }
   std::size_t triangle_count() const { return triangles_.bytes() / sizeof(Triangle); }
-  /// Returns the offset subtracted from the positions: the centre of the bounding box at
+  /// Returns the offset subtracted from the positions: the centre of the surface's bounding box at
   /// construction. Float32 positions then keep their digits wherever the mesh lies.
   const Eigen::Vector3d& origin() const { return origin_; }
   /// One vec4 per vertex: the position relative to `origin()`, and 1.
   const gpu::Buffer& position_buffer() const { return positions_; }
-  /// One vec4 per vertex: the unit normal, or zero, and 0.
+  /// One vec4 per normal of SplitNormals: the unit normal (or zero), and 0.
   const gpu::Buffer& normal_buffer() const { return normals_; }
+  /// One uint per corner: its normal as in SplitNormals::of_corner.
+  const gpu::Buffer& corner_normal_buffer() const {
+    return corner_normals_ ? *corner_normals_ : triangles_;
+  }
   /// Three uint per triangle.
   const gpu::Buffer& triangle_buffer() const { return triangles_; }
-  /// Returns the fastest order to draw the surface on a software device, or null if the device
-  /// moves it itself or cannot index so many corners. The first call takes O(n log n), the first
-  /// after a move linear time.
+  /// Returns the fastest order to draw the surface on a software device. Returns null if shaders
+  /// move the surface, or if the device cannot index so many corners.
+  /// The first call takes O(n log n).
   const DrawOrder* draw_order() const;
 
  private:
+  Surface(std::shared_ptr<gpu::Context> context, std::span<const Eigen::Vector3d> positions,
+          const Topology& topology, SplitNormals split);
   void make_normals();
   template <typename Wanted>
   void move_to(std::span<const Eigen::Vector3d> positions, const Wanted& wanted);
@@ -97,10 +104,13 @@ class Surface {
   gpu::Buffer positions_;
   gpu::Buffer normals_;
   gpu::Buffer triangles_;
+  /// Empty if no normal is split. `triangles_` then serves instead, because each corner has the
+  /// normal of its vertex.
+  std::optional<gpu::Buffer> corner_normals_;
   VertexNormals vertex_normals_;
   bool on_host_;
+  std::vector<Index> normal_of_corner_;     ///< used by DrawOrder; empty if no normal is split
   mutable std::optional<DrawOrder> order_;  ///< set by the first draw_order()
-  mutable bool is_order_old_ = true;        ///< whether the surface has moved since then
   /// Positions of the vertices on the device; NaN if only the device knows them.
   std::vector<Vec4> known_;
   std::shared_ptr<BlendResponse> moved_by_;  ///< last response; its recorded work may still run

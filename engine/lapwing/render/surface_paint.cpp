@@ -14,6 +14,8 @@ namespace lapwing {
 namespace {
 
 constexpr std::uint32_t kAllEdges = 0b111;
+// A maximum up to this multiple of the percentile barely changes the other colours.
+constexpr float kOutlierFactor = 1.5F;
 
 void check_count(std::size_t given, std::size_t expected, const char* what) {
   if (given == expected) return;
@@ -28,6 +30,21 @@ bool is_polygon_edge(std::span<const Index> polygon, Index a, Index b) {
     if ((here == a && next == b) || (here == b && next == a)) return true;
   }
   return false;
+}
+
+// Returns the entries of `SurfacePaint::edge_buffer`, one per triangle. A bit is set if the side is
+// an edge of the polygon, not a diagonal.
+std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
+  std::vector<std::uint32_t> edges(topology.triangles.size(), 0);
+  for (std::size_t t = 0; t < edges.size(); ++t) {
+    const Triangle& triangle = topology.triangles[t];
+    const std::span<const Index> polygon = mesh.face(topology.triangle_faces[t]);
+    for (std::size_t e = 0; e < 3; ++e) {
+      if (is_polygon_edge(polygon, triangle[e], triangle[(e + 1) % 3])) edges[t] |= 1U << e;
+    }
+  }
+  return edges;
 }
 
 ScalarRange range_of(std::span<const float> scalars) {
@@ -87,8 +104,7 @@ SurfacePaint::SurfacePaint(const Surface& surface)
       images_(context_, "images", 0) {
   set_classes(std::vector<VertexClass>(vertex_count_, VertexClass::outside));
   set_scalars(std::vector<float>(vertex_count_, 0.0F));
-  const std::vector<std::uint32_t> edges(triangle_count_, kAllEdges);
-  transfer_.upload(edges_, std::span(edges));
+  transfer_.upload(edges_, std::vector<std::uint32_t>(triangle_count_, kAllEdges));
 }
 
 void SurfacePaint::set_classes(std::span<const VertexClass> classes) {
@@ -107,8 +123,7 @@ void SurfacePaint::set_scalars(std::span<const float> scalars) {
 void SurfacePaint::set_polygons(const Mesh& mesh) {
   check_count(mesh.topology().triangles.size(), triangle_count_, "triangles");
   revision_.renew();
-  const std::vector<std::uint32_t> edges = polygon_edges(mesh);
-  transfer_.upload(edges_, std::span(edges));
+  transfer_.upload(edges_, polygon_edges(mesh));
 }
 
 void SurfacePaint::set_file_colors(const Mesh& drawn, const Mesh& mesh, const FilePaint& file) {
@@ -121,22 +136,9 @@ void SurfacePaint::set_file_colors(const Mesh& drawn, const Mesh& mesh, const Fi
     buffer = gpu::Buffer(context_, buffer.name(), values.size_bytes());
     transfer_.upload(buffer, values);
   };
-  replace(corner_sources_, std::span<const std::uint32_t>(corners.sources));
-  replace(corner_places_, std::span<const std::array<float, 2>>(corners.places));
+  replace(corner_sources_, std::span(corners.sources));
+  replace(corner_places_, std::span(corners.places));
   replace(images_, std::span(file.images).first(corners.places.empty() ? 0 : file.images.size()));
-}
-
-std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {
-  const Topology& topology = mesh.topology();
-  std::vector<std::uint32_t> edges(topology.triangles.size(), 0);
-  for (std::size_t t = 0; t < edges.size(); ++t) {
-    const Triangle& triangle = topology.triangles[t];
-    const std::span<const Index> polygon = mesh.face(topology.triangle_faces[t]);
-    for (std::size_t e = 0; e < 3; ++e) {
-      if (is_polygon_edge(polygon, triangle[e], triangle[(e + 1) % 3])) edges[t] |= 1U << e;
-    }
-  }
-  return edges;
 }
 
 ScalarRange range_without_outliers(std::span<const float> numbers) {

@@ -8,7 +8,7 @@
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
-#include "lapwing/render/file_paint.h"
+#include "lapwing/render/mip_levels.h"
 #include "lapwing/render/revision.h"
 
 namespace lapwing {
@@ -93,16 +93,9 @@ class SurfacePaint {
   Revision revision_;
 };
 
-/// Returns, for each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its
-/// polygon.
-std::vector<std::uint32_t> polygon_edges(const Mesh& mesh);
-
 /// Returns the range from 0 to the 99th percentile of the finite numbers, which must not be
-/// negative. A few large numbers then do not make all others look alike. The range ends at the
-/// largest if that is at most kOutlierFactor times the percentile, or if the percentile is 0.
+/// negative. A few large numbers then do not make all other colours look alike. The range ends at
+/// the maximum instead if that is at most 1.5 times the percentile, or if the percentile is 0.
 ScalarRange range_without_outliers(std::span<const float> numbers);
-
-/// Smaller outliers make no visible difference to the others' colours.
-inline constexpr float kOutlierFactor = 1.5F;
 
 }  // namespace lapwing

@@ -6,7 +6,7 @@
 #include <sys/types.h>
 
 #include "lapwing/io/atomic_file.h"
-#include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/file_bytes.h"
 #include "lapwing/render/frame_writer.h"
 
 namespace lapwing {
@@ -21,8 +21,8 @@ std::optional<std::filesystem::path> find_ffmpeg();
 /// The same for writing the video `output`. Throws IoError with the next step if there is none.
 std::filesystem::path require_ffmpeg(const std::filesystem::path& output);
 
-/// Sends frames to an ffmpeg process, which reads them as they come. ffmpeg
-/// writes a temporary file beside the video, which replaces `output` when it is complete.
+/// Sends frames to an ffmpeg process, which encodes each frame when it arrives. ffmpeg writes a
+/// temporary file in the folder of `output`. The complete file replaces `output`.
 class VideoWriter final : public FrameWriter {
  public:
   /// Throws IoError if ffmpeg cannot be started or the file cannot be created.

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/base/progress.h"
 #include "lapwing/solve/block_matrix.h"
 
 namespace lapwing {

@@ -1,10 +1,8 @@
 #include "lapwing/solve/detached.h"
 
 #include <atomic>
-#include <condition_variable>
-#include <exception>
+#include <future>
 #include <memory>
-#include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -16,72 +14,39 @@ namespace {
 
 // An abandoned thread occupies a graph and a processor until it ends.
 constexpr int kMostAbandoned = 2;
-std::atomic<int> abandoned = 0;
+std::atomic<int> running_threads = 0;
+std::atomic<int> awaited_threads = 0;  // all other running threads are abandoned
 
-struct DetachedTask {
-  std::function<std::vector<int>()> work;
-  std::mutex mutex;
-  std::condition_variable is_done;
-  bool done = false;
-  bool abandoned = false;
-  std::vector<int> result;
-  std::exception_ptr error;
+class Counted {
+ public:
+  explicit Counted(std::atomic<int>& count) : count_(count) { ++count_; }
+  ~Counted() { --count_; }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
 
-  void run() {
-    std::vector<int> made;
-    std::exception_ptr thrown;
-    try {
-      made = work();
-    } catch (...) {
-      thrown = std::current_exception();
-    }
-    const std::scoped_lock lock(mutex);
-    result = std::move(made);
-    error = thrown;
-    done = true;
-    if (abandoned) --lapwing::abandoned;
-    is_done.notify_one();
-  }
+ private:
+  std::atomic<int>& count_;
 };
-
-void wait_until_few_are_abandoned() {
-  while (abandoned >= kMostAbandoned) {
-    std::this_thread::sleep_for(kCheckInterval);
-    check_cancelled();
-  }
-}
-
-void wait_for(DetachedTask& errand) {
-  std::unique_lock lock(errand.mutex);
-  while (!errand.is_done.wait_for(lock, kCheckInterval, [&] { return errand.done; })) {
-    lock.unlock();
-    try {
-      check_cancelled();
-    } catch (...) {
-      const std::scoped_lock again(errand.mutex);
-      errand.abandoned = !errand.done;
-      if (errand.abandoned) ++abandoned;
-      throw;
-    }
-    lock.lock();
-  }
-}
 
 }  // namespace
 
 std::vector<int> run_detached(std::function<std::vector<int>()> work) {
   if (!can_be_cancelled()) return work();
-  wait_until_few_are_abandoned();
-  const auto errand = std::make_shared<DetachedTask>();
-  errand->work = std::move(work);
-  try {
-    std::thread([errand] { errand->run(); }).detach();
-  } catch (const std::system_error&) {
-    return errand->work();
+  while (running_threads - awaited_threads >= kMostAbandoned) {
+    std::this_thread::sleep_for(kCheckInterval);
+    check_cancelled();
   }
-  wait_for(*errand);
-  if (errand->error) std::rethrow_exception(errand->error);
-  return std::move(errand->result);
+  const auto task = std::make_shared<std::packaged_task<std::vector<int>()>>(std::move(work));
+  std::future<std::vector<int>> result = task->get_future();
+  const Counted awaited(awaited_threads);
+  auto running = std::make_shared<Counted>(running_threads);
+  try {
+    std::thread([task, running = std::move(running)] { (*task)(); }).detach();
+  } catch (const std::system_error&) {
+    (*task)();
+  }
+  while (result.wait_for(kCheckInterval) == std::future_status::timeout) check_cancelled();
+  return result.get();
 }
 
 }  // namespace lapwing

@@ -5,11 +5,11 @@
 
 namespace lapwing {
 
-/// Returns or throws what `work` does. `work` is a library call that cannot be interrupted. It runs
-/// on another thread while this one polls `check_cancelled`. If that throws, so does this call, and
-/// the thread is abandoned: it ends when `work` is done. So `work` must own everything it uses. At
-/// most two threads are abandoned at a time; further calls wait until one of them ends. Without a
-/// ProgressScope, `work` runs on the calling thread.
+/// Calls `work`, which wraps a library call that cannot be interrupted, and returns its result or
+/// throws its exception. It runs on another thread while this one polls `check_cancelled`. If the
+/// poll throws, this function throws too and abandons the thread until `work` ends. Therefore
+/// `work` must own everything it uses. At most two threads are abandoned at a time; further calls
+/// wait. Without a ProgressScope, `work` runs on the calling thread.
 std::vector<int> run_detached(std::function<std::vector<int>()> work);
 
 }  // namespace lapwing

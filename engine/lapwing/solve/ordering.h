@@ -19,13 +19,11 @@ inline constexpr std::size_t kMinimumDegreeLimit = 150'000;
 
 /// Returns a permutation of the block columns, new to old, that keeps the Cholesky factor sparse.
 /// The same pattern gives the same order. Throws SolverError if METIS fails (out of memory) or the
-/// graph is too large to number. For M'M of a mesh, `dissection_order`
-/// (dissection/mesh_dissection.h) takes half the time of METIS, and its order at most 1.04 of the
-/// operations of METIS's order.
+/// graph is too large to number. For M'M of a mesh, `dissection_order` is faster.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern,
                                      Ordering ordering = Ordering::automatic);
 
-struct MinimumDegreeOrder {
+struct EliminationOrder {
   std::vector<int> order;  ///< new to old
   /// Sum of the squared entry counts of the factor's block columns. This is the number of
   /// operations to factorize 1 x 1 blocks, and a 27th of that for 3 x 3 blocks.
@@ -33,6 +31,14 @@ struct MinimumDegreeOrder {
 };
 
 /// Returns `fill_reducing_order` by minimum degree, with its operations.
-MinimumDegreeOrder minimum_degree_order(const BlockPattern& pattern);
+EliminationOrder minimum_degree_order(const BlockPattern& pattern);
+
+/// Returns an approximate minimum degree (AMD) order of a graph, new to old. If `operations` is not
+/// null, writes EliminationOrder::operations to it. The call cannot be interrupted. Throws
+/// SolverError if the graph has too many edges for 31-bit indices.
+std::vector<int> minimum_degree(const BlockGraph& graph, double* operations = nullptr);
+
+/// Returns the scalar permutation that keeps the rows of a block together.
+std::vector<int> scalar_order(std::span<const int> order, int block_size);
 
 }  // namespace lapwing

@@ -6,13 +6,13 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/transplant/bridge_gaps.h"
+#include "lapwing/transplant/bridge_solver.h"
 #include "lapwing/transplant/weld_loops.h"
 
 namespace lapwing {
 namespace {
 
-using bridging::Gaps;
+using bridging::BridgeSolver;
 using bridging::Node;
 using bridging::Pair;
 using bridging::RimLoop;
@@ -108,30 +108,30 @@ constexpr double kGain = 1e-9;
 // Returns a strip without welds. The first search passes the two closest vertices, which a Delaunay
 // triangulation would join. The second passes the rung opposite, in case it is not best to join
 // them. The cheaper strip wins.
-bridging::Strip zip_apart(const Gaps& gaps) {
-  const auto& host = gaps.host();
-  const auto& part = gaps.part();
+bridging::BridgeStrip zip_apart(const BridgeSolver& solver) {
+  const auto& host = solver.host();
+  const auto& part = solver.part();
   const Pair closest = bridging::closest_pair(host.points(), part.points());
-  bridging::Strip strip = gaps.solve({{closest[0], closest[1], false}});
+  bridging::BridgeStrip strip = solver.solve({{closest[0], closest[1], false}});
   const Node opposite = half_way(strip.nodes[0], strip.steps, host.size(), part.size());
-  bridging::Strip again = gaps.solve({opposite});
+  bridging::BridgeStrip again = solver.solve({opposite});
   return again.cost < (1.0 - kGain) * strip.cost ? again : strip;
 }
 
-bridging::Strip zip_welded(const Gaps& gaps, std::vector<Pair>& welds) {
+bridging::BridgeStrip zip_welded(const BridgeSolver& solver, std::vector<Pair>& welds) {
   while (!welds.empty()) {
     std::vector<Node> nodes;
     for (const Pair& pair : welds) nodes.push_back({pair[0], pair[1], true});
-    std::vector<char> blocked = crowded_welds(gaps.host(), gaps.part(), welds);
+    std::vector<char> blocked = crowded_welds(solver.host(), solver.part(), welds);
     if (std::ranges::find(blocked, 1) == blocked.end()) {
-      bridging::Strip strip = gaps.solve(nodes);
+      bridging::BridgeStrip strip = solver.solve(nodes);
       if (strip.blocked.empty()) return strip;
       for (const std::size_t node : strip.blocked) blocked[node] = 1;
     }
     std::size_t w = 0;
     std::erase_if(welds, [&](const Pair&) { return blocked[w++] != 0; });
   }
-  return zip_apart(gaps);
+  return zip_apart(solver);
 }
 
 }  // namespace
@@ -172,16 +172,16 @@ Bridge bridge_loops(const BridgeLoop& host, const BridgeLoop& part, const std::s
   // The part is reversed, so that both run the same way.
   const RimLoop host_rim(host, false);
   const RimLoop part_rim(part, true);
-  const Gaps gaps(host_rim, part_rim);
+  const BridgeSolver solver(host_rim, part_rim);
   std::vector<Pair> welds = bridging::weld_loops(host_rim.points(), part_rim.points(), weld);
-  bridging::Strip strip = zip_welded(gaps, welds);
+  bridging::BridgeStrip strip = zip_welded(solver, welds);
   if (is_full_fan(strip.nodes, strip.steps, host_rim.size(), part_rim.size())) {
-    strip = gaps.solve_with_second_rung(strip.nodes[0]);
+    strip = solver.solve_with_second_rung(strip.nodes[0]);
   }
 
   Bridge bridge;
   for (const Pair& pair : welds) bridge.welded.push_back({pair[0], part_rim.original(pair[1])});
-  bridge.triangles = gaps.triangles(strip);
+  bridge.triangles = solver.triangles(strip);
   return bridge;
 }
 

@@ -8,21 +8,15 @@
 #include <Eigen/LU>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/mesh/extent.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/mesh/transform.h"
 #include "lapwing/transplant/loop_curve.h"
-#include "lapwing/transplant/surface_snap.h"
+#include "lapwing/transplant/surface_placement.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
-
-std::vector<Vector3d> points_of(std::span<const Index> loop, std::span<const Vector3d> positions) {
-  std::vector<Vector3d> points;
-  for (const Index v : loop) points.push_back(positions[v]);
-  return points;
-}
 
 Vector3d mean(std::span<const Vector3d> points) {
   Vector3d sum = Vector3d::Zero();
@@ -56,7 +50,7 @@ BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
                      std::to_string(*request.loop) + "; its loops are " + loops_in_words(loops));
   }
   const auto length = [&](const BoundaryLoop& loop) {
-    return LoopCurve(points_of(loop, part.positions), name).length();
+    return LoopCurve(loop_points(loop, part.positions), name).length();
   };
   return *std::max_element(loops.begin(), loops.end(),
                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
@@ -83,7 +77,7 @@ void turn(PlacedPart& part) {
 // right side out.
 bool is_inside_out(const PlacedPart& part, const std::string& where) {
   constexpr double kLeastRise = 0.1;
-  const LoopFrame loop = loop_frame(LoopCurve(points_of(part.loop, part.mesh.positions), where));
+  const LoopFrame loop = loop_frame(LoopCurve(loop_points(part.loop, part.mesh.positions), where));
   return volume(part.mesh, loop.center) < -kLeastRise * std::pow(loop.radius, 3);
 }
 
@@ -94,6 +88,7 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
     const VertexSet region = resolve(*request.part_region, source);
     part.mesh = cut_out(source, region, request.part_region->where).mesh;
   } else {
+    require_surface(source, where);
     part.mesh = source;
   }
   for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
@@ -184,15 +179,15 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   PlacedPart part = cut_part(request, source);
   const std::string where = request.where + "/part";
   if (is_inside_out(part, where)) turn(part);
-  const auto hole_points = points_of(hole.rest_loop, hole.rest.mesh.positions);
-  const auto loop_points = points_of(part.loop, part.mesh.positions);
+  const auto hole_points = loop_points(hole.rest_loop, hole.rest.mesh.positions);
+  const auto part_points = loop_points(part.loop, part.mesh.positions);
   if (const auto* fit = std::get_if<LoopFit>(&request.place)) {
-    part.motion = fit_loop(loop_points, hole_points, *fit, request.where + "/place");
+    part.motion = fit_loop(part_points, hole_points, *fit, request.where + "/place");
   } else {
-    part.motion = to_affine(std::get<Move>(request.place), mean(loop_points));
+    part.motion = to_affine(std::get<Move>(request.place), mean(part_points));
     if (request.snap) {
       const SurfaceSnap surface(mesh.topology().triangles, mesh.positions, request.where);
-      part.motion = surface.snap(part.motion, loop_points, request.where + "/place");
+      part.motion = surface.snap(part.motion, part_points, request.where + "/place");
     }
   }
   const double determinant = part.motion.linear().determinant();
@@ -206,7 +201,7 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   const auto normal = [&](std::span<const Vector3d> points, const std::string& name) {
     return loop_frame(LoopCurve(points, name)).normal;
   };
-  if (normal(points_of(part.loop, part.mesh.positions), where)
+  if (normal(loop_points(part.loop, part.mesh.positions), where)
           .dot(normal(hole_points, request.target_region.where)) > 0.0) {
     turn(part);
   }

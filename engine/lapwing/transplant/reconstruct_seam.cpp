@@ -7,13 +7,11 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
-#include "lapwing/coating/ring_areas.h"
-#include "lapwing/coating/ring_columns.h"
+#include "lapwing/coating/ring_operators.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/transplant/mapped_collar.h"
-#include "lapwing/transplant/seam_collars.h"
+#include "lapwing/transplant/collar.h"
 #include "lapwing/transplant/seam_zone.h"
 
 namespace lapwing {

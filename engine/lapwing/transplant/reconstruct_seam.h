@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/region/boundary_loops.h"
 #include "lapwing/region/transition.h"
+#include "lapwing/region/vertex_set.h"
 
 namespace lapwing {
 

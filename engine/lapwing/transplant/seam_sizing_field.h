@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/closest/closest_point.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/vertex_set.h"
 #include "lapwing/transplant/bridge.h"

@@ -1,9 +1,45 @@
 #include "lapwing/transplant/seam_zone.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "lapwing/base/errors.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/transplant/seam_collars.h"
+#include "lapwing/region/vertex_set.h"
 
 namespace lapwing {
+namespace {
+
+// Largest share of a hole's depth that its collar covers. The middle of a small hole would
+// otherwise be mapped to a whole side of the square.
+constexpr double kDeepest = 0.8;
+
+// Fine enough to lose little of a transition, coarse enough to reach a tenth of it in few tries.
+constexpr double kNarrower = 0.85;
+constexpr int kMostTries = 15;
+
+bool is_host(Index v, const TransplantJoined& joined) {
+  return joined.host_vertices[v] != kNoIndex;
+}
+
+Collar collar_of_part(const TransplantJoined& joined, const BoundaryLoop& seam, double width,
+                      const std::string& where) {
+  std::vector<Triangle> piece;
+  std::vector<double> depths(joined.positions.size(), 0.0);
+  for (Index v = 0; v < depths.size(); ++v) {
+    if (!is_host(v, joined)) depths[v] = joined.depths[v];
+  }
+  for (std::size_t t = 0; t < joined.topology.triangles.size(); ++t) {
+    if (joined.topology.triangle_faces[t] >= joined.host_faces) {
+      piece.push_back(joined.topology.triangles[t]);
+    }
+  }
+  // The collar contains the triangles between the loops, however narrow it is.
+  const double reach = std::max(width, 1e-9 * bounds_of(joined.positions).diagonal());
+  return make_collar(piece, seam, depths, reach, where);
+}
+
+}  // namespace
 
 double free_on_part(const TransplantOptions& options) {
   return options.transition.width + options.padding;
@@ -35,6 +71,50 @@ SeamZone seam_zone(const TransplantHost& host, const TransplantJoined& joined,
     if (distance > free) zone.region.belt.push_back(v);
   }
   return zone;
+}
+
+std::vector<double> distances_in_cut(const TransplantHost& host) {
+  std::vector<char> allowed(host.positions.size(), 0);
+  for (const Triangle& corners : host.cut) {
+    for (const Index v : corners) allowed[v] = 1;
+  }
+  return geodesic_distances(host.topology, host.positions, host.hole, kNoLimit, allowed);
+}
+
+BoundaryLoop seam_of(const TransplantHost& host, const TransplantJoined& joined) {
+  const std::vector<Index> of_host = inverse_index(joined.host_vertices, host.positions.size());
+  BoundaryLoop seam;
+  for (const Index v : host.hole) seam.push_back(of_host[v]);
+  return seam;
+}
+
+SeamCollars seam_collars(const TransplantHost& host, const TransplantJoined& joined,
+                         const BoundaryLoop& seam, std::span<const double> cut_distances,
+                         double width, const std::string& where) {
+  double depth = 0.0;
+  for (const Triangle& corners : host.cut) {
+    for (const Index v : corners) {
+      if (std::isfinite(cut_distances[v])) depth = std::max(depth, cut_distances[v]);
+    }
+  }
+  return {make_collar(host.cut, host.hole, cut_distances,
+                      std::min(width + joined.gap, kDeepest * depth), where),
+          collar_of_part(joined, seam, width, where)};
+}
+
+double width_that_fits(const TransplantHost& host, const TransplantJoined& joined, double width) {
+  const BoundaryLoop seam = seam_of(host, joined);
+  const std::vector<double> cut_distances = distances_in_cut(host);
+  double narrower = width;
+  for (int k = 0; k < kMostTries; ++k) {
+    try {
+      static_cast<void>(seam_collars(host, joined, seam, cut_distances, narrower, ""));
+      return narrower;
+    } catch (const InputError&) {
+      narrower *= kNarrower;
+    }
+  }
+  return width;
 }
 
 }  // namespace lapwing

@@ -12,10 +12,10 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/limits.h"
-#include "lapwing/base/stage.h"
+#include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/remesh/isotropic.h"
 #include "lapwing/transplant/bridge.h"
@@ -23,8 +23,8 @@
 #include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/placed_part.h"
 #include "lapwing/transplant/reconstruct_seam.h"
-#include "lapwing/transplant/seam_collars.h"
 #include "lapwing/transplant/seam_sizing_field.h"
+#include "lapwing/transplant/seam_zone.h"
 
 namespace lapwing {
 namespace {

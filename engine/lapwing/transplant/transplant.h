@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"

@@ -96,7 +96,7 @@ void BlendResponse::fill(gpu::Transfer& transfer, const Pack& pack) {
     if (own.empty()) {
       context_->count_upload(buffer.bytes());
     } else {
-      transfer.upload(buffer, std::span<const Vec4>(own));
+      transfer.upload(buffer, own);
     }
   }
 }
@@ -139,7 +139,7 @@ void BlendResponse::set_rest(gpu::Transfer& transfer, std::span<const Eigen::Vec
       const Index v = moving_[range.first + m];
       rests[m] = place_of(displacement.empty() ? rest[v] : rest[v] + displacement[v], origin);
     }
-    transfer.upload(range.rests, std::span<const Vec4>(rests));
+    transfer.upload(range.rests, rests);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "lapwing/gpu/kernel.h"
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/gpu/transfer.h"
-#include "lapwing/kernels/response_columns.h"
+#include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/vulkan/host_frame.h"
 

@@ -1,5 +1,6 @@
 #include "lapwing/vulkan/host_frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapwing/base/parallel.h"
@@ -28,7 +29,8 @@ Lanes yzx(Lanes v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 
-// Returns the sum of the normals of the triangles around, each as long as twice the area.
+// Returns the sum of the normals of the triangles in the fan. The length of each normal is twice
+// the area of its triangle.
 Lanes area_around(const Vec4& here, std::span<const Index> fan, std::span<const Vec4> positions) {
   // a x b = yzx(a yzx(b) - yzx(a) b). The outer yzx is applied once, to the sum.
   Lanes sum{};
@@ -72,10 +74,19 @@ void normals_on_host(std::span<const Index> which, const FanLists& fans,
   parallel_for(which.size(), kVerticesPerHostTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       const Index v = which[m];
-      const auto fan = fans.corners.subspan(fans.starts[v], fans.starts[v + 1] - fans.starts[v]);
-      const Lanes sum = area_around(positions[v], fan, positions);
-      const float size = std::sqrt(sum_of(sum * sum));
-      lanes(normals[v]) = size > 0.0F ? sum / size : Lanes{};
+      auto rest = fans.corners.subspan(fans.starts[v], fans.starts[v + 1] - fans.starts[v]);
+      Index number = v;
+      for (;;) {
+        const auto next =
+            std::ranges::find_if(rest, [](Index c) { return (c & kNormalBegins) != 0; });
+        const auto length = static_cast<std::size_t>(next - rest.begin());
+        const Lanes sum = area_around(positions[v], rest.first(length), positions);
+        const float size = std::sqrt(sum_of(sum * sum));
+        lanes(normals[number]) = size > 0.0F ? sum / size : Lanes{};
+        if (next == rest.end()) break;
+        number = *next & ~kNormalBegins;
+        rest = rest.subspan(length + 1);
+      }
     }
   });
 }

@@ -26,15 +26,15 @@ MappedBatches::MappedBatches(VulkanState& state, const MappedRings& rings,
       rings_(rings),
       batches_(split(rings.target)),
       largest_(largest_of(batches_)),
-      source_(*state.context, "source", place_bytes(source.size())),
+      source_(*state.context, "source", VulkanState::place_bytes(source.size())),
       corners_(*state.context, "corners", 3 * rings.points.size() * sizeof(std::uint32_t)),
       point_weights_(*state.context, "weights of corners",
-                     real_bytes(state, 3 * rings.points.size())),
+                     state.real_bytes(3 * rings.points.size())),
       starts_(*state.context, "ring starts", (largest_.row_count + 1) * sizeof(std::uint32_t)),
       neighbours_(*state.context, "neighbours", largest_.entry_count * sizeof(std::uint32_t)),
       commands_(*state.context, "mapped one-rings") {
   if (batches_.empty()) return;
-  upload_places(state_, source_, source);
+  state_.upload_places(source_, source);
   upload_points();
 }
 
@@ -47,8 +47,8 @@ void MappedBatches::upload_points() {
     corners.insert(corners.end(), point.corners.begin(), point.corners.end());
     weights.insert(weights.end(), point.weights.begin(), point.weights.end());
   }
-  state_.transfer.upload(corners_, std::span<const std::uint32_t>(corners));
-  upload_reals(state_, point_weights_, weights);
+  state_.transfer.upload(corners_, corners);
+  state_.upload_reals(point_weights_, weights);
 }
 
 void MappedBatches::upload_rings(const RingBatch& batch) {
@@ -59,7 +59,7 @@ void MappedBatches::upload_rings(const RingBatch& batch) {
   for (std::size_t r = 0; r <= batch.row_count; ++r) {
     starts.push_back(static_cast<std::uint32_t>(own_starts[r] - first));
   }
-  state_.transfer.upload(starts_, std::span<const std::uint32_t>(starts));
+  state_.transfer.upload(starts_, starts);
   state_.transfer.upload(neighbours_,
                          std::span(rings_.target.neighbours).subspan(first, batch.entry_count));
 }

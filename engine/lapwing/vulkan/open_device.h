@@ -14,14 +14,18 @@ class Context;
 /// The kernels, and the Vulkan context for drawing.
 struct Device {
   std::unique_ptr<Kernels> kernels;
-  std::shared_ptr<gpu::Context> context;  ///< null without Vulkan
+  std::shared_ptr<gpu::Context> context;  ///< null if open_device() selected the CPU
+  std::string note = {};                  ///< the reason if "auto" selected the CPU, else empty
 };
 
-/// Opens the device `name`: "cpu" (double precision, no Vulkan needed), "auto" (the best Vulkan
-/// device), an index of `gpu::list_devices`, or part of a device's name. `frames_on_device` as in
-/// VulkanOptions. If the device fails later, the kernels continue on the CPU (FallbackKernels), but
-/// the context does not. Throws GpuError saying what was tried, what to install, and that "cpu"
-/// always works.
+/// Opens the device `name`: "cpu", "auto", an index into `gpu::list_devices`, or part of a device's
+/// name. "cpu" uses double precision and does not need Vulkan. "auto" selects the best GPU. If no
+/// GPU is usable, it selects the CPU, which is faster than a software device.
+///
+/// VulkanOptions describes `frames_on_device`. If it is true, "auto" selects the best Vulkan
+/// device, even a software device. If the device fails later, the kernels continue on the CPU
+/// (FallbackKernels), but the context becomes unusable. Throws GpuError if no device fits. The
+/// message lists the devices that were tried, what to install, and that "cpu" always works.
 Device open_device(const std::string& name, bool frames_on_device = false);
 
 }  // namespace lapwing

@@ -46,22 +46,21 @@ RingBatches::RingBatches(VulkanState& state, const RingProblem& problem)
       problem_(problem),
       batches_(split(problem)),
       largest_(largest_of(batches_)),
-      positions_(*state.context, "positions", place_bytes(problem.positions.size())),
+      positions_(*state.context, "positions", VulkanState::place_bytes(problem.positions.size())),
       rows_(*state.context, "rows", largest_.row_count * sizeof(std::uint32_t)),
       starts_(*state.context, "ring starts", (largest_.row_count + 1) * sizeof(std::uint32_t)),
       neighbours_(*state.context, "neighbours", largest_.entry_count * sizeof(std::uint32_t)),
-      weights_(*state.context, "weights", real_bytes(state, largest_.entry_count)),
+      weights_(*state.context, "weights", state.real_bytes(largest_.entry_count)),
       commands_(*state.context, "one-rings") {
-  if (!batches_.empty()) upload_places(state_, positions_, problem.positions);
+  if (!batches_.empty()) state_.upload_places(positions_, problem.positions);
 }
 
 RingBatches::RingBatches(VulkanState& state, const EnergyProblem& problem)
     : RingBatches(state, problem.rings) {
   energy_ = &problem;
   energy_buffers_.emplace_back(*state.context, "weights of rows",
-                               real_bytes(state, largest_.row_count));
-  energy_buffers_.emplace_back(*state.context, "stiffness",
-                               real_bytes(state, largest_.entry_count));
+                               state.real_bytes(largest_.row_count));
+  energy_buffers_.emplace_back(*state.context, "stiffness", state.real_bytes(largest_.entry_count));
 }
 
 void RingBatches::upload_energy(const RingBatch& batch) {
@@ -74,8 +73,8 @@ void RingBatches::upload_energy(const RingBatch& batch) {
     const auto own = energy_->stiffness.subspan(problem_.rings.starts[i], problem_.rings.size(i));
     stiffness.insert(stiffness.end(), own.begin(), own.end());
   }
-  upload_reals(state_, energy_buffers_[0], row_weights);
-  upload_reals(state_, energy_buffers_[1], stiffness);
+  state_.upload_reals(energy_buffers_[0], row_weights);
+  state_.upload_reals(energy_buffers_[1], stiffness);
 }
 
 void RingBatches::upload_rows(const RingBatch& batch) {
@@ -94,20 +93,20 @@ void RingBatches::upload_rows(const RingBatch& batch) {
     starts.push_back(static_cast<std::uint32_t>(neighbours.size()));
   }
   state_.transfer.upload(rows_, rows);
-  state_.transfer.upload(starts_, std::span<const std::uint32_t>(starts));
-  state_.transfer.upload(neighbours_, std::span<const std::uint32_t>(neighbours));
-  upload_reals(state_, weights_, weights);
+  state_.transfer.upload(starts_, starts);
+  state_.transfer.upload(neighbours_, neighbours);
+  state_.upload_reals(weights_, weights);
 }
 
 void RingBatches::assemble(const gpu::Kernel& kernel, const char* name, std::span<double> blocks) {
   constexpr std::size_t kNumbersPerBlock = 9;
   const gpu::Buffer output(*state_.context, name,
-                           real_bytes(state_, kNumbersPerBlock * largest_.block_count()));
+                           state_.real_bytes(kNumbersPerBlock * largest_.block_count()));
   std::size_t written = 0;
   for (const RingBatch& batch : batches_) {
     run(batch, kernel, output);
     const std::size_t numbers = kNumbersPerBlock * batch.block_count();
-    download_reals(state_, output, blocks.subspan(written, numbers));
+    state_.download_reals(output, blocks.subspan(written, numbers));
     written += numbers;
   }
 }
@@ -115,18 +114,14 @@ void RingBatches::assemble(const gpu::Kernel& kernel, const char* name, std::spa
 void RingBatches::run(const RingBatch& batch, const gpu::Kernel& kernel,
                       const gpu::Buffer& output) {
   upload_rows(batch);
-  gpu::Recorder recorder(commands_);
-  const auto count = static_cast<std::uint32_t>(batch.row_count);
-  if (energy_ == nullptr) {
-    recorder.dispatch(kernel, batch.row_count,
-                      {positions_, rows_, starts_, neighbours_, weights_, output}, count);
-  } else {
+  std::vector<gpu::BufferRange> buffers{positions_, rows_, starts_, neighbours_, weights_, output};
+  if (energy_ != nullptr) {
     upload_energy(batch);
-    recorder.dispatch(kernel, batch.row_count,
-                      {positions_, rows_, starts_, neighbours_, weights_, output,
-                       energy_buffers_[0], energy_buffers_[1]},
-                      count);
+    buffers.insert(buffers.end(), energy_buffers_.begin(), energy_buffers_.end());
   }
+  const auto count = static_cast<std::uint32_t>(batch.row_count);
+  gpu::Recorder recorder(commands_);
+  recorder.dispatch(kernel, count, buffers, std::as_bytes(std::span(&count, 1)));
   recorder.finish();
   commands_.run();
 }

@@ -8,7 +8,6 @@
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/command_list.h"
 #include "lapwing/kernels/kernels.h"
-#include "lapwing/vulkan/reals.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {

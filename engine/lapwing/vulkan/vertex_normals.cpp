@@ -1,5 +1,6 @@
 #include "lapwing/vulkan/vertex_normals.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -38,6 +39,13 @@ std::size_t find_open_start(std::span<const Edge> edges, std::size_t from) {
   return from;
 }
 
+// Represents one triangle around a vertex. `normal` is the normal of its corner at the vertex, as in
+// SplitNormals. `edge` is its opposite edge.
+struct Corner {
+  Index normal;
+  Edge edge;
+};
+
 // Sorts `edges` into chains by swapping and appends their corners.
 void append_fans(std::span<Edge> edges, std::vector<Index>& corners) {
   for (std::size_t done = 0; done < edges.size();) {
@@ -55,30 +63,46 @@ void append_fans(std::span<Edge> edges, std::vector<Index>& corners) {
 
 }  // namespace
 
-Adjacency build_fans(std::span<const Triangle> triangles, const Adjacency& vertex_triangles) {
+Adjacency build_fans(std::span<const Triangle> triangles, const Adjacency& vertex_triangles,
+                     const SplitNormals& split) {
   Adjacency fans;
   fans.starts.reserve(vertex_triangles.starts.size());
   fans.values.reserve(vertex_triangles.values.size() + vertex_triangles.row_count());
+  std::vector<Corner> corners;
   std::vector<Edge> edges;
   for (Index i = 0; i < vertex_triangles.row_count(); ++i) {
-    edges.clear();
-    for (const Index t : vertex_triangles[i]) edges.push_back(opposite_edge(triangles[t], i));
-    append_fans(edges, fans.values);
+    corners.clear();
+    for (const Index t : vertex_triangles[i]) {
+      const auto k =
+          static_cast<std::size_t>(std::ranges::find(triangles[t], i) - triangles[t].begin());
+      corners.push_back({split.of_corner[3 * std::size_t{t} + k], opposite_edge(triangles[t], i)});
+    }
+    std::ranges::stable_sort(corners, {}, &Corner::normal);
+    for (auto first = corners.begin(); first != corners.end();) {
+      const Index normal = first->normal;
+      if (normal != i) fans.values.push_back(normal | kNormalBegins);
+      edges.clear();
+      for (; first != corners.end() && first->normal == normal; ++first) {
+        edges.push_back(first->edge);
+      }
+      append_fans(edges, fans.values);
+    }
     fans.starts.push_back(static_cast<Index>(fans.values.size()));
   }
   return fans;
 }
 
 VertexNormals::VertexNormals(gpu::Context& context, gpu::Transfer& transfer,
-                             const Topology& topology)
-    : VertexNormals(context, transfer, build_fans(topology.triangles, topology.vertex_triangles)) {}
+                             const Topology& topology, const SplitNormals& split)
+    : VertexNormals(context, transfer,
+                    build_fans(topology.triangles, topology.vertex_triangles, split)) {}
 
 VertexNormals::VertexNormals(gpu::Context& context, gpu::Transfer& transfer, const Adjacency& fans)
     : kernel_(context, "vertex_normals", shaders::vertex_normals(), sizeof(std::uint32_t)),
       fan_starts_(context, "fan starts", fans.starts.size() * sizeof(Index)),
       fan_corners_(context, "fan corners", fans.values.size() * sizeof(Index)) {
-  transfer.upload(fan_starts_, std::span<const Index>(fans.starts));
-  transfer.upload(fan_corners_, std::span<const Index>(fans.values));
+  transfer.upload(fan_starts_, fans.starts);
+  transfer.upload(fan_corners_, fans.values);
 }
 
 void VertexNormals::record(gpu::Recorder& recorder, const gpu::Buffer& which,

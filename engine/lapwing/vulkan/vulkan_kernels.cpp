@@ -1,42 +1,16 @@
 #include "lapwing/vulkan/vulkan_kernels.h"
 
-#include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/shaders/assemble_rsi_float32.h"
-#include "lapwing/shaders/assemble_rsi_float64.h"
-#include "lapwing/shaders/assemble_tangent_float32.h"
-#include "lapwing/shaders/assemble_tangent_float64.h"
-#include "lapwing/shaders/energy_gradient_float32.h"
-#include "lapwing/shaders/energy_gradient_float64.h"
-#include "lapwing/shaders/fit_rotations_float32.h"
-#include "lapwing/shaders/fit_rotations_float64.h"
-#include "lapwing/shaders/rotate_frames_float32.h"
-#include "lapwing/shaders/rotate_frames_float64.h"
-#include "lapwing/shaders/sample_laplacians_float32.h"
-#include "lapwing/shaders/sample_laplacians_float64.h"
-#include "lapwing/shaders/sample_mapped_laplacians_float32.h"
-#include "lapwing/shaders/sample_mapped_laplacians_float64.h"
+#include "lapwing/vulkan/mapped_batch.h"
+#include "lapwing/vulkan/ring_batch.h"
 #include "lapwing/vulkan/vulkan_ring_rotations.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {
 namespace {
-
-// Most kernels have one push constant: the number of rows or vertices.
-constexpr std::uint32_t kCountBytes = sizeof(std::uint32_t);
-// Push constants of shaders/rotations.glsl.
-constexpr std::uint32_t kRotationsBytes = 5 * sizeof(std::uint32_t);
-// Push constants of shaders/mapped_ring.glsl.
-constexpr std::uint32_t kMappedRingBytes = 3 * sizeof(std::uint32_t);
-
-std::shared_ptr<gpu::Context> make_context(const VulkanOptions& options) {
-  gpu::ContextOptions context_options;
-  context_options.device = options.device;
-  context_options.validation = options.validation;
-  return std::make_shared<gpu::Context>(context_options);
-}
 
 bool choose_float64(const gpu::Context& context, Precision precision) {
   const bool available = context.description().float64;
@@ -53,42 +27,32 @@ DeviceInfo describe(const VulkanState& state) {
   return {device.name, device.type, device.driver, state.float64, state.frames};
 }
 
+// Views a list of vectors or matrices as one list of numbers.
+template <typename Matrix>
+auto numbers_of(std::span<Matrix> matrices) {
+  using Number = std::conditional_t<std::is_const_v<Matrix>, const double, double>;
+  return std::span<Number>(matrices.empty() ? nullptr : matrices.data()->data(),
+                           matrices.size() * Matrix::SizeAtCompileTime);
+}
+
+// Returns the target's edges, in double precision. The kernel gets no target positions.
+std::vector<Eigen::Vector3d> target_edges(const RegionRings& rings, const RingBatch& batch,
+                                          std::span<const Eigen::Vector3d> positions) {
+  std::vector<Eigen::Vector3d> edges;
+  edges.reserve(batch.entry_count);
+  for (std::size_t r = batch.first_row; r < batch.first_row + batch.row_count; ++r) {
+    for (std::size_t e = rings.starts[r]; e < rings.starts[r + 1]; ++e) {
+      edges.emplace_back(positions[rings.neighbours[e]] - positions[r]);
+    }
+  }
+  return edges;
+}
+
 }  // namespace
 
-VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
-                         bool frames_on_device)
-    : context(std::move(shared_context)),
-      float64(in_float64),
-      frames(frames_on_device || context->description().type != "software"),
-      transfer(*context),
-      assemble_rsi(*context, "assemble_rsi",
-                   float64 ? shaders::assemble_rsi_float64() : shaders::assemble_rsi_float32(),
-                   kCountBytes),
-      assemble_tangent(
-          *context, "assemble_tangent",
-          float64 ? shaders::assemble_tangent_float64() : shaders::assemble_tangent_float32(),
-          kCountBytes),
-      energy_gradient(
-          *context, "energy_gradient",
-          float64 ? shaders::energy_gradient_float64() : shaders::energy_gradient_float32(),
-          kRotationsBytes),
-      fit_rotations(*context, "fit_rotations",
-                    float64 ? shaders::fit_rotations_float64() : shaders::fit_rotations_float32(),
-                    kRotationsBytes),
-      rotate_frames(*context, "rotate_frames",
-                    float64 ? shaders::rotate_frames_float64() : shaders::rotate_frames_float32(),
-                    kMappedRingBytes),
-      sample_laplacians(
-          *context, "sample_laplacians",
-          float64 ? shaders::sample_laplacians_float64() : shaders::sample_laplacians_float32(),
-          kCountBytes),
-      sample_mapped_laplacians(*context, "sample_mapped_laplacians",
-                               float64 ? shaders::sample_mapped_laplacians_float64()
-                                       : shaders::sample_mapped_laplacians_float32(),
-                               kMappedRingBytes) {}
-
 VulkanKernels::VulkanKernels(const VulkanOptions& options)
-    : VulkanKernels(make_context(options), options.precision, options.frames_on_device) {}
+    : VulkanKernels(std::make_shared<gpu::Context>(), Precision::automatic,
+                    options.frames_on_device) {}
 
 VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
                              bool frames_on_device)
@@ -97,6 +61,67 @@ VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision pr
       device_(describe(*state_)) {}
 
 VulkanKernels::~VulkanKernels() = default;
+
+void VulkanKernels::assemble_rsi(const RingProblem& problem, std::span<double> blocks) {
+  RingBatches(*state_, problem).assemble(state_->assemble_rsi, "RSI blocks", blocks);
+}
+
+void VulkanKernels::assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) {
+  RingBatches(*state_, problem).assemble(state_->assemble_tangent, "tangent blocks", blocks);
+}
+
+void VulkanKernels::sample_laplacians(const RingProblem& problem,
+                                      std::span<Eigen::Vector3d> laplacians) {
+  VulkanState& state = *state_;
+  RingBatches rings(state, problem);
+  const gpu::Buffer output(*state.context, "Laplacians",
+                           state.real_bytes(3 * rings.largest().row_count));
+  for (const RingBatch& batch : rings.batches()) {
+    rings.run(batch, state.sample_laplacians, output);
+    state.download_reals(output, numbers_of(laplacians.subspan(batch.first_row, batch.row_count)));
+  }
+}
+
+void VulkanKernels::sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
+                                             std::span<const Eigen::Vector3d> source,
+                                             std::span<Eigen::Vector3d> laplacians) {
+  VulkanState& state = *state_;
+  MappedBatches mapped(state, rings, source);
+  const RingBatch& largest = mapped.largest();
+  const gpu::Buffer weights(*state.context, "weights", state.real_bytes(largest.entry_count));
+  const gpu::Buffer output(*state.context, "Laplacians", state.real_bytes(3 * largest.row_count));
+  for (const RingBatch& batch : mapped.batches()) {
+    const auto all_weights = std::span(rings.target.weights);
+    state.upload_reals(weights, all_weights.subspan(mapped.first_entry(batch), batch.entry_count));
+    mapped.run(batch, state.sample_mapped_laplacians, {weights, output},
+               sampling == MappedSampling::linear);
+    state.download_reals(output, numbers_of(laplacians.subspan(batch.first_row, batch.row_count)));
+  }
+}
+
+void VulkanKernels::rotate_frames(const MappedRings& rings, const FramedSurface& source,
+                                  const FramedSurface& target,
+                                  std::span<Eigen::Matrix3d> transforms) {
+  VulkanState& state = *state_;
+  MappedBatches mapped(state, rings, source.positions);
+  const RingBatch& largest = mapped.largest();
+  const auto reals = [&](const char* name, std::size_t count) {
+    return gpu::Buffer(*state.context, name, state.real_bytes(count));
+  };
+  const gpu::Buffer edges = reals("target edges", 3 * largest.entry_count);
+  const gpu::Buffer source_normals = reals("source normals", 3 * source.normals.size());
+  const gpu::Buffer target_normals = reals("target normals", 3 * largest.row_count);
+  const gpu::Buffer output = reals("frames", 9 * largest.row_count);
+  if (!mapped.batches().empty()) state.upload_reals(source_normals, numbers_of(source.normals));
+  for (const RingBatch& batch : mapped.batches()) {
+    const auto own_edges = target_edges(rings.target, batch, target.positions);
+    state.upload_reals(edges, numbers_of(std::span(own_edges)));
+    state.upload_reals(target_normals,
+                       numbers_of(target.normals.subspan(batch.first_row, batch.row_count)));
+    mapped.run(batch, state.rotate_frames, {edges, source_normals, target_normals, output});
+    state.download_reals(output, numbers_of(transforms.subspan(batch.first_row, batch.row_count)));
+  }
+}
 
 std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(
     std::shared_ptr<const RegionRings> rings) {

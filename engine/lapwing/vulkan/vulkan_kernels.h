@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "lapwing/kernels/kernels.h"
 
@@ -20,9 +19,6 @@ enum class Precision {
 };
 
 struct VulkanOptions {
-  std::string device = "auto";  ///< as in gpu::ContextOptions
-  Precision precision = Precision::automatic;
-  bool validation = false;  ///< as in gpu::ContextOptions
   /// Minimizes with shaders on a software device, too (DeviceInfo::frames).
   bool frames_on_device = false;
 };
@@ -30,7 +26,8 @@ struct VulkanOptions {
 /// The kernels as Vulkan compute shaders. Not thread-safe.
 class VulkanKernels final : public Kernels {
  public:
-  /// If no device fits, throws GpuError saying what was tried and what to install.
+  /// Opens the best device that fits `options`. Throws GpuError if no device fits. The message
+  /// lists the tried devices and the packages to install.
   explicit VulkanKernels(const VulkanOptions& options = {});
   /// Uses a context that others, such as a window, use too.
   VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/gpu/context.h"
-#include "lapwing/vulkan/reals.h"
+#include "lapwing/gpu/recorder.h"
 
 namespace lapwing {
 namespace {
@@ -30,17 +30,18 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
                                          const RegionRings& rings, std::size_t most_entries)
     : state_(std::move(state)),
       row_count_(rings.row_count()),
-      row_weights_(*state_->context, "weights of rows", real_bytes(*state_, row_count_)),
-      stretch_(*state_->context, "rest stretch", real_bytes(*state_, kStretchNumbers)),
-      displacement_(*state_->context, "displacements", place_bytes(rings.vertices.size())),
-      turns_(*state_->context, "rotations of rings", real_bytes(*state_, 4 * row_count_)),
-      residuals_(*state_->context, "residuals of Laplacians", real_bytes(*state_, 3 * row_count_)),
-      energies_(*state_->context, "energies of rings", real_bytes(*state_, row_count_)),
-      result_(*state_->context, "gradient", real_bytes(*state_, 3 * rings.unknown_rows.size())),
+      row_weights_(*state_->context, "weights of rows", state_->real_bytes(row_count_)),
+      stretch_(*state_->context, "rest stretch", state_->real_bytes(kStretchNumbers)),
+      displacement_(*state_->context, "displacements",
+                    VulkanState::place_bytes(rings.vertices.size())),
+      turns_(*state_->context, "rotations of rings", state_->real_bytes(4 * row_count_)),
+      residuals_(*state_->context, "residuals of Laplacians", state_->real_bytes(3 * row_count_)),
+      energies_(*state_->context, "energies of rings", state_->real_bytes(row_count_)),
+      result_(*state_->context, "gradient", state_->real_bytes(3 * rings.unknown_rows.size())),
       fit_rotations_(*state_->context, "fit rotations"),
       energy_gradient_(*state_->context, "energy gradient") {
   if (most_entries == 0) {
-    most_entries = state_->context->limits().maxStorageBufferRange / real_bytes(*state_, 3);
+    most_entries = state_->context->limits().maxStorageBufferRange / state_->real_bytes(3);
   }
   const std::uint32_t flags = rings.stiffness.empty() ? 0 : kStiffness;
   const std::vector<Index> unknown_of_row = inverse_index(rings.unknown_rows, rings.row_count());
@@ -49,7 +50,7 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
     add_range(rings, first, last, unknown_of_row, flags);
     first = last;
   }
-  if (row_count_ > 0) upload_reals(*state_, row_weights_, rings.row_weights);
+  if (row_count_ > 0) state_->upload_reals(row_weights_, rings.row_weights);
   record_fit_rotations();
   record_energy_gradient();
 }
@@ -60,7 +61,7 @@ void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stre
   if (changes_kind) {
     const std::size_t rows = std::max<std::size_t>(stretch.size(), 1);
     stretch_ =
-        gpu::Buffer(*state_->context, "rest stretch", real_bytes(*state_, kStretchNumbers * rows));
+        gpu::Buffer(*state_->context, "rest stretch", state_->real_bytes(kStretchNumbers * rows));
     for (Range& range : ranges_) range.push.flags ^= kStretch;
     record_fit_rotations();
     record_energy_gradient();
@@ -72,7 +73,7 @@ void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stre
     numbers.insert(numbers.end(),
                    {S(0, 0) - 1.0, S(1, 1) - 1.0, S(2, 2) - 1.0, S(1, 2), S(0, 2), S(0, 1)});
   }
-  upload_reals(*state_, stretch_, numbers);
+  state_->upload_reals(stretch_, numbers);
 }
 
 void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first, std::size_t last,
@@ -89,30 +90,67 @@ void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first,
                       static_cast<std::uint32_t>(rings.unknown_rows.size()), flags},
                      gpu::Buffer(context, "ring starts", words(rows + 1)),
                      gpu::Buffer(context, "neighbours", words(entries)),
-                     gpu::Buffer(context, "rest edges", real_bytes(state, 3 * entries)),
-                     gpu::Buffer(context, "weights", real_bytes(state, entries)),
-                     gpu::Buffer(context, "reverse weights", real_bytes(state, entries)),
-                     gpu::Buffer(context, "stiffness", real_bytes(state, stiff ? entries : 0)),
+                     gpu::Buffer(context, "rest edges", state.real_bytes(3 * entries)),
+                     gpu::Buffer(context, "weights", state.real_bytes(entries)),
+                     gpu::Buffer(context, "reverse weights", state.real_bytes(entries)),
+                     gpu::Buffer(context, "stiffness", state.real_bytes(stiff ? entries : 0)),
                      gpu::Buffer(context, "unknowns", words(rows))});
   const Range& range = ranges_.back();
   std::vector<Index> starts(rings.starts.begin() + static_cast<std::ptrdiff_t>(first),
                             rings.starts.begin() + static_cast<std::ptrdiff_t>(last + 1));
   for (Index& start : starts) start -= static_cast<Index>(begin);
-  state.transfer.upload(range.starts, std::span<const Index>(starts));
+  state.transfer.upload(range.starts, starts);
   state.transfer.upload(range.neighbours, std::span(rings.neighbours).subspan(begin, entries));
   state.transfer.upload(range.unknowns, unknown_of_row.subspan(first, rows));
   if (entries == 0) return;
-  upload_reals(state, range.edges, {rings.edges[begin].data(), 3 * entries});
-  upload_reals(state, range.weights, std::span(rings.weights).subspan(begin, entries));
-  upload_reals(state, range.reverse_weights,
-               std::span(rings.reverse_weights).subspan(begin, entries));
+  state.upload_reals(range.edges, {rings.edges[begin].data(), 3 * entries});
+  state.upload_reals(range.weights, std::span(rings.weights).subspan(begin, entries));
+  state.upload_reals(range.reverse_weights,
+                     std::span(rings.reverse_weights).subspan(begin, entries));
   if (stiff)
-    upload_reals(state, range.stiffness, std::span(rings.stiffness).subspan(begin, entries));
+    state.upload_reals(range.stiffness, std::span(rings.stiffness).subspan(begin, entries));
+}
+
+void VulkanRingRotations::record_fit_rotations() {
+  gpu::Recorder recorder(fit_rotations_);
+  for (const Range& range : ranges_) {
+    recorder.dispatch(state_->fit_rotations, range.push.row_count,
+                      {displacement_, range.starts, range.neighbours, range.edges, range.weights,
+                       range.stiffness, row_weights_, turns_, residuals_, energies_, stretch_},
+                      range.push);
+  }
+  recorder.finish();
+}
+
+void VulkanRingRotations::fit_rotations(std::span<const Eigen::Vector3d> displacement,
+                                        std::span<double> energies) {
+  if (row_count_ == 0) return;
+  state_->upload_places(displacement_, displacement);
+  fit_rotations_.run();
+  state_->download_reals(energies_, energies);
+}
+
+void VulkanRingRotations::record_energy_gradient() {
+  gpu::Recorder recorder(energy_gradient_);
+  for (const Range& range : ranges_) {
+    recorder.dispatch(
+        state_->energy_gradient, range.push.row_count,
+        {displacement_, residuals_, turns_, range.unknowns, range.starts, range.neighbours,
+         range.edges, range.reverse_weights, range.stiffness, result_, stretch_},
+        range.push);
+  }
+  recorder.finish();
+}
+
+void VulkanRingRotations::energy_gradient(std::span<double> g) {
+  if (g.empty()) return;
+  energy_gradient_.run();
+  state_->download_reals(result_, g);
 }
 
 std::vector<Eigen::Matrix3d> VulkanRingRotations::transforms() const {
   std::vector<double> numbers(4 * row_count_);
-  download_reals(*state_, turns_, numbers);
+  state_->download_reals(turns_, numbers);
   std::vector<Eigen::Matrix3d> transforms;
   for (std::size_t r = 0; r < row_count_; ++r) {
     const Eigen::Map<const Eigen::Vector4d> q(numbers.data() + 4 * r);

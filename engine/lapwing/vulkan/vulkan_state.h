@@ -1,18 +1,33 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 
+#include <Eigen/Core>
+
+#include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/kernel.h"
 #include "lapwing/gpu/transfer.h"
 
 namespace lapwing {
 
-/// State that VulkanKernels shares with its ring rotations.
+/// VulkanKernels shares this state with its ring rotations. It contains the compiled kernels, and
+/// transfers numbers in the kernels' precision (shaders/precision.glsl).
 class VulkanState {
  public:
   VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
               bool frames_on_device = false);
+
+  std::size_t real_bytes(std::size_t count) const;
+  void upload_reals(const gpu::Buffer& buffer, std::span<const double> numbers);
+  void download_reals(const gpu::Buffer& buffer, std::span<double> numbers);
+
+  /// Vectors whose differences kernels need (shaders/place.glsl): 3 doubles, or 3 floats and the
+  /// rounding error of each.
+  static std::size_t place_bytes(std::size_t count) { return count * 3 * sizeof(double); }
+  void upload_places(const gpu::Buffer& buffer, std::span<const Eigen::Vector3d> vectors);
 
   std::shared_ptr<gpu::Context> context;
   bool float64;

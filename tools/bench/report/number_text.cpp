@@ -1,80 +1,56 @@
 #include "report/number_text.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 
-#include "lapwing/base/grouped.h"
+#include "lapwing/base/printable_text.h"
 
 namespace lapwing::bench {
 namespace {
 
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+std::string printed(const char* format, double value) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-// Prints `digits` significant digits, counted after rounding, which may add one: 9.999 is "10.0".
-std::string with_digits(double value, int digits) {
-  if (value == 0.0 || !std::isfinite(value)) return fixed(value, 0);
-  constexpr int kMostDecimals = 6;  // of a millisecond; no clock here resolves less
-  const auto decimals_of = [&](double v) {
-    const int before_point = static_cast<int>(std::floor(std::log10(std::abs(v)))) + 1;
-    return std::clamp(digits - before_point, 0, kMostDecimals);
-  };
-  const int decimals = decimals_of(value);
-  const double unit = std::pow(10.0, decimals);
-  const double printed = std::round(value * unit) / unit;
-  return fixed(value, printed == 0.0 ? decimals : std::min(decimals, decimals_of(printed)));
 }
 
 }  // namespace
 
 std::string short_number(double value) {
-  constexpr double kGrouped = 1000.0;
-  if (value >= kGrouped - 0.5 && value < 1e18) {
+  constexpr double kGrouped = 999.5;
+  constexpr double kMostGrouped = 1e18;
+  constexpr double kClockResolution_ms = 1e-4;
+  if (value == 0.0) return "0";
+  if (value >= kGrouped && value < kMostGrouped) {
     return grouped(static_cast<std::uint64_t>(std::llround(value)));
   }
-  return with_digits(value, 3);
+  if (std::abs(value) < kClockResolution_ms) return printed("%.6f", value);
+  std::string text = printed(std::abs(value) < kGrouped ? "%#.3g" : "%.0f", value);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 std::string percent(double share) {
   const double value = 100.0 * share;
-  return fixed(value, std::abs(value) < 9.95 && value != 0.0 ? 1 : 0) + "%";
+  return printed(std::abs(value) < 9.95 && value != 0.0 ? "%.1f%%" : "%.0f%%", value);
 }
 
 double six_digits(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return std::strtod(text, nullptr);
-}
-
-std::size_t character_count(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
+  return std::stod(printed("%.6g", value));
 }
 
 std::string padded_right(std::string text, std::size_t width) {
-  const std::size_t length = character_count(text);
-  if (length < width) text.append(width - length, ' ');
+  if (text.size() < width) text.resize(width, ' ');
   return text;
 }
 
 std::string padded_left(const std::string& text, std::size_t width) {
-  const std::size_t length = character_count(text);
-  return length < width ? std::string(width - length, ' ') + text : text;
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }
 
-std::string clipped(std::string_view text, std::size_t width) {
-  if (character_count(text) <= width) return std::string(text);
-  std::size_t end = 0;
-  for (std::size_t characters = 0; end < text.size(); ++end) {
-    const bool starts = (static_cast<unsigned char>(text[end]) >> 6) != 2;
-    if (starts && ++characters > width - 3) break;
-  }
-  return std::string(text.substr(0, end)) + "...";
+std::string clipped(const std::string& text, std::size_t width) {
+  return text.size() <= width ? text : text.substr(0, width - 3) + "...";
 }
 
 }  // namespace lapwing::bench

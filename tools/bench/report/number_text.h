@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace lapwing::bench {
 
@@ -19,14 +17,11 @@ std::string percent(double share);
 /// Rounds to six significant digits, more than any clock measures.
 double six_digits(double value);
 
-/// Returns the number of characters of a UTF-8 text.
-std::size_t character_count(std::string_view text);
-
 /// Pads with spaces to `width` characters. Returns longer text unchanged.
 std::string padded_right(std::string text, std::size_t width);
 std::string padded_left(const std::string& text, std::size_t width);
 
 /// Shortens text of more than `width` characters, so that it ends in "...".
-std::string clipped(std::string_view text, std::size_t width);
+std::string clipped(const std::string& text, std::size_t width);
 
 }  // namespace lapwing::bench

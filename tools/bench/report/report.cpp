@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/measurements.h"
-
 namespace lapwing::bench {
 namespace {
 
@@ -31,6 +29,39 @@ Spread spread_of(std::vector<double> numbers) {
   return {quantile(numbers, 0.5), quantile(numbers, 0.25), quantile(numbers, 0.75)};
 }
 
+bool same_subject(const Measurement& a, const Measurement& b) {
+  return a.mesh == b.mesh && a.vertices == b.vertices;
+}
+
+std::vector<const Measurement*> peers_of(const Report& report, const Measurement& ours) {
+  std::vector<const Measurement*> peers;
+  if (!ours.is_ours()) return peers;
+  for (const Measurement& m : report.measurements) {
+    if (!m.is_ours() && m.stage == ours.stage && same_subject(m, ours)) peers.push_back(&m);
+  }
+  return peers;
+}
+
+std::vector<const Measurement*> subjects_of(const Report& report) {
+  std::vector<const Measurement*> subjects;
+  for (const Measurement& m : report.measurements) {
+    const bool known = std::any_of(subjects.begin(), subjects.end(),
+                                   [&](const Measurement* s) { return same_subject(*s, m); });
+    if (!known) subjects.push_back(&m);
+  }
+  return subjects;
+}
+
+std::vector<std::string> devices_of(const Report& report) {
+  std::vector<std::string> devices;
+  for (const Measurement& m : report.measurements) {
+    if (std::find(devices.begin(), devices.end(), m.device) == devices.end()) {
+      devices.push_back(m.device);
+    }
+  }
+  return devices;
+}
+
 const Limits* limits_of(const Report& report, const Measurement& measurement) {
   const auto found =
       std::find_if(report.limits.begin(), report.limits.end(),
@@ -41,7 +72,7 @@ const Limits* limits_of(const Report& report, const Measurement& measurement) {
 double share_of_limit(const Report& report, const Measurement& measurement) {
   const Limits* const limits = limits_of(report, measurement);
   if (limits == nullptr) return 0.0;
-  const double ms = median_ms(measurement);
+  const double ms = median_of(measurement.clock_ms());
   return std::max(share(measurement.counts, "flops", ms, limits->matmul_gflops_float64),
                   share(measurement.counts, "bytes", ms, limits->copy_gb_per_s));
 }

@@ -4,9 +4,17 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lapwing::bench {
+
+/// The value of Measurement::by in our rows. All other rows are peers'.
+inline constexpr const char* kLapwing = "Lapwing";
+/// Measurement::device has this value for work on the processor.
+inline constexpr const char* kProcessor = "CPU";
+/// Most targets apply to this mesh.
+inline constexpr const char* kTargetMesh = "armadillo";
 
 /// Counts by name. They are the same in every run and, up to the last bits of an ordering, on every
 /// machine: "allocations", "dispatches", "submissions", "uploaded" and "downloaded" (bytes between
@@ -26,6 +34,10 @@ struct Measurement {
   std::vector<double> device_ms;  ///< from the device's timestamps, likewise; may be empty
   std::uint64_t peak_bytes = 0;   ///< largest resident size of the process; 0 if unknown
   Counts counts;
+
+  bool is_ours() const { return by == kLapwing; }
+  /// Returns the wall times or, if there are none, the device times (rows of kernels).
+  const std::vector<double>& clock_ms() const { return wall_ms.empty() ? device_ms : wall_ms; }
 };
 
 /// The peak rates of a device, measured in the same run.
@@ -39,10 +51,9 @@ struct Limits {
   double matmul_gflops_float64 = 0;  ///< likewise; 0 if the device has no float64
 };
 
-/// The machine that made a report.
 struct Host {
-  std::string processor;  ///< as the system names it
-  unsigned threads = 0;   ///< number of threads that the process may use
+  std::string processor;
+  unsigned threads = 0;  ///< number of threads that the process may use
   std::uint64_t memory_bytes = 0;
   std::string system;    ///< name of the operating system
   std::string compiler;  ///< name and version
@@ -50,11 +61,12 @@ struct Host {
 
 /// A required bound and the value that this run measured.
 struct Target {
-  std::string name;    ///< "whole preparation / CGAL ARAP preprocess"
-  std::string on;      ///< mesh and device
+  std::string name;    ///< for example "first drag / CGAL ARAP preparation"
+  std::string on;      ///< mesh and device, for example "armadillo, CPU"
   double at_most = 0;  ///< the bound; a lower bound if `is_floor`
   bool is_floor = false;
   double measured = 0;
+
   bool met() const { return is_floor ? measured >= at_most : measured <= at_most; }
 };
 
@@ -79,12 +91,29 @@ struct Spread {
 /// Returns zeros for an empty list.
 Spread spread_of(std::vector<double> numbers);
 
+inline double median_of(const std::vector<double>& numbers) {
+  return spread_of(numbers).median;
+}
+
+/// Returns whether both rows are about the same mesh at the same size.
+bool same_subject(const Measurement& a, const Measurement& b);
+
+/// Returns the peers' rows of the same stage and mesh, on any device; none if `ours` is a peer's
+/// row.
+std::vector<const Measurement*> peers_of(const Report& report, const Measurement& ours);
+
+/// Returns one row for each mesh and size, in the order of the report.
+std::vector<const Measurement*> subjects_of(const Report& report);
+
+/// Returns the devices of all rows, in the order of the report.
+std::vector<std::string> devices_of(const Report& report);
+
 /// Returns the limits of the measurement's device, or null if they were not measured.
 const Limits* limits_of(const Report& report, const Measurement& measurement);
 
-/// Returns the share of the device's limit that the work reaches: "flops" over the rate of float64
-/// products or "bytes" over the copy rate, whichever is larger. Uses the median wall time, or the
-/// device time for kernels. Returns 0 if nothing was counted or no limit is known.
+/// Returns the share of the device's limit that the work reaches. It is the larger of two times,
+/// divided by the median of `clock_ms`: "flops" over the rate of float64 products, and "bytes" over
+/// the copy rate. Returns 0 if nothing was counted or no limit is known.
 double share_of_limit(const Report& report, const Measurement& measurement);
 
 }  // namespace lapwing::bench

@@ -1,36 +1,51 @@
 #include "report/report_json.h"
 
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
+#include "lapwing/base/errors.h"
 #include "lapwing/io/file_bytes.h"
-#include "lapwing/json/json_node.h"
 #include "report/number_text.h"
 
 namespace lapwing::bench {
-namespace {
 
-using Json = nlohmann::ordered_json;
+namespace {
 
 const char* const kFormat = "lapwing-bench 1";
 
-Json list_of(const std::vector<double>& values) {
+std::string in_one_line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json digits_of(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(six_digits(value));
   return list;
 }
 
-Json as_json(const Host& host) {
-  return {{"processor", host.processor},
+const char* key_of_bound(bool is_floor) {
+  return is_floor ? "at_least" : "at_most";
+}
+
+}  // namespace
+
+// nlohmann::json calls the following functions, which it finds by name.
+
+void to_json(Json& json, const Host& host) {
+  json = {{"processor", host.processor},
           {"threads", host.threads},
           {"memory_bytes", host.memory_bytes},
           {"system", host.system},
           {"compiler", host.compiler}};
 }
 
-Json as_json(const Limits& limits) {
-  return {{"device", limits.device},
+void from_json(const Json& json, Host& host) {
+  json.at("processor").get_to(host.processor);
+  json.at("threads").get_to(host.threads);
+  json.at("memory_bytes").get_to(host.memory_bytes);
+  json.at("system").get_to(host.system);
+  json.at("compiler").get_to(host.compiler);
+}
+
+void to_json(Json& json, const Limits& limits) {
+  json = {{"device", limits.device},
           {"type", limits.type},
           {"driver", limits.driver},
           {"copy_gb_per_s", six_digits(limits.copy_gb_per_s)},
@@ -38,141 +53,117 @@ Json as_json(const Limits& limits) {
           {"matmul_gflops_float64", six_digits(limits.matmul_gflops_float64)}};
 }
 
-Json as_json(const Measurement& m) {
-  Json counts = Json::object();
-  for (const auto& [name, count] : m.counts) counts[name] = count;
-  return {{"stage", m.stage},
+void from_json(const Json& json, Limits& limits) {
+  json.at("device").get_to(limits.device);
+  json.at("type").get_to(limits.type);
+  json.at("driver").get_to(limits.driver);
+  json.at("copy_gb_per_s").get_to(limits.copy_gb_per_s);
+  json.at("matmul_gflops_float32").get_to(limits.matmul_gflops_float32);
+  json.at("matmul_gflops_float64").get_to(limits.matmul_gflops_float64);
+}
+
+void to_json(Json& json, const Measurement& m) {
+  json = {{"stage", m.stage},
           {"by", m.by},
           {"device", m.device},
           {"mesh", m.mesh},
           {"vertices", m.vertices},
-          {"wall_ms", list_of(m.wall_ms)},
-          {"cpu_ms", list_of(m.cpu_ms)},
-          {"device_ms", list_of(m.device_ms)},
+          {"wall_ms", digits_of(m.wall_ms)},
+          {"cpu_ms", digits_of(m.cpu_ms)},
+          {"device_ms", digits_of(m.device_ms)},
           {"peak_bytes", m.peak_bytes},
-          {"counts", std::move(counts)}};
+          {"counts", m.counts}};
 }
 
-Json as_json(const Target& target) {
-  return {{"name", target.name},
+void from_json(const Json& json, Measurement& m) {
+  json.at("stage").get_to(m.stage);
+  json.at("by").get_to(m.by);
+  json.at("device").get_to(m.device);
+  json.at("mesh").get_to(m.mesh);
+  json.at("vertices").get_to(m.vertices);
+  json.at("wall_ms").get_to(m.wall_ms);
+  json.at("cpu_ms").get_to(m.cpu_ms);
+  json.at("device_ms").get_to(m.device_ms);
+  json.at("peak_bytes").get_to(m.peak_bytes);
+  json.at("counts").get_to(m.counts);
+}
+
+void to_json(Json& json, const Target& target) {
+  json = {{"name", target.name},
           {"on", target.on},
-          {target.is_floor ? "at_least" : "at_most", six_digits(target.at_most)},
+          {key_of_bound(target.is_floor), six_digits(target.at_most)},
           {"measured", six_digits(target.measured)}};
 }
 
-template <class Item>
-std::string lines(const std::vector<Item>& items) {
-  std::string text = "[";
-  for (const Item& item : items) {
-    text += (text.size() > 1 ? ",\n    " : "\n    ") + as_json(item).dump();
+void from_json(const Json& json, Target& target) {
+  json.at("name").get_to(target.name);
+  json.at("on").get_to(target.on);
+  target.is_floor = json.contains(key_of_bound(true));
+  json.at(key_of_bound(target.is_floor)).get_to(target.at_most);
+  json.at("measured").get_to(target.measured);
+}
+
+std::string json_by_lines(const Json& object) {
+  std::string text = "{";
+  for (const auto& [key, value] : object.items()) {
+    text += (text.size() > 1 ? ",\n  " : "\n  ") + Json(key).dump() + ": ";
+    if (!value.is_array() || value.empty()) {
+      text += in_one_line(value);
+      continue;
+    }
+    std::string separator = "[\n    ";
+    for (const Json& element : value) {
+      text += separator + in_one_line(element);
+      separator = ",\n    ";
+    }
+    text += "\n  ]";
   }
-  return text + (items.empty() ? "]" : "\n  ]");
+  return text + "\n}\n";
 }
 
-std::uint64_t whole_number(const JsonNode& node) {
-  constexpr double kLargest = 9007199254740992.0;  // 2^53; not all larger whole numbers are doubles
-  const double value = node.number_from_zero();
-  if (value != std::floor(value) || value > kLargest) node.fail_expecting("a whole number, from 0");
-  return static_cast<std::uint64_t>(value);
+void fail_to_read(const std::string& name, const std::string& why) {
+  throw InputError(name + ": " + why + ". Pass a complete file of this version's --json.");
 }
 
-std::vector<double> times(const JsonNode& node) {
-  std::vector<double> values;
-  for (const JsonNode& element : node.elements()) values.push_back(element.number_from_zero());
-  return values;
+Json parse_format(std::string_view json, const std::string& format, const std::string& name) {
+  return reading_json(name, [&] {
+    Json root = Json::parse(json);
+    const auto found = root.at("format").get<std::string>();
+    if (found != format) {
+      fail_to_read(name, "the format is \"" + found + "\", expected \"" + format + "\"");
+    }
+    return root;
+  });
 }
-
-void require_format(const JsonNode& root) {
-  const JsonNode format = root.at("format");
-  if (format.string() == kFormat) return;
-  format.fail("this is \"" + format.string() + "\", and what is read here is \"" + kFormat +
-              "\"; measure again, or use the lapwing-bench that wrote it");
-}
-
-Host host_of(const JsonNode& node) {
-  node.require_keys({"processor", "threads", "memory_bytes", "system", "compiler"});
-  return {node.at("processor").string(), static_cast<unsigned>(whole_number(node.at("threads"))),
-          whole_number(node.at("memory_bytes")), node.at("system").string(),
-          node.at("compiler").string()};
-}
-
-Limits read_limits(const JsonNode& node) {
-  node.require_keys({"device", "type", "driver", "copy_gb_per_s", "matmul_gflops_float32",
-                     "matmul_gflops_float64"});
-  return {node.at("device").string(),
-          node.at("type").string(),
-          node.at("driver").string(),
-          node.at("copy_gb_per_s").number_from_zero(),
-          node.at("matmul_gflops_float32").number_from_zero(),
-          node.at("matmul_gflops_float64").number_from_zero()};
-}
-
-Measurement measurement_of(const JsonNode& node) {
-  node.require_keys({"stage", "by", "device", "mesh", "vertices", "wall_ms", "cpu_ms", "device_ms",
-                     "peak_bytes", "counts"});
-  Measurement m;
-  m.stage = node.at("stage").string();
-  m.by = node.at("by").string();
-  m.device = node.at("device").string();
-  m.mesh = node.at("mesh").string();
-  m.vertices = whole_number(node.at("vertices"));
-  m.wall_ms = times(node.at("wall_ms"));
-  m.cpu_ms = times(node.at("cpu_ms"));
-  m.device_ms = times(node.at("device_ms"));
-  m.peak_bytes = whole_number(node.at("peak_bytes"));
-  const JsonNode counts = node.at("counts");
-  for (const std::string& name : counts.keys()) m.counts[name] = whole_number(counts.at(name));
-  return m;
-}
-
-Target target_of(const JsonNode& node) {
-  node.require_keys({"name", "on", "at_most", "at_least", "measured"});
-  const auto bound = node.only_key_of({"at_most", "at_least"}, "a target");
-  return {node.at("name").string(), node.at("on").string(), node.at(bound).number(),
-          bound == "at_least", node.at("measured").number()};
-}
-
-}  // namespace
 
 std::string to_json(const Report& report) {
-  std::string text = "{\n  \"format\": " + Json(kFormat).dump();
-  const auto add = [&](const char* key, const std::string& value) {
-    text += ",\n  " + Json(key).dump() + ": " + value;
-  };
-  add("date", Json(report.date).dump());
-  add("commit", Json(report.commit).dump());
-  add("command", Json(report.command).dump());
-  add("host", as_json(report.host).dump());
-  add("limits", lines(report.limits));
-  add("measurements", lines(report.measurements));
-  add("targets", lines(report.targets));
-  return text + "\n}\n";
+  return json_by_lines({{"format", kFormat},
+                        {"date", report.date},
+                        {"commit", report.commit},
+                        {"command", report.command},
+                        {"host", report.host},
+                        {"limits", report.limits},
+                        {"measurements", report.measurements},
+                        {"targets", report.targets}});
+}
+
+Report parse_report(std::string_view json, const std::string& name) {
+  const Json root = parse_format(json, kFormat, name);
+  return reading_json(name, [&] {
+    Report report;
+    root.at("date").get_to(report.date);
+    root.at("commit").get_to(report.commit);
+    root.at("command").get_to(report.command);
+    root.at("host").get_to(report.host);
+    root.at("limits").get_to(report.limits);
+    root.at("measurements").get_to(report.measurements);
+    root.at("targets").get_to(report.targets);
+    return report;
+  });
 }
 
 Report read_report(const std::filesystem::path& path) {
   return parse_report(FileBytes::read(path).view(), path.string());
-}
-
-Report parse_report(std::string_view json, const std::string& name) {
-  const JsonNode root = JsonNode::parse(json, name);
-  require_format(root);
-  root.require_keys(
-      {"format", "date", "commit", "command", "host", "limits", "measurements", "targets"});
-  Report report;
-  report.date = root.at("date").string();
-  report.commit = root.at("commit").string();
-  report.command = root.at("command").string();
-  report.host = host_of(root.at("host"));
-  for (const JsonNode& node : root.at("limits").elements()) {
-    report.limits.push_back(read_limits(node));
-  }
-  for (const JsonNode& node : root.at("measurements").elements()) {
-    report.measurements.push_back(measurement_of(node));
-  }
-  for (const JsonNode& node : root.at("targets").elements()) {
-    report.targets.push_back(target_of(node));
-  }
-  return report;
 }
 
 }  // namespace lapwing::bench

@@ -3,22 +3,49 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "report/report.h"
 
 namespace lapwing::bench {
+
+/// A JSON value that keeps the order of its keys, so that reports can be compared line by line.
+using Json = nlohmann::ordered_json;
 
 /// Writes the report, with all runs, as JSON of format "lapwing-bench 1". Keys have a fixed order
 /// and each measurement takes one line, so that two reports can be compared line by line. Measured
 /// numbers have six significant digits, more than any clock measures.
 std::string to_json(const Report& report);
 
-/// Reads what to_json wrote. Throws IoError if the file cannot be read. Throws InputError, which
-/// names the file and the place in it, if it is not JSON, has another format, or lacks a value or
-/// has one of the wrong type.
+/// Reads a report that to_json wrote. If the text is not a report, throws InputError with `name` as
+/// the name of the file.
+Report parse_report(std::string_view json, const std::string& name);
+
+/// Reads a report from a file. Also throws IoError if the file cannot be read.
 Report read_report(const std::filesystem::path& path);
 
-/// The same for text in memory; errors call it `name`.
-Report parse_report(std::string_view json, const std::string& name);
+/// Writes each member of an object, and each element of a list, on a separate line. Names of files
+/// can contain invalid UTF-8, which is replaced.
+std::string json_by_lines(const Json& object);
+
+/// Parses a JSON object and checks that its format is `format`. Throws InputError, with `name` as
+/// the name of the file, if it is not.
+Json parse_format(std::string_view json, const std::string& format, const std::string& name);
+
+/// Throws an InputError that says that the file `name` cannot be read, and why.
+[[noreturn]] void fail_to_read(const std::string& name, const std::string& why);
+
+/// Calls `read`, and translates errors of the JSON library about missing values or wrong types to
+/// InputError with the name of the file.
+template <class Read>
+auto reading_json(const std::string& name, const Read& read) {
+  try {
+    return read();
+  } catch (const nlohmann::json::exception& error) {
+    fail_to_read(name, error.what());
+  }
+}
 
 }  // namespace lapwing::bench

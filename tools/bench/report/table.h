@@ -6,8 +6,14 @@
 
 namespace lapwing::bench {
 
-/// The report as text of at most 100 columns: a block for every mesh, size and device with a row
-/// for every stage, how stages grow with the mesh, and which targets are met.
+/// Returns one screen of at most 100 columns. For each stage it has Lapwing's time on the processor
+/// and on the first other device, a peer's time, the ratios, and whether the targets are met. The
+/// mesh is the Armadillo if it was measured, or else the largest one. Stages without a measurement
+/// on this mesh follow, on the largest mesh that has one.
+std::string screen_of(const Report& report);
+
+/// Returns all measurements and the targets, in at most 100 columns. Every mesh, size and device
+/// has a block with a row for every stage.
 std::string table_of(const Report& report);
 
 }  // namespace lapwing::bench

@@ -1,20 +1,15 @@
 #include "run/apart.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <limits>
-#include <optional>
-#include <poll.h>
 #include <string>
 #include <string_view>
 #include <sys/prctl.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,7 +20,6 @@
 namespace lapwing::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Work = std::function<void(const std::function<void(std::string_view)>& tell)>;
 
 // Ends the text. The message of an exception may follow. A process that dies does not send it.
@@ -45,9 +39,14 @@ void send(int pipe, std::string_view text) {
 }
 
 // Skips the exit handlers, which belong to the original process.
-[[noreturn]] void work_and_exit(const Work& work, int pipe) {
-  // Stop if the parent is stopped.
+[[noreturn]] void work_and_exit(const Work& work, int pipe, double most_seconds) {
+  // The kernel ends this process when the parent ends or the time limit expires.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  itimerval limit{};
+  limit.it_value.tv_sec = static_cast<time_t>(most_seconds);
+  limit.it_value.tv_usec =
+      static_cast<suseconds_t>(1e6 * (most_seconds - std::floor(most_seconds)));
+  setitimer(ITIMER_REAL, &limit, nullptr);
   std::string end(1, kEnd);
   try {
     work([pipe](std::string_view text) { send(pipe, text); });
@@ -58,26 +57,14 @@ void send(int pipe, std::string_view text) {
   _exit(0);
 }
 
-// Returns the timeout for poll; without a deadline it is -1, which means no limit.
-int milliseconds_left(const std::optional<Clock::time_point>& deadline) {
-  if (!deadline) return -1;
-  const auto left =
-      std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - Clock::now()).count();
-  return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
-}
-
-// Appends to `text` until the other end closes. Returns false if the deadline passes first.
-bool receive(int pipe, const std::optional<Clock::time_point>& deadline, std::string& text) {
+// Returns all bytes that the other end writes before it closes the pipe.
+std::string receive(int pipe) {
+  std::string text;
   std::array<char, 4096> part;
   for (;;) {
-    pollfd waiting{pipe, POLLIN, 0};
-    const int ready = poll(&waiting, 1, milliseconds_left(deadline));
-    if (ready == 0) return false;
-    if (ready < 0 && errno != EINTR) return true;
-    if (ready < 0) continue;
     const ssize_t got = read(pipe, part.data(), part.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return true;
+    if (got <= 0) return text;
     text.append(part.data(), static_cast<std::size_t>(got));
   }
 }
@@ -96,10 +83,6 @@ std::string end_of(int status) {
 }  // namespace
 
 Told run_in_child_process(const Work& work, double most_seconds) {
-  std::optional<Clock::time_point> deadline;
-  if (most_seconds > 0.0) {
-    deadline = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * most_seconds));
-  }
   std::array<int, 2> ends;
   if (pipe(ends.data()) != 0) fail("cannot open a pipe");
   std::fflush(stdout);
@@ -107,12 +90,10 @@ Told run_in_child_process(const Work& work, double most_seconds) {
   if (child < 0) fail("cannot start a process to measure in");
   if (child == 0) {
     close(ends[0]);
-    work_and_exit(work, ends[1]);
+    work_and_exit(work, ends[1], most_seconds);
   }
   close(ends[1]);
-  Told told;
-  const bool in_time = receive(ends[0], deadline, told.text);
-  if (!in_time) kill(child, SIGKILL);
+  Told told{receive(ends[0]), ""};
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -121,8 +102,10 @@ Told run_in_child_process(const Work& work, double most_seconds) {
   if (end != std::string::npos) {
     told.failure = told.text.substr(end + 1);
     told.text.resize(end);
+  } else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) {
+    told.failure = "not done in " + short_number(most_seconds) + " s";
   } else {
-    told.failure = in_time ? end_of(status) : "not done in " + short_number(most_seconds) + " s";
+    told.failure = end_of(status);
   }
   return told;
 }

@@ -6,9 +6,8 @@
 #include <string>
 #include <unistd.h>
 
+#include "report/targets.h"
 #include "run/apart.h"
-#include "run/stages.h"
-#include "run/targets.h"
 
 namespace lapwing::bench {
 namespace {
@@ -38,69 +37,79 @@ Report limits_of(const RunSettings& settings) {
 }
 
 Report measure_subject(const RunSettings& settings, const SubjectSource& source) {
-  BenchRun run(settings);
-  const Subject subject = source.load();
-  measure_mesh_stages(run, subject);
-  measure_solver_stages(run, subject);
-  measure_edit_stages(run, subject);
-  measure_layer_stages(run, subject);
-  measure_render(run, subject);
-  measure_peers(run, subject);
+  BenchRun run(settings, source.load());
+  measure_mesh_stages(run);
+  measure_solver_stages(run);
+  measure_edit_stages(run);
+  measure_layer_stages(run);
+  measure_render(run);
+  measure_peers(run);
   show_progress("");
   return std::move(run.report());
 }
 
 }  // namespace
 
-BenchRun::BenchRun(const RunSettings& settings)
-    : settings_(settings), processor_(open_bench_device("cpu")) {
+BenchRun::BenchRun(const RunSettings& settings, Subject subject)
+    : settings_(settings), subject_(std::move(subject)), processor_(open_bench_device("cpu")) {
   for (const std::string& name : settings.devices) devices_.push_back(open_bench_device(name));
 }
 
-bool BenchRun::wants(const std::string& stage, const std::string& by, const std::string& device,
-                     const Subject& subject) const {
-  if (by != kLapwing && !settings_.peers) return false;
-  if (!settings_.filter) return true;
-  return std::regex_search(stage + " / " + by + " / " + device + " / " + subject.name,
+bool BenchRun::wants(const std::string& stage, const std::string& by,
+                     const std::string& device) const {
+  return !settings_.filter ||
+         std::regex_search(stage + " / " + by + " / " + device + " / " + subject_.name,
                            *settings_.filter);
 }
 
-Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
-                               const BenchDevice& device, const Subject& subject,
-                               const std::function<void()>& work,
-                               const std::function<void()>& before) {
-  return measure(stage, by, device, subject, 0, work, before);
+bool BenchRun::wants(const std::string& stage, const BenchDevice& device) const {
+  return wants(stage, kLapwing, device.name);
 }
 
-Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
-                               const BenchDevice& device, const Subject& subject, int least_runs,
+bool BenchRun::wants_peer(const std::string& stage, const std::string& by) const {
+  return settings_.peers && wants(stage, by, kProcessor);
+}
+
+Measurement* BenchRun::measure(const std::string& stage, const BenchDevice& device,
                                const std::function<void()>& work,
-                               const std::function<void()>& before) {
+                               const std::function<void()>& before, int least_runs) {
   last_kernels_.clear();
-  if (!wants(stage, by, device.name, subject)) return nullptr;
-  show_progress(subject.name + ", " + std::to_string(subject.vertices()) + " vertices: " + stage +
+  if (!wants(stage, device)) return nullptr;
+  return add_row(stage, kLapwing, device, work, before, least_runs);
+}
+
+Measurement* BenchRun::measure(const std::string& stage, const std::function<void()>& work,
+                               const std::function<void()>& before) {
+  return measure(stage, processor_, work, before);
+}
+
+Measurement* BenchRun::measure_peer(const std::string& stage, const std::string& by,
+                                    const std::function<void()>& work,
+                                    const std::function<void()>& before) {
+  if (!wants_peer(stage, by)) return nullptr;
+  return add_row(stage, by, processor_, work, before, 0);
+}
+
+Measurement* BenchRun::add_row(const std::string& stage, const std::string& by,
+                               const BenchDevice& device, const std::function<void()>& work,
+                               const std::function<void()>& before, int least_runs) {
+  show_progress(subject_.name + ", " + std::to_string(subject_.vertices()) + " vertices: " + stage +
                 " (" + by + ", " + device.name + ")");
-  Measurement measurement;
-  measurement.stage = stage;
-  measurement.by = by;
-  measurement.device = device.name;
-  measurement.mesh = subject.name;
-  measurement.vertices = subject.vertices();
+  Measurement row;
+  row.stage = stage;
+  row.by = by;
+  row.device = device.name;
+  row.mesh = subject_.name;
+  row.vertices = subject_.vertices();
   Meter meter(device.context.get());
   Repeats repeats = settings_.repeats;
   repeats.least = std::max(repeats.least, std::min(repeats.most, least_runs));
   if (settings_.only_counts) repeats = {1, 1, 0.0, 1};
-  meter.run(measurement, repeats, work, before);
+  meter.run(row, repeats, work, before);
   last_kernels_ = meter.kernels();
-  if (settings_.only_counts) forget_times(measurement);
-  report_.measurements.push_back(std::move(measurement));
+  if (settings_.only_counts) forget_times(row);
+  report_.measurements.push_back(std::move(row));
   return &report_.measurements.back();
-}
-
-Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
-                               const Subject& subject, const std::function<void()>& work,
-                               const std::function<void()>& before) {
-  return measure(stage, by, processor_, subject, work, before);
 }
 
 void BenchRun::add_kernel(const std::string& kernel, std::uint64_t bytes) {
@@ -108,25 +117,42 @@ void BenchRun::add_kernel(const std::string& kernel, std::uint64_t bytes) {
   if (found == last_kernels_.end() || report_.measurements.empty()) return;
   Measurement row = report_.measurements.back();
   row.stage = "kernel " + kernel;
-  row.wall_ms.clear();
-  row.cpu_ms.clear();
-  row.device_ms.clear();
-  row.peak_bytes = 0;
-  for (const gpu::KernelUse& use : found->second) row.device_ms.push_back(use.device_ms);
-  if (settings_.only_counts) forget_times(row);
+  forget_times(row);
+  if (!settings_.only_counts) {
+    for (const gpu::KernelUse& use : found->second) row.device_ms.push_back(use.device_ms);
+  }
   const std::uint64_t dispatches = found->second.back().dispatches;
   row.counts = {{"dispatches", dispatches}, {"bytes", bytes}};
   report_.measurements.push_back(std::move(row));
 }
 
-void BenchRun::leave_out(const std::string& what, const Subject& subject, const std::string& why) {
+void BenchRun::leave_out(const std::string& what, const std::string& why) const {
   show_progress("");
-  std::fprintf(stderr, "%s, %zu vertices: %s is left out: %s\n", subject.name.c_str(),
-               subject.vertices(), what.c_str(), why.c_str());
+  std::fprintf(stderr, "%s, %zu vertices: %s is left out: %s\n", subject_.name.c_str(),
+               subject_.vertices(), what.c_str(), why.c_str());
 }
+
+namespace {
+
+void note_missing_scans(const RunSettings& settings) {
+  std::string names;
+  for (const std::string& name :
+       missing_scans(settings.models, settings.least_vertices, settings.most_vertices)) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (names.empty()) return;
+  const std::string& models = settings.models;
+  std::fprintf(stderr,
+               "lapwing-bench: note: left out, because %s does not have them: %s. "
+               "`tools/setup/fetch-models %s` fetches them; --models names another folder\n",
+               models.c_str(), names.c_str(), models.c_str());
+}
+
+}  // namespace
 
 Report run_benchmark(const RunSettings& settings,
                      const std::function<void(const Report&)>& after_mesh) {
+  note_missing_scans(settings);
   Report report;
   if (settings.limits)
     report.limits = report_from_child_process([&] { return limits_of(settings); }).limits;

@@ -30,50 +30,82 @@ struct RunSettings {
   bool only_counts = false;  ///< runs everything once and keeps only the counts
 };
 
-inline constexpr const char* kLapwing = "Lapwing";
-inline constexpr const char* kProcessor = "CPU";
-
-/// A run of the benchmark: measures work and collects the rows of the report.
+/// Measures work on one mesh and collects the rows of the report. A row is Lapwing's unless a peer
+/// is named.
 class BenchRun {
  public:
-  explicit BenchRun(const RunSettings& settings);
+  BenchRun(const RunSettings& settings, Subject subject);
 
   const RunSettings& settings() const { return settings_; }
+  const Subject& subject() const { return subject_; }
   const std::vector<BenchDevice>& devices() const { return devices_; }
+  const BenchDevice& processor() const { return processor_; }
   Report& report() { return report_; }
 
   /// Returns whether a row is asked for. Skip preparations that only unwanted rows need.
-  bool wants(const std::string& stage, const std::string& by, const std::string& device,
-             const Subject& subject) const;
+  bool wants(const std::string& stage, const BenchDevice& device) const;
+  bool wants_peer(const std::string& stage, const std::string& by) const;
 
-  /// Measures `work` and adds a row to the report. Returns null if the row is not wanted. The
-  /// pointer is valid until the next row; add further counts to it.
-  Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
-                       const Subject& subject, const std::function<void()>& work,
+  /// Measures `work` and adds a row to the report. Calls `before` before every run, outside the
+  /// measured time. Returns the row, to which the caller may add counts until the next row is
+  /// measured, or null if the filter excludes the row. Runs at least `least_runs` times if the
+  /// settings allow it and a run is shorter than kLongRun_ms.
+  Measurement* measure(const std::string& stage, const BenchDevice& device,
+                       const std::function<void()>& work, const std::function<void()>& before = {},
+                       int least_runs = 0);
+  /// These measure work of Lapwing and of a peer on the processor.
+  Measurement* measure(const std::string& stage, const std::function<void()>& work,
                        const std::function<void()>& before = {});
-  /// The same with at least `least_runs` runs, if the settings allow them and a run is shorter than
-  /// kLongRun_ms.
-  Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
-                       const Subject& subject, int least_runs, const std::function<void()>& work,
-                       const std::function<void()>& before = {});
-  /// The same on the processor.
-  Measurement* measure(const std::string& stage, const std::string& by, const Subject& subject,
-                       const std::function<void()>& work, const std::function<void()>& before = {});
+  Measurement* measure_peer(const std::string& stage, const std::string& by,
+                            const std::function<void()>& work,
+                            const std::function<void()>& before = {});
 
   /// Adds a row "kernel NAME" for a kernel that the last `measure` ran on its device. `bytes` is
   /// the least that a dispatch must move.
   void add_kernel(const std::string& kernel, std::uint64_t bytes);
 
   /// Prints to standard error why something is left out.
-  void leave_out(const std::string& what, const Subject& subject, const std::string& why);
+  void leave_out(const std::string& what, const std::string& why) const;
 
  private:
+  bool wants(const std::string& stage, const std::string& by, const std::string& device) const;
+  Measurement* add_row(const std::string& stage, const std::string& by, const BenchDevice& device,
+                       const std::function<void()>& work, const std::function<void()>& before,
+                       int least_runs);
+
   RunSettings settings_;
+  Subject subject_;
   BenchDevice processor_;
   std::vector<BenchDevice> devices_;
   Report report_;
   std::map<std::string, std::vector<gpu::KernelUse>> last_kernels_;
 };
+
+// Each group of rows has a file with its name, stages_*.cpp or peers.cpp.
+
+/// Measures "read OBJ", "read PLY", "check" and "topology" on the processor.
+void measure_mesh_stages(BenchRun& run);
+
+/// Measures each stage of a preparation alone: "pattern", "order", "laplacian weights", "assemble"
+/// (on every device), "normal matrix", "analyze", "factor", "response" (twelve columns),
+/// "back-substitution" (one), and "laplacian" for the n x n system.
+void measure_solver_stages(BenchRun& run);
+
+/// Measures what a user waits for, on every device: "first drag", "preparation", "again, other
+/// handle" and so on, "drag frame", "shader frame", "settle iteration", "settle frame".
+void measure_edit_stages(BenchRun& run);
+
+/// Measures "coat", "mix" and "transplant" of a ninth of the mesh, on every device, for sheets of
+/// hills.
+void measure_layer_stages(BenchRun& run);
+
+/// Measures "show mesh" and "render", a picture of 1280 x 800 pixels, on every device that draws.
+void measure_render(BenchRun& run);
+
+/// Measures the same work by others: CGAL's ARAP ("preparation", "settle iteration", "settle
+/// frame"), the factorizations of Eigen and CHOLMOD ("analyze", "factor", "response"), and Eigen's
+/// sparse product ("normal matrix"). Leaves out libraries that the benchmark was built without.
+void measure_peers(BenchRun& run);
 
 /// Measures everything that the settings ask for, each mesh in a separate process
 /// (report_from_child_process). Prints progress to standard error. Calls `after_mesh` with the

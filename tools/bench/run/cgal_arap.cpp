@@ -1,6 +1,5 @@
 #include "run/cgal_arap.h"
 
-#include <memory>
 #include <optional>
 
 #include <CGAL/Eigen_solver_traits.h>
@@ -27,11 +26,6 @@ struct CountingRotations : CGAL::Deformation_Eigen_polar_closest_rotation_traits
   }
 };
 
-template <CGAL::Deformation_algorithm_tag kTag>
-using DeformationBy =
-    CGAL::Surface_mesh_deformation<SurfaceMesh, CGAL::Default, CGAL::Default, kTag, CGAL::Default,
-                                   CGAL::Default, CountingRotations>;
-
 SurfaceMesh as_surface_mesh(const Mesh& mesh) {
   SurfaceMesh surface;
   for (const Eigen::Vector3d& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
@@ -43,108 +37,63 @@ SurfaceMesh as_surface_mesh(const Mesh& mesh) {
   return surface;
 }
 
-}  // namespace
-
-struct CgalArap::State {
-  State(const Mesh& mesh, const EditRegion& edit_region)
-      : rest(mesh.positions), region(edit_region), surface(as_surface_mesh(mesh)) {}
-  virtual ~State() = default;
-  virtual void prepare() = 0;
-  virtual void reset() = 0;
-  virtual void set_target(Vertex v, const Kernel::Point_3& place) = 0;
-  virtual void deform(unsigned iterations, double tolerance) = 0;
-
-  Positions rest;
-  EditRegion region;
-  SurfaceMesh surface;
-};
-
-template <int kVariant>
-struct CgalArap::StateOf final : CgalArap::State {
-  using State::State;
-  using Deformation = DeformationBy<static_cast<CGAL::Deformation_algorithm_tag>(kVariant)>;
+template <CGAL::Deformation_algorithm_tag kTag>
+class CgalArapOf final : public CgalArap {
+ public:
+  CgalArapOf(const Mesh& mesh, const EditRegion& region)
+      : rest_(mesh.positions), region_(region), surface_(as_surface_mesh(mesh)) {}
 
   void prepare() override {
-    deformation.emplace(surface);
-    for (const Index v : region.roi) deformation->insert_roi_vertex(Vertex(v));
-    for (const Index v : region.belt) deformation->insert_control_vertex(Vertex(v));
-    for (const VertexSet& handle : region.handles) {
-      for (const Index v : handle) deformation->insert_control_vertex(Vertex(v));
+    deformation_.emplace(surface_);
+    for (const Index v : region_.roi) deformation_->insert_roi_vertex(Vertex(v));
+    for (const Index v : region_.belt) deformation_->insert_control_vertex(Vertex(v));
+    for (const VertexSet& handle : region_.handles) {
+      for (const Index v : handle) deformation_->insert_control_vertex(Vertex(v));
     }
-    if (!deformation->preprocess()) throw SolverError("CGAL could not factor its system");
-  }
-  void reset() override { deformation->reset(); }
-  void set_target(Vertex v, const Kernel::Point_3& place) override {
-    deformation->set_target_position(v, place);
-  }
-  void deform(unsigned iterations, double tolerance) override {
-    deformation->deform(iterations, tolerance);
+    if (!deformation_->preprocess()) throw SolverError("CGAL could not factor its system");
   }
 
-  std::optional<Deformation> deformation;
+  void move(std::span<const Eigen::Affine3d> motions) override {
+    for (std::size_t h = 0; h < motions.size(); ++h) {
+      for (const Index v : region_.handles[h]) {
+        const Eigen::Vector3d p = motions[h] * rest_[v];
+        deformation_->set_target_position(Vertex(v), {p.x(), p.y(), p.z()});
+      }
+    }
+  }
+
+  int iterate(int most_iterations, double tolerance) override {
+    CountingRotations::count = 0;
+    deformation_->deform(static_cast<unsigned>(most_iterations), tolerance);
+    return static_cast<int>(CountingRotations::count / region_.roi.size());
+  }
+
+  Positions positions() const override {
+    Positions positions;
+    for (const Vertex v : surface_.vertices()) {
+      const auto& p = surface_.point(v);
+      positions.emplace_back(p.x(), p.y(), p.z());
+    }
+    return positions;
+  }
+
+ private:
+  Positions rest_;
+  EditRegion region_;
+  SurfaceMesh surface_;
+  std::optional<CGAL::Surface_mesh_deformation<SurfaceMesh, CGAL::Default, CGAL::Default, kTag,
+                                               CGAL::Default, CGAL::Default, CountingRotations>>
+      deformation_;
 };
 
-CgalArap::CgalArap(const Mesh& mesh, const EditRegion& region, ArapVariant variant) {
-  switch (variant) {
-    case ArapVariant::spokes_and_rims:
-      state_ = std::make_unique<StateOf<CGAL::SPOKES_AND_RIMS>>(mesh, region);
-      break;
-    case ArapVariant::original:
-      state_ = std::make_unique<StateOf<CGAL::ORIGINAL_ARAP>>(mesh, region);
-      break;
-    case ArapVariant::smooth_rotations:
-      state_ = std::make_unique<StateOf<CGAL::SRE_ARAP>>(mesh, region);
-      break;
+}  // namespace
+
+std::unique_ptr<CgalArap> make_cgal_arap(const Mesh& mesh, const EditRegion& region,
+                                         ArapVariant variant) {
+  if (variant == ArapVariant::original) {
+    return std::make_unique<CgalArapOf<CGAL::ORIGINAL_ARAP>>(mesh, region);
   }
-}
-
-CgalArap::~CgalArap() = default;
-
-void CgalArap::prepare() {
-  state_->prepare();
-}
-
-void CgalArap::reset() {
-  state_->reset();
-}
-
-void CgalArap::move(std::span<const Eigen::Affine3d> motions) {
-  for (std::size_t h = 0; h < motions.size(); ++h) {
-    for (const Index v : state_->region.handles[h]) {
-      const Eigen::Vector3d p = motions[h] * state_->rest[v];
-      state_->set_target(Vertex(v), {p.x(), p.y(), p.z()});
-    }
-  }
-}
-
-int CgalArap::iterate(int most_iterations, double tolerance) {
-  CountingRotations::count = 0;
-  state_->deform(static_cast<unsigned>(most_iterations), tolerance);
-  return static_cast<int>(CountingRotations::count / state_->region.roi.size());
-}
-
-Positions CgalArap::positions() const {
-  Positions positions;
-  for (const Vertex v : state_->surface.vertices()) {
-    const auto& p = state_->surface.point(v);
-    positions.emplace_back(p.x(), p.y(), p.z());
-  }
-  return positions;
-}
-
-ArapResult deform_by_cgal_arap(const Mesh& mesh, const EditRegion& region,
-                               std::span<const Eigen::Affine3d> motions, ArapVariant variant,
-                               int max_iterations, int repeats) {
-  CgalArap arap(mesh, region, variant);
-  arap.prepare();
-  ArapResult result;
-  result.frame = measure(repeats, [&] {
-    arap.reset();
-    arap.move(motions);
-    result.iterations = arap.iterate(max_iterations);
-  });
-  result.positions = arap.positions();
-  return result;
+  return std::make_unique<CgalArapOf<CGAL::SPOKES_AND_RIMS>>(mesh, region);
 }
 
 }  // namespace lapwing::bench

@@ -1,10 +1,14 @@
 #include "run/host.h"
 
+#include <cstdlib>
 #include <ctime>
+#include <dlfcn.h>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 
+#include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing::bench {
@@ -23,6 +27,17 @@ std::string value_in(const char* path, const std::string& key, char separator) {
     return value;
   }
   return {};
+}
+
+constexpr const char* kChosenKernels = "OPENBLAS_CORETYPE";
+// OpenBLAS's choice for an unknown x86-64 processor.
+constexpr std::string_view kKernelsForUnknown = "Prescott";
+
+// Returns an empty name if the program has another BLAS or none.
+std::string_view kernels_of_blas() {
+  using CoreName = char* (*)();
+  const auto name = reinterpret_cast<CoreName>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
+  return name != nullptr ? name() : "";
 }
 
 }  // namespace
@@ -53,6 +68,14 @@ std::string now_utc() {
 
 std::string built_from() {
   return LAPWING_COMMIT;
+}
+
+void require_fitting_blas(char** arguments) {
+  if (std::getenv(kChosenKernels) != nullptr || kernels_of_blas() != kKernelsForUnknown) return;
+  const InstructionSet best = available_instruction_sets().front();
+  if (best == InstructionSet::baseline) return;
+  setenv(kChosenKernels, best == InstructionSet::avx512 ? "SkylakeX" : "Haswell", 1);
+  execv("/proc/self/exe", arguments);  // if this fails, the program goes on unchanged
 }
 
 }  // namespace lapwing::bench

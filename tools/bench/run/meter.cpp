@@ -1,21 +1,43 @@
 #include "run/meter.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <new>
 #include <string>
 
-#include "run/allocations.h"
-
 namespace lapwing::bench {
+namespace {
 
+// Counts the calls of operator new on all threads, but not the memory that libraries allocate with
+// malloc.
+std::atomic<std::uint64_t> allocation_count{0};
+
+void* allocate(std::size_t bytes, std::size_t alignment) {
+  allocation_count.fetch_add(1, std::memory_order_relaxed);
+  bytes = std::max<std::size_t>(bytes, 1);
+  void* const memory =
+      alignment <= alignof(std::max_align_t)
+          ? std::malloc(bytes)
+          // aligned_alloc requires a multiple of the alignment.
+          : std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+// Returns the sum of the processor times of all threads of this process.
 double processor_ms() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
+// Returns the largest resident size of this process since the last `forget_peak_memory`, in bytes.
+// Returns 0 if the system does not report it.
 std::uint64_t peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -28,6 +50,8 @@ void forget_peak_memory() {
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
+}  // namespace
+
 struct Meter::Reading {
   double processor_ms;
   std::uint64_t allocations;
@@ -35,7 +59,7 @@ struct Meter::Reading {
 };
 
 Meter::Reading Meter::read() const {
-  return {processor_ms(), allocation_count(),
+  return {processor_ms(), allocation_count.load(),
           context_ != nullptr ? context_->transfers() : gpu::TransferCounts{}};
 }
 
@@ -91,3 +115,23 @@ void Meter::run(Measurement& measurement, const Repeats& repeats, const std::fun
 }
 
 }  // namespace lapwing::bench
+
+// All other forms of new and delete call these.
+void* operator new(std::size_t bytes) {
+  return lapwing::bench::allocate(bytes, alignof(std::max_align_t));
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return lapwing::bench::allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}

@@ -22,13 +22,18 @@ struct Repeats {
   int least_long = 3;      ///< replaces `least` if a run takes longer than kLongRun_ms
 };
 
-/// Processor time of all threads of this process, in milliseconds.
-double processor_ms();
-
-/// Returns the largest resident size of this process since the last `forget_peak_memory`, in bytes;
-/// 0 if the system does not report it.
-std::uint64_t peak_memory();
-void forget_peak_memory();
+/// Runs `work` once to warm up, then `repeats` times. Returns the times of the repeats.
+template <typename Work>
+std::vector<double> time_runs(int repeats, Work work) {
+  work();
+  std::vector<double> milliseconds;
+  for (int i = 0; i < repeats; ++i) {
+    const Stopwatch watch;
+    work();
+    milliseconds.push_back(watch.elapsed_ms());
+  }
+  return milliseconds;
+}
 
 /// Reads clocks and counters around repeated runs of one piece of work.
 class Meter {

@@ -13,8 +13,8 @@
 #include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/elastic/prepared_region.h"
 #include "lapwing/render/surface.h"
+#include "run/bench_run.h"
 #include "run/edit_parts.h"
-#include "run/stages.h"
 
 namespace lapwing::bench {
 namespace {
@@ -23,13 +23,6 @@ namespace {
 constexpr double kSettleTolerance = 1e-3;
 // Iterations per counted run, enough to make its constant costs negligible.
 constexpr int kSettleIterations = 20;
-
-DeformOptions deform_options(const BenchRun& run) {
-  DeformOptions options;
-  options.memory_limit_bytes = run.settings().memory_bytes;
-  options.settle->tolerance = kSettleTolerance;
-  return options;
-}
 
 // Uploads the response to a device that draws; returns null without one.
 std::shared_ptr<BlendResponse> uploaded(const DragResponse& response, const Subject& subject,
@@ -84,142 +77,6 @@ std::uint64_t normals_bytes(const Subject& subject) {
   return sizeof(Index) * (corners + n) + n * (2 * sizeof(Index) + 8 * sizeof(float));
 }
 
-Measurement* measure_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                           const std::string& stage, const std::function<void()>& frame) {
-  const bool on_device = device.context != nullptr;
-  Measurement* const row = run.measure(stage, kLapwing, device, subject, frame);
-  if (row != nullptr) {
-    row->counts["bytes"] =
-        blend_bytes(subject, on_device) + (on_device ? normals_bytes(subject) : 0);
-  }
-  return row;
-}
-
-// Measures a frame by the shaders, even on a software device, where the processor usually replaces
-// them. The response is made up.
-void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  if (device.context == nullptr) return;
-  if (!run.wants("shader frame", kLapwing, device.name, subject)) return;
-  const BenchDevice staged = open_bench_device(device.name, false);
-  std::vector<Index> moving(subject.vertices());
-  std::iota(moving.begin(), moving.end(), Index{0});
-  std::vector<double> numbers(3 * moving.size() * kMotionParameters, 0.0);
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 1e-3 * static_cast<double>(i % 97);
-  Surface surface(staged.context, subject.mesh.positions, subject.mesh.topology());
-  const auto blend = upload_response(staged.context, {moving, kMotionParameters, numbers},
-                                     subject.mesh.topology());
-  surface.begin(*blend, subject.mesh.positions);
-  std::vector<double> parameters(kMotionParameters, 1e-3);
-  const auto frame = [&] {
-    surface.blend(blend, parameters);
-    surface.finish();
-  };
-  if (measure_frame(run, subject, staged, "shader frame", frame) == nullptr) return;
-  run.add_kernel("blend_response", blend_bytes(subject, true));
-  run.add_kernel("vertex_normals", normals_bytes(subject));
-}
-
-void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  const bool wanted = run.wants("first drag", kLapwing, device.name, subject) ||
-                      run.wants("preview frame", kLapwing, device.name, subject);
-  if (!wanted) return;
-  const DeformOptions options = deform_options(run);
-  MovingHandle handle(subject);
-  std::optional<ShownDrag> drag;
-  const auto make = [&] {
-    const DragPreview preview(subject.mesh.positions, subject.mesh.topology(), subject.region,
-                              options);
-    drag.emplace(subject, device, preview.response());
-    drag->move(handle.next());
-  };
-  run.measure("first drag", kLapwing, device, subject, make, [&] { drag.reset(); });
-  if (!drag) make();
-  run.measure("preview frame", kLapwing, device, subject, [&] { drag->move(handle.next()); });
-}
-
-void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                          const std::string& stage,
-                          const std::shared_ptr<const DeformSolver>& solver) {
-  MovingHandle handle(subject);
-  DragSession drag(solver);
-  // Small meshes run the whole motion, because the handle is fastest in the middle.
-  constexpr std::size_t kMostForTheWholeWay = 120'000;
-  const int frames_there_and_back =
-      subject.vertices() <= kMostForTheWholeWay ? MovingHandle::kFramesOfMotion : 0;
-  std::uint64_t iterations = 0;
-  std::uint64_t frames = 0;
-  Measurement* const row =
-      run.measure(stage, kLapwing, device, subject, frames_there_and_back, [&] {
-        iterations += static_cast<std::uint64_t>(drag.step(handle.next()).last_result.iterations);
-        ++frames;
-      });
-  // The number of iterations depends on rounding, so it is not a count.
-  if (row == nullptr || run.settings().only_counts) return;
-  row->counts["iterations"] = iterations / frames;
-}
-
-// The result of a frame depends on time, so there is no count.
-void measure_frame_in_time(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                           const std::shared_ptr<const DeformSolver>& solver) {
-  if (run.settings().only_counts) return;
-  const double budget = frame_budget_ms(subject.vertices());
-  MovingHandle handle(subject);
-  DragSession drag(solver);
-  run.measure("settle frame in time", kLapwing, device, subject, MovingHandle::kFramesOfMotion,
-              [&] {
-                const Stopwatch watch;
-                drag.step(handle.next(),
-                          [&](double ms) { return watch.elapsed_ms() + ms < budget; });
-              });
-}
-
-void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  const bool frames = run.wants("drag frame", kLapwing, device.name, subject) ||
-                      run.wants("settle frame", kLapwing, device.name, subject) ||
-                      run.wants("settle frame in time", kLapwing, device.name, subject);
-  if (!frames && !run.wants("preparation", kLapwing, device.name, subject)) return;
-  const DeformOptions options = deform_options(run);
-  MovingHandle handle(subject);
-  std::shared_ptr<const DeformSolver> solver;
-  const auto make = [&] {
-    solver = std::make_shared<const DeformSolver>(subject.mesh.positions, subject.mesh.topology(),
-                                                  subject.region, options, *device.kernels);
-    uploaded(*solver->response(), subject, device);
-  };
-  run.measure("preparation", kLapwing, device, subject, make, [&] { solver.reset(); });
-  if (!frames) return;
-  if (solver == nullptr) make();
-  ShownDrag drag(subject, device, solver->response());
-  measure_frame(run, subject, device, "drag frame", [&] { drag.move(handle.next()); });
-  measure_settle_frame(run, subject, device, "settle frame", solver);
-  measure_frame_in_time(run, subject, device, solver);
-}
-
-// Prepares everything that a settled drag needs from its first frame on.
-std::shared_ptr<DragSession> settled_drag(PreparedRegion& prepared, const Subject& subject,
-                                          const EditRegion& region, const DeformOptions& options,
-                                          const BenchDevice& device) {
-  const DragPreview preview(prepared, subject.mesh.positions, region, options);
-  auto drag =
-      std::make_shared<DragSession>(std::make_shared<const DeformSolver>(preview, *device.kernels));
-  drag->wait_until_prepared();
-  return drag;
-}
-
-// Several threads allocate, so allocations cannot be counted.
-void measure_settled_preparation(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  if (run.settings().only_counts) return;
-  if (!run.wants("settled preparation", kLapwing, device.name, subject)) return;
-  std::shared_ptr<DragSession> drag;
-  run.measure(
-      "settled preparation", kLapwing, device, subject,
-      [&] {
-        PreparedRegion prepared(subject.mesh.topology());
-        drag = settled_drag(prepared, subject, subject.region, deform_options(run), device);
-      },
-      [&] { drag.reset(); });
-}
-
 // Returns the subject's region with another handle: as many vertices, just below the original one.
 EditRegion with_other_handle(const Subject& subject) {
   EditRegion region = subject.region;
@@ -242,100 +99,238 @@ EditRegion with_other_belt(const Subject& subject) {
   return region;
 }
 
-// Prepares an edit and all that its drag needs. Returns the owner, which is destroyed before the
-// next preparation.
-using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const EditRegion&,
-                                                          const DeformOptions&)>;
+// Measures the stages of an edit on one device.
+class EditStages {
+ public:
+  EditStages(BenchRun& run, const BenchDevice& device)
+      : run_(run), subject_(run.subject()), device_(device) {
+    options_.memory_limit_bytes = run.settings().memory_bytes;
+    options_.settle->tolerance = kSettleTolerance;
+  }
 
-// Measures a preparation that follows another one of the same region. The first one and its
-// background results are destroyed by then.
-void measure_repreparation(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                           const std::string& stage, const EditRegion& region,
-                           const DeformOptions& options, const Prepare& prepare) {
-  // Each run needs another preparation before it, which takes too long on larger meshes.
-  constexpr std::size_t kMostForAgain = 120'000;
-  if (subject.vertices() > kMostForAgain) return;
-  if (!run.wants(stage, kLapwing, device.name, subject)) return;
-  PreparedRegion prepared(subject.mesh.topology());
-  std::shared_ptr<const void> again;
-  run.measure(
-      stage, kLapwing, device, subject, [&] { again = prepare(prepared, region, options); },
-      [&] {
-        again.reset();
-        prepare(prepared, subject.region, deform_options(run));
-      });
-}
+  // A function that prepares an edit for a drag and returns the object that owns the result.
+  using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const EditRegion&,
+                                                            const DeformOptions&)>;
 
-void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                       const std::string& stage, const Prepare& prepare) {
-  const DeformOptions options = deform_options(run);
-  DeformOptions other_weight = options;
-  other_weight.constraint_weight = 10.0;
-  DeformOptions other_laplacians = options;
-  other_laplacians.weights = LaplacianWeights::uniform;
-  const auto measure = [&](const char* change, const EditRegion& region,
-                           const DeformOptions& changed) {
-    measure_repreparation(run, subject, device, stage + ", other " + change, region, changed,
-                          prepare);
-  };
-  measure("handle", with_other_handle(subject), options);
-  measure("belt", with_other_belt(subject), options);
-  measure("weight", subject.region, other_weight);
-  measure("Laplacians", subject.region, other_laplacians);
-}
+  bool wants(const char* stage) const { return run_.wants(stage, device_); }
 
-void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  measure_all_again(
-      run, subject, device, "again",
-      [&](PreparedRegion& prepared, const EditRegion& region, const DeformOptions& options) {
-        auto solver = std::make_shared<const DeformSolver>(prepared, subject.mesh.positions, region,
-                                                           options, *device.kernels);
-        uploaded(*solver->response(), subject, device);
-        return solver;
-      });
+  void measure_preview() {
+    if (!wants("first drag") && !wants("preview frame")) return;
+    MovingHandle handle(subject_);
+    std::optional<ShownDrag> drag;
+    const auto make = [&] {
+      const DragPreview preview(subject_.mesh.positions, subject_.mesh.topology(), subject_.region,
+                                options_);
+      drag.emplace(subject_, device_, preview.response());
+      drag->move(handle.next());
+    };
+    run_.measure("first drag", device_, make, [&] { drag.reset(); });
+    if (!drag) make();
+    run_.measure("preview frame", device_, [&] { drag->move(handle.next()); });
+  }
+
+  // Measures the mean of many iterations from rest, on the system of a DeformSolver.
+  void measure_settle_iteration() {
+    if (!wants("settle iteration")) return;
+    const EditParts parts(subject_);
+    const LaplacianSystem system = parts.laplacian_system(subject_);
+    SettleOptions options;
+    options.max_iterations = kSettleIterations;
+    options.tolerance = 1e-300;
+    EnergyMinimizer settler(*device_.kernels, system, options);
+    Positions wanted(subject_.vertices(), Eigen::Vector3d::Zero());
+    const Eigen::Affine3d motion = subject_.motion(1.0);
+    for (const Index v : subject_.region.handles[0]) {
+      wanted[v] = motion * subject_.mesh.positions[v] - subject_.mesh.positions[v];
+    }
+    Positions u;
+    Measurement* const row = run_.measure(
+        "settle iteration", device_, [&] { settler.settle({wanted}, u); },
+        [&] { u.assign(subject_.vertices(), Eigen::Vector3d::Zero()); });
+    for (auto* const times : {&row->wall_ms, &row->cpu_ms, &row->device_ms}) {
+      for (double& ms : *times) ms /= kSettleIterations;
+    }
+    row->counts["iterations"] = kSettleIterations;
+  }
+
+  Measurement* measure_frame(const std::string& stage, const BenchDevice& device,
+                             const std::function<void()>& frame) {
+    const bool on_device = device.context != nullptr;
+    Measurement* const row = run_.measure(stage, device, frame);
+    if (row != nullptr) {
+      row->counts["bytes"] =
+          blend_bytes(subject_, on_device) + (on_device ? normals_bytes(subject_) : 0);
+    }
+    return row;
+  }
+
+  // Measures a frame that the shaders compute, even on a software device, for which the processor
+  // usually computes frames. The values of the response are arbitrary.
+  void measure_shader_frame() {
+    if (device_.context == nullptr || !wants("shader frame")) return;
+    const BenchDevice staged = open_bench_device(device_.name, false);
+    std::vector<Index> moving(subject_.vertices());
+    std::iota(moving.begin(), moving.end(), Index{0});
+    std::vector<double> numbers(3 * moving.size() * kMotionParameters, 0.0);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      numbers[i] = 1e-3 * static_cast<double>(i % 97);
+    Surface surface(staged.context, subject_.mesh.positions, subject_.mesh.topology());
+    const auto blend = upload_response(staged.context, {moving, kMotionParameters, numbers},
+                                       subject_.mesh.topology());
+    surface.begin(*blend, subject_.mesh.positions);
+    std::vector<double> parameters(kMotionParameters, 1e-3);
+    const auto frame = [&] {
+      surface.blend(blend, parameters);
+      surface.finish();
+    };
+    if (measure_frame("shader frame", staged, frame) == nullptr) return;
+    run_.add_kernel("blend_response", blend_bytes(subject_, true));
+    run_.add_kernel("vertex_normals", normals_bytes(subject_));
+  }
+
+  void measure_settle_frame(const std::shared_ptr<const DeformSolver>& solver) {
+    MovingHandle handle(subject_);
+    DragSession drag(solver);
+    // Small meshes run the whole motion, because the handle is fastest in the middle.
+    constexpr std::size_t kMostForTheWholeWay = 120'000;
+    const int frames_there_and_back =
+        subject_.vertices() <= kMostForTheWholeWay ? MovingHandle::kFramesOfMotion : 0;
+    std::uint64_t iterations = 0;
+    std::uint64_t frames = 0;
+    Measurement* const row = run_.measure(
+        "settle frame", device_,
+        [&] {
+          iterations += static_cast<std::uint64_t>(drag.step(handle.next()).last_result.iterations);
+          ++frames;
+        },
+        {}, frames_there_and_back);
+    // The number of iterations depends on rounding, so it is not a count.
+    if (row == nullptr || run_.settings().only_counts) return;
+    row->counts["iterations"] = iterations / frames;
+  }
+
+  // The result of a frame depends on time, so there is no count.
+  void measure_frame_in_time(const std::shared_ptr<const DeformSolver>& solver) {
+    if (run_.settings().only_counts) return;
+    const double budget = frame_budget_ms(subject_.vertices());
+    MovingHandle handle(subject_);
+    DragSession drag(solver);
+    run_.measure(
+        "settle frame in time", device_,
+        [&] {
+          const Stopwatch watch;
+          drag.step(handle.next(), [&](double ms) { return watch.elapsed_ms() + ms < budget; });
+        },
+        {}, MovingHandle::kFramesOfMotion);
+  }
+
+  void measure_exact() {
+    const bool frames =
+        wants("drag frame") || wants("settle frame") || wants("settle frame in time");
+    if (!frames && !wants("preparation")) return;
+    MovingHandle handle(subject_);
+    std::shared_ptr<const DeformSolver> solver;
+    const auto make = [&] {
+      solver =
+          std::make_shared<const DeformSolver>(subject_.mesh.positions, subject_.mesh.topology(),
+                                               subject_.region, options_, *device_.kernels);
+      uploaded(*solver->response(), subject_, device_);
+    };
+    run_.measure("preparation", device_, make, [&] { solver.reset(); });
+    if (!frames) return;
+    if (solver == nullptr) make();
+    ShownDrag drag(subject_, device_, solver->response());
+    measure_frame("drag frame", device_, [&] { drag.move(handle.next()); });
+    measure_settle_frame(solver);
+    measure_frame_in_time(solver);
+  }
+
+  // Prepares everything that a settled drag needs from its first frame on.
+  std::shared_ptr<DragSession> settled_drag(PreparedRegion& prepared, const EditRegion& region,
+                                            const DeformOptions& options) const {
+    const DragPreview preview(prepared, subject_.mesh.positions, region, options);
+    auto drag = std::make_shared<DragSession>(
+        std::make_shared<const DeformSolver>(preview, *device_.kernels));
+    drag->wait_until_prepared();
+    return drag;
+  }
+
   // Several threads allocate, so allocations cannot be counted.
-  if (run.settings().only_counts) return;
-  measure_all_again(
-      run, subject, device, "settled again",
-      [&](PreparedRegion& prepared, const EditRegion& region, const DeformOptions& options) {
-        return settled_drag(prepared, subject, region, options, device);
-      });
-}
+  void measure_settled_preparation() {
+    if (run_.settings().only_counts) return;
+    std::shared_ptr<DragSession> drag;
+    run_.measure(
+        "settled preparation", device_,
+        [&] {
+          PreparedRegion prepared(subject_.mesh.topology());
+          drag = settled_drag(prepared, subject_.region, options_);
+        },
+        [&] { drag.reset(); });
+  }
 
-// Measures the mean of many iterations from rest, on the system of a DeformSolver.
-void measure_settle_iteration(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  if (!run.wants("settle iteration", kLapwing, device.name, subject)) return;
-  const EditParts parts(subject);
-  const LaplacianSystem system = parts.laplacian_system(subject);
-  SettleOptions options;
-  options.max_iterations = kSettleIterations;
-  options.tolerance = 1e-300;
-  EnergyMinimizer settler(*device.kernels, system, options);
-  Positions wanted(subject.vertices(), Eigen::Vector3d::Zero());
-  const Eigen::Affine3d motion = subject.motion(1.0);
-  for (const Index v : subject.region.handles[0]) {
-    wanted[v] = motion * subject.mesh.positions[v] - subject.mesh.positions[v];
+  // Measures a preparation that follows another one of the same region. The first one and its
+  // background results are destroyed by then.
+  void measure_repreparation(const std::string& stage, const EditRegion& region,
+                             const DeformOptions& options, const Prepare& prepare) {
+    PreparedRegion prepared(subject_.mesh.topology());
+    std::shared_ptr<const void> again;
+    run_.measure(
+        stage, device_, [&] { again = prepare(prepared, region, options); },
+        [&] {
+          again.reset();
+          prepare(prepared, subject_.region, options_);
+        });
   }
-  Positions u;
-  Measurement* const row = run.measure(
-      "settle iteration", kLapwing, device, subject, [&] { settler.settle({wanted}, u); },
-      [&] { u.assign(subject.vertices(), Eigen::Vector3d::Zero()); });
-  for (auto* const times : {&row->wall_ms, &row->cpu_ms, &row->device_ms}) {
-    for (double& ms : *times) ms /= kSettleIterations;
+
+  void measure_all_again(const std::string& stage, const Prepare& prepare) {
+    DeformOptions other_weight = options_;
+    other_weight.constraint_weight = 10.0;
+    DeformOptions other_laplacians = options_;
+    other_laplacians.weights = LaplacianWeights::uniform;
+    measure_repreparation(stage + ", other handle", with_other_handle(subject_), options_, prepare);
+    measure_repreparation(stage + ", other belt", with_other_belt(subject_), options_, prepare);
+    measure_repreparation(stage + ", other weight", subject_.region, other_weight, prepare);
+    measure_repreparation(stage + ", other Laplacians", subject_.region, other_laplacians, prepare);
   }
-  row->counts["iterations"] = kSettleIterations;
-}
+
+  void measure_all_again() {
+    // Each run needs another preparation before it, which takes too long on larger meshes.
+    constexpr std::size_t kMostForAgain = 120'000;
+    if (subject_.vertices() > kMostForAgain) return;
+    measure_all_again("again", [&](PreparedRegion& prepared, const EditRegion& region,
+                                   const DeformOptions& options) {
+      auto solver = std::make_shared<const DeformSolver>(prepared, subject_.mesh.positions, region,
+                                                         options, *device_.kernels);
+      uploaded(*solver->response(), subject_, device_);
+      return solver;
+    });
+    // Several threads allocate, so allocations cannot be counted.
+    if (run_.settings().only_counts) return;
+    measure_all_again("settled again", [&](PreparedRegion& prepared, const EditRegion& region,
+                                           const DeformOptions& options) {
+      return settled_drag(prepared, region, options);
+    });
+  }
+
+ private:
+  BenchRun& run_;
+  const Subject& subject_;
+  const BenchDevice& device_;
+  DeformOptions options_;
+};
 
 }  // namespace
 
-void measure_edit_stages(BenchRun& run, const Subject& subject) {
-  for (const BenchDevice& device : run.devices()) measure_preview(run, subject, device);
-  for (const BenchDevice& device : run.devices()) measure_settle_iteration(run, subject, device);
-  for (const BenchDevice& device : run.devices()) measure_shader_frame(run, subject, device);
-  for (const BenchDevice& device : run.devices()) {
-    measure_settled_preparation(run, subject, device);
-    measure_exact(run, subject, device);
-    measure_all_again(run, subject, device);
+void measure_edit_stages(BenchRun& run) {
+  std::vector<EditStages> stages;
+  for (const BenchDevice& device : run.devices()) stages.emplace_back(run, device);
+  for (EditStages& of_device : stages) of_device.measure_preview();
+  for (EditStages& of_device : stages) of_device.measure_settle_iteration();
+  for (EditStages& of_device : stages) of_device.measure_shader_frame();
+  for (EditStages& of_device : stages) {
+    of_device.measure_settled_preparation();
+    of_device.measure_exact();
+    of_device.measure_all_again();
   }
 }
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/step/step.h"
-#include "run/stages.h"
+#include "lapwing/run/run_step.h"
+#include "run/bench_run.h"
 
 namespace lapwing::bench {
 namespace {
@@ -63,12 +63,12 @@ TransplantStep transplant_step(const Subject& subject) {
   return step;
 }
 
-void measure_step(BenchRun& run, const Subject& subject, const std::string& stage,
-                  const Step& step) {
+void measure_step(BenchRun& run, const std::string& stage, const Step& step) {
+  const Subject& subject = run.subject();
   for (const BenchDevice& device : run.devices()) {
     RunResult result;
     run.measure(
-        stage, kLapwing, device, subject,
+        stage, device,
         [&] {
           run_step(step, {1, "", *device.kernels, {}, result, {}});
         },
@@ -82,11 +82,12 @@ void measure_step(BenchRun& run, const Subject& subject, const std::string& stag
 
 }  // namespace
 
-void measure_layer_stages(BenchRun& run, const Subject& subject) {
+void measure_layer_stages(BenchRun& run) {
+  const Subject& subject = run.subject();
   if (!subject.has_relief) return;
-  measure_step(run, subject, "coat", coat_step(subject));
-  measure_step(run, subject, "mix", mix_step(subject));
-  measure_step(run, subject, "transplant", transplant_step(subject));
+  measure_step(run, "coat", coat_step(subject));
+  measure_step(run, "mix", mix_step(subject));
+  measure_step(run, "transplant", transplant_step(subject));
 }
 
 }  // namespace lapwing::bench

@@ -37,8 +37,8 @@ constexpr std::array kScans{
 // Vertices per side, for about 1,000, 10,000, 100,000, 250,000 and 1,000,000 vertices.
 constexpr std::array<Index, 5> kHillsAcross{32, 100, 316, 500, 1000};
 
-}  // namespace
-
+// Returns a sheet of `across` x `across` vertices one unit apart, with hills 30 units wide and a
+// fine relief. The wavelengths do not depend on the size of the sheet.
 Mesh hills(Index across) {
   using std::numbers::pi;
   Mesh mesh = grid(across - 1, across - 1);
@@ -64,6 +64,12 @@ EditRegion whole_mesh_region(const Mesh& mesh) {
   std::sort(region.handles[0].begin(), region.handles[0].end());
   return region;
 }
+
+std::filesystem::path path_of(const Scan& scan, const std::filesystem::path& models) {
+  return models / "cgal/meshes" / scan.file;
+}
+
+}  // namespace
 
 Eigen::Affine3d Subject::motion(double share) const {
   const Vector3d shift(0.1 * diagonal * share, 0.05 * diagonal * share, 0.0);
@@ -96,7 +102,7 @@ Subject SubjectSource::load() const {
 std::vector<SubjectSource> all_subjects(const std::filesystem::path& models) {
   std::vector<SubjectSource> subjects;
   for (const Scan& scan : kScans) {
-    const std::filesystem::path path = models / "cgal/meshes" / scan.file;
+    const std::filesystem::path path = path_of(scan, models);
     if (!std::filesystem::exists(path)) continue;
     subjects.push_back({scan.name, scan.vertices, [path, times = scan.subdivisions] {
                           Mesh mesh = read_mesh(path);
@@ -110,6 +116,16 @@ std::vector<SubjectSource> all_subjects(const std::filesystem::path& models) {
   std::stable_sort(subjects.begin(), subjects.end(),
                    [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
   return subjects;
+}
+
+std::vector<std::string> missing_scans(const std::filesystem::path& models, std::size_t least,
+                                       std::size_t most) {
+  std::vector<std::string> names;
+  for (const Scan& scan : kScans) {
+    const bool is_wanted = least <= scan.vertices && scan.vertices <= most;
+    if (is_wanted && !std::filesystem::exists(path_of(scan, models))) names.emplace_back(scan.name);
+  }
+  return names;
 }
 
 }  // namespace lapwing::bench

@@ -61,11 +61,8 @@ struct SubjectSource {
 /// generated hills, one at every order of magnitude from 1,000 to 1,000,000 vertices.
 std::vector<SubjectSource> all_subjects(const std::filesystem::path& models);
 
-/// Returns a square sheet of `across` x `across` vertices one unit apart, with hills 30 units wide
-/// under a fine relief, the same at every size.
-Mesh hills(Index across);
-
-/// Returns a Subject's region of a whole mesh.
-EditRegion whole_mesh_region(const Mesh& mesh);
+/// Returns the names of the scans of `least` to `most` vertices that the folder `models` lacks.
+std::vector<std::string> missing_scans(const std::filesystem::path& models, std::size_t least,
+                                       std::size_t most);
 
 }  // namespace lapwing::bench

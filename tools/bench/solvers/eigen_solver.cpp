@@ -1,7 +1,8 @@
 #include <Eigen/SparseCholesky>
 
-#include "lapwing/solve/scalar_lower.h"
+#include "lapwing/solve/ordering.h"
 #include "solvers/peer_solvers.h"
+#include "solvers/scalar_lower.h"
 
 namespace lapwing::bench {
 namespace {

@@ -10,10 +10,7 @@ namespace lapwing::bench {
 std::unique_ptr<BlockSolver> make_eigen_solver();
 
 #ifdef LAPWING_HAVE_CHOLMOD
-/// CHOLMOD's order: its own of the scalar graph, or the given order of the blocks.
-enum class CholmodOrdering { amd, metis, blocks };
-
-/// CHOLMOD's supernodal Cholesky, to compare with.
+/// Returns a solver that uses CHOLMOD's supernodal Cholesky with the given order of the blocks.
 std::unique_ptr<BlockSolver> make_cholmod_solver();
 #endif
 

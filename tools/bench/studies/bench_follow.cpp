@@ -13,14 +13,12 @@
 #include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/turn_tracker.h"
-#include "lapwing/elastic/prepared_region.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/subdivide.h"
-#include "run/measure.h"
+#include "report/report.h"
 #include "run/subject.h"
-#include "studies/real/ends_motion.h"
-#include "studies/real/held_region.h"
+#include "studies/ends_motion.h"
 #include "studies/studies.h"
 
 namespace lapwing::bench {
@@ -34,7 +32,7 @@ using Eigen::Vector3d;
 constexpr int kFrames = 30;
 constexpr std::chrono::microseconds kFrameInterval{1'000'000 / 60};
 constexpr double kRest_ms = 500.0;
-// By then, background work for the first rest is done.
+// The benchmark waits this long before a drag, so that background work can end.
 constexpr std::chrono::milliseconds kBeforeDrag{1000};
 constexpr double kLongestRest_ms = 10'000.0;
 // Time of a frame while the hand rests, as in the viewer.
@@ -43,17 +41,14 @@ constexpr int kFramesPerCheck = 5;
 
 class FollowedEdit {
  public:
-  FollowedEdit(const Mesh& mesh, EndsMotion motion, bool again)
+  FollowedEdit(const Mesh& mesh, EndsMotion motion)
       : mesh_(mesh),
         ends_(moved_ends(motion, mesh.positions)),
         region_(held_region(ends_, mesh.positions, mesh.topology()).region),
         centroid_(handle_frame(region_.handles[0], mesh.positions).centroid),
         diagonal_(bounds_of(mesh.positions).diagonal()),
-        prepared_(mesh.topology()) {
-    if (again) prepare_other(motion);
-    solver_ = std::make_shared<const DeformSolver>(prepared_, mesh.positions, region_,
-                                                   DeformParameters{}, kernels_);
-  }
+        solver_(std::make_shared<const DeformSolver>(mesh.positions, mesh.topology(), region_,
+                                                     DeformParameters{}, kernels_)) {}
 
   Affine3d part(double share) const {
     return partial_motion(ends_.map, shortest_turn(ends_.map), centroid_, share);
@@ -90,16 +85,6 @@ class FollowedEdit {
  private:
   static constexpr int kMostFrames = 5;  // of 200 iterations each
 
-  // Prepares and drops a drag with another handle and another belt.
-  void prepare_other(EndsMotion motion) {
-    const EndsMotion other = motion == EndsMotion::lift ? EndsMotion::lean : EndsMotion::lift;
-    DragSession(std::make_shared<const DeformSolver>(prepared_, mesh_.positions,
-                                                     held_region(moved_ends(other, mesh_.positions),
-                                                                 mesh_.positions, mesh_.topology())
-                                                         .region,
-                                                     DeformParameters{}, kernels_))
-        .wait_until_prepared();
-  }
   Positions displaced(const DragState& pose) const {
     Positions positions = mesh_.positions;
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
@@ -120,73 +105,87 @@ class FollowedEdit {
   Vector3d centroid_;
   double diagonal_;
   mutable CpuKernels kernels_;
-  PreparedRegion prepared_;
   std::shared_ptr<const DeformSolver> solver_;
   mutable std::shared_ptr<const DragResponse> response_;
   mutable std::unique_ptr<DragSession> reference_;
 };
 
-void follow(const FollowBench& settings, const std::string& name, const Mesh& mesh,
-            EndsMotion motion) {
-  const FollowedEdit edit(mesh, motion, settings.again);
-  const double budget =
-      settings.budget_ms > 0.0 ? settings.budget_ms : frame_budget_ms(mesh.vertex_count());
-  Samples frames;
-  DragSession drag(edit.solver());
-  const DragState& pose = drag.state();
-  const auto frame = [&](double share, const TimeBudget& go_on) {
-    drag.step(std::array{edit.part(share)}, go_on);
-  };
-  const Stopwatch preparing;
-  drag.wait_until_prepared();
-  const double ready_ms = preparing.elapsed_ms();
-  if (!settings.at_once) std::this_thread::sleep_for(kBeforeDrag);
-  const Stopwatch first;
-  frame(0.0, {});
-  const double first_ms = first.elapsed_ms();
-  int iterations = 0;
-  // Checked at the end: during the drag, a check would give background work extra time.
-  std::vector<std::pair<double, DragState>> checked;
-  for (int k = 1; k <= kFrames; ++k) {
-    const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
-    const auto next = std::chrono::steady_clock::now() + kFrameInterval;
-    const Stopwatch watch;
-    frame(share, [&](double ms) { return watch.elapsed_ms() + ms < budget; });
-    frames.milliseconds.push_back(watch.elapsed_ms());
-    iterations += pose.last_result.iterations;
-    if (k % kFramesPerCheck == 0) checked.emplace_back(share, pose);
-    // Background work has the rest of a sixtieth of a second.
-    std::this_thread::sleep_until(next);
+// Drags the handle of an edit frame by frame and records the times in milliseconds.
+class FollowedDrag {
+ public:
+  FollowedDrag(const FollowedEdit& edit, double budget_ms)
+      : edit_(edit), budget_ms_(budget_ms), drag_(edit.solver()) {
+    drag_.wait_until_prepared();
+    std::this_thread::sleep_for(kBeforeDrag);
+    step(0.0, {});
   }
-  double rest_ms = 0.0;
-  double longest_ms = 0.0;
-  const auto rest_until = [&](double end_ms) {
-    while (rest_ms < end_ms && !pose.last_result.settled && !pose.last_result.exhausted) {
+
+  // Moves the handle along the whole motion. Returns some poses, each with its share of the motion.
+  // The caller checks them after the drag, because a check gives background work extra time.
+  std::vector<std::pair<double, DragState>> move() {
+    std::vector<std::pair<double, DragState>> poses;
+    for (int k = 1; k <= kFrames; ++k) {
+      const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
+      const auto next = std::chrono::steady_clock::now() + kFrameInterval;
       const Stopwatch watch;
-      frame(1.0, [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < kRestFrame_ms; });
-      longest_ms = std::max(longest_ms, watch.elapsed_ms());
+      step(share, [&](double ms) { return watch.elapsed_ms() + ms < budget_ms_; });
+      frames_ms.push_back(watch.elapsed_ms());
+      iterations += drag_.state().last_result.iterations;
+      if (k % kFramesPerCheck == 0) poses.emplace_back(share, drag_.state());
+      // Background work has the rest of a sixtieth of a second.
+      std::this_thread::sleep_until(next);
+    }
+    return poses;
+  }
+
+  // Computes frames with the handle at rest until the surface has settled, or until `end_ms` after
+  // the motion.
+  const DragState& rest_until(double end_ms) {
+    const MinimizerResult& last = drag_.state().last_result;
+    while (rest_ms < end_ms && !last.settled && !last.exhausted) {
+      const Stopwatch watch;
+      step(1.0, [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < kRestFrame_ms; });
       rest_ms += watch.elapsed_ms();
     }
-  };
-  rest_until(kRest_ms);
-  const DragState rested = pose;
-  rest_until(kLongestRest_ms);
+    return drag_.state();
+  }
+
+  std::vector<double> frames_ms;
+  int iterations = 0;
+  double rest_ms = 0.0;
+
+ private:
+  void step(double share, const TimeBudget& go_on) {
+    drag_.step(std::array{edit_.part(share)}, go_on);
+  }
+
+  const FollowedEdit& edit_;
+  double budget_ms_;
+  DragSession drag_;
+};
+
+void follow(const FollowBench& settings, const std::string& name, const Mesh& mesh,
+            EndsMotion motion) {
+  const FollowedEdit edit(mesh, motion);
+  const double budget_ms =
+      settings.budget_ms > 0.0 ? settings.budget_ms : frame_budget_ms(mesh.vertex_count());
+  FollowedDrag drag(edit, budget_ms);
+  const auto checked = drag.move();
+  const DragState rested = drag.rest_until(kRest_ms);
+  drag.rest_until(kLongestRest_ms);
   const double rest_off = edit.off_percent(1.0, rested);
   double off = 0.0;
   double linear_off = 0.0;
-  for (const auto& [share, of_frame] : checked) {
+  for (const auto& [share, pose] : checked) {
     Positions settled;
-    off = std::max(off, edit.off_percent(share, of_frame, &settled));
+    off = std::max(off, edit.off_percent(share, pose, &settled));
     linear_off = std::max(linear_off, edit.distance_percent(edit.linear(share), settled));
   }
-  std::printf(
-      "| %-20s | %-4s | %9zu | %7.0f | %7.1f | %6.0f | %6.2f | %6.2f | %5.2f | %6.2f | %6.2f | "
-      "%8.4f | "
-      "%7.0f | "
-      "%7.0f |\n",
-      name.c_str(), std::string(name_of(motion)).c_str(), mesh.vertex_count(), ready_ms, first_ms,
-      budget, frames.median(), frames.max(), static_cast<double>(iterations) / kFrames, off,
-      linear_off, rest_off, rest_ms, longest_ms);
+  std::printf("%-20s %-5s %9zu %7.0f %7.2f %7.2f %6.2f %7.2f %7.2f %8.4f %8.0f\n", name.c_str(),
+              std::string(name_of(motion)).c_str(), mesh.vertex_count(), budget_ms,
+              median_of(drag.frames_ms), *std::ranges::max_element(drag.frames_ms),
+              static_cast<double>(drag.iterations) / kFrames, off, linear_off, rest_off,
+              drag.rest_ms);
   std::fflush(stdout);
 }
 
@@ -194,18 +193,14 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
 
 void bench_follow(const FollowBench& settings) {
   std::printf(
-      "A drag of half a second, begun %s what frames without time need is there (ready),%s\n"
-      "each frame in a given time: how far a vertex is at most from what the frame would settle "
-      "to,\n"
-      "in percent of the diagonal, beside the linear response; and so half a second after the "
-      "hand\n"
-      "has come to rest; when it has settled then, and the longest frame until then. In ms.\n\n"
-      "| mesh                 |      |  vertices | ready   | first   | given  | median | most   "
-      "| its.  | off    | linear | rest     | settled | longest |\n"
-      "|----------------------|------|----------:|--------:|--------:|-------:|-------:|-------:"
-      "|------:|-------:|-------:|---------:|--------:|--------:|\n",
-      settings.at_once ? "when" : "a second after",
-      settings.again ? "\nmade ready after one with another handle and another belt," : "");
+      "Drags of half a second, each frame in a time budget. \"off\" is the largest distance of a\n"
+      "vertex from the settled surface in percent of the diagonal: of frames, of the linear "
+      "response,\n"
+      "and half a second after the drag. \"settled\" is the time from the end of the drag. In "
+      "ms.\n\n"
+      "%-20s %-5s %9s %7s %7s %7s %6s %7s %7s %8s %8s\n",
+      "mesh", "", "vertices", "budget", "median", "most", "iter.", "off", "linear", "rest",
+      "settled");
   for (const std::string& file : settings.meshes) {
     const std::string name = std::filesystem::path(file).stem().string();
     try {
@@ -213,7 +208,7 @@ void bench_follow(const FollowBench& settings) {
       for (int k = 0; k < settings.subdivisions; ++k) mesh = subdivide(mesh);
       for (const EndsMotion motion : kEndsMotions) follow(settings, name, mesh, motion);
     } catch (const Error& error) {
-      std::printf("| %-20s | %s\n", name.c_str(), error.what());
+      std::printf("%-20s %s\n", name.c_str(), error.what());
     }
   }
 }

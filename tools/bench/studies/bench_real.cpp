@@ -1,24 +1,208 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/printable_text.h"
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/deform/deform_solver.h"
+#include "lapwing/io/atomic_file.h"
 #include "lapwing/io/file_bytes.h"
+#include "lapwing/io/mesh_file.h"
 #include "lapwing/io/mesh_format.h"
-#include "report/text_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "report/number_text.h"
 #include "run/apart.h"
+#include "run/cgal_arap.h"
 #include "run/host.h"
-#include "studies/real/ends_motion.h"
-#include "studies/real/real_json.h"
-#include "studies/real/real_table.h"
-#include "studies/real_methods.h"
+#include "studies/ends_motion.h"
+#include "studies/real_report.h"
 #include "studies/studies.h"
 
 namespace lapwing::bench {
 namespace {
 
 namespace fs = std::filesystem;
+using Eigen::Affine3d;
+
+constexpr std::size_t kLeastVertices = 100;
+
+// One motion of one mesh, ready to run.
+struct RealEdit {
+  const Mesh& mesh;
+  const std::vector<double>& weights;  // for the detail error
+  EditRegion region;
+  Affine3d map;
+  std::size_t run;  // index of the edit's run in RealMesh::runs
+};
+
+// Only the linear response, which drags use.
+DeformOptions linear_options() {
+  DeformOptions options = DeformParameters{};
+  options.settle.reset();
+  return options;
+}
+
+// Returns the largest ratio of length to rest length among the edges at the vertices `rows`. The
+// ratio is 1 without stretch. Ignores edges whose rest length is zero.
+double largest_edge_ratio(std::span<const Index> rows, const Topology& topology,
+                          std::span<const Eigen::Vector3d> rest,
+                          std::span<const Eigen::Vector3d> current) {
+  double largest = 0.0;
+  for (const Index i : rows) {
+    for (const Index j : topology.rings[i]) {
+      const double was = (rest[i] - rest[j]).norm();
+      if (was > 0.0) largest = std::max(largest, (current[i] - current[j]).norm() / was);
+    }
+  }
+  return largest;
+}
+
+// Measures the deformed shape. Throws SolverError if a measure is not finite.
+void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutcome& outcome) {
+  const Positions& rest = edit.mesh.positions;
+  Certificate measures;
+  measure_region(edit.region, edit.mesh.topology(), edit.weights, rest, positions, measures);
+  outcome.flipped_triangles = measures.flipped_triangles;
+  // The detail error is NaN if the surface is flat, because it then has no details to lose.
+  outcome.detail_error = std::isnan(measures.detail_error) ? 0.0 : measures.detail_error;
+  outcome.edge_stretch = measures.edge_stretch;
+  outcome.largest_edge = largest_edge_ratio(edit.region.roi, edit.mesh.topology(), rest, positions);
+  outcome.measured = measures.all_finite && std::isfinite(outcome.detail_error) &&
+                     std::isfinite(outcome.edge_stretch) && std::isfinite(outcome.largest_edge);
+  if (!outcome.measured) throw SolverError("not finite");
+}
+
+void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutcome& outcome) {
+  CpuKernels kernels;
+  const Stopwatch preparing;
+  const DeformSolver deformer(edit.mesh.positions, edit.mesh.topology(), edit.region, options,
+                              kernels);
+  outcome.prepare_ms = preparing.elapsed_ms();
+  const Stopwatch solving;
+  const DeformResult result = deformer.solve(std::array{edit.map});
+  outcome.solve_ms = solving.elapsed_ms();
+  outcome.settled = result.certificate.settled;
+  outcome.iterations = result.certificate.settle_iterations;
+  measure_outcome(edit, result.positions, outcome);
+}
+
+void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int most_iterations,
+                    [[maybe_unused]] RealOutcome& outcome) {
+#ifdef LAPWING_HAVE_CGAL
+  const Stopwatch preparing;
+  const auto arap = make_cgal_arap(edit.mesh, edit.region, ArapVariant::original);
+  arap->prepare();
+  outcome.prepare_ms = preparing.elapsed_ms();
+  const Stopwatch solving;
+  arap->move(std::array{edit.map});
+  constexpr double kArapTolerance = 1e-6;  // relative change of the energy
+  outcome.iterations = arap->iterate(most_iterations, kArapTolerance);
+  outcome.solve_ms = solving.elapsed_ms();
+  outcome.settled = outcome.iterations < most_iterations;
+  measure_outcome(edit, arap->positions(), outcome);
+#else
+  throw Error("not built with CGAL");
+#endif
+}
+
+// Shortens the message of an exception for a table. The advice after a semicolon is omitted.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kMostCharacters = 90;
+  return clipped(message.substr(0, message.find(';')), kMostCharacters);
+}
+
+// Runs `work`. An exception becomes the outcome's failure.
+template <class Work>
+void try_to(const Work& work, RealOutcome& outcome) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    outcome.measured = false;
+    outcome.failure = shortened(error.what());
+  }
+}
+
+// Returns why the study passes over a mesh; empty if it does not.
+std::string skip_reason(const Mesh& mesh, std::size_t most_vertices) {
+  const std::size_t n = mesh.vertex_count();
+  if (mesh.topology().triangles.empty()) return "no triangles";
+  if (n < kLeastVertices) return "fewer than " + grouped(kLeastVertices) + " vertices";
+  if (most_vertices > 0 && n > most_vertices)
+    return "more than " + grouped(most_vertices) + " vertices";
+  return {};
+}
+
+// Returns the edits that have a region. Adds a run for each motion to `all`, also for an edit that
+// fails.
+std::vector<RealEdit> ready_edits(const Mesh& mesh, const std::vector<double>& weights,
+                                  const std::string& name, RealMesh& all) {
+  const Topology& topology = mesh.topology();
+  std::vector<RealEdit> ready;
+  for (const EndsMotion motion : kEndsMotions) {
+    RealRun& run = all.runs.emplace_back();
+    run.mesh = name;
+    run.motion = name_of(motion);
+    run.vertices = mesh.vertex_count();
+    run.triangles = topology.triangles.size();
+    try {
+      const MovedEnds ends = moved_ends(motion, mesh.positions);
+      HeldRegion held = held_region(ends, mesh.positions, topology);
+      run.left_out = held.left_out;
+      ready.push_back({mesh, weights, std::move(held.region), ends.map, all.runs.size() - 1});
+    } catch (const InputError& error) {
+      run.failure = shortened(error.what());
+    }
+  }
+  return ready;
+}
+
+// Deforms one mesh by both motions with every method, ours first. Calls `done` with all results so
+// far after each of them. The runs contain `name` as the name of the mesh.
+void run_real_mesh(const fs::path& path, const std::string& name, const RealBench& settings,
+                   const std::function<void(const RealMesh&)>& done) {
+  RealMesh all;
+  Mesh mesh;
+  try {
+    mesh = read_mesh(path);
+    all.passed_over = skip_reason(mesh, settings.most_vertices);
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    const std::string place = path.string();
+    all.passed_over =
+        shortened(message.starts_with(place) ? "not read" + message.substr(place.size()) : message);
+  }
+  if (!all.passed_over.empty()) {
+    done(all);
+    return;
+  }
+  // All methods are measured with these weights.
+  const std::vector<double> weights =
+      laplacian_weights(mesh.topology(), mesh.positions, DeformParameters{}.weights);
+  const std::vector<RealEdit> edits = ready_edits(mesh, weights, name, all);
+  done(all);
+  const int most = settings.arap_iterations;
+  const auto deform_all = [&](RealOutcome RealRun::*outcome, const auto& deform) {
+    for (const RealEdit& edit : edits) {
+      RealOutcome& result = all.runs[edit.run].*outcome;
+      try_to([&] { deform(edit, result); }, result);
+      done(all);
+    }
+  };
+  deform_all(&RealRun::ours, [](const RealEdit& edit, RealOutcome& outcome) {
+    deform_by_ours(edit, DeformParameters{}, outcome);
+  });
+  deform_all(&RealRun::linear, [](const RealEdit& edit, RealOutcome& outcome) {
+    deform_by_ours(edit, linear_options(), outcome);
+  });
+  deform_all(&RealRun::arap, [most](const RealEdit& edit, RealOutcome& outcome) {
+    deform_by_cgal(edit, most, outcome);
+  });
+}
 
 struct MeshFile {
   fs::path path;
@@ -55,17 +239,14 @@ std::vector<MeshFile> mesh_files(const RealBench& settings) {
       files.push_back({path, path.filename().generic_string()});
     } else {
       throw IoError("there is no " + path.string() +
-                    "; `tools/setup/fetch-models build/models` fetches the meshes");
+                    "; `tools/setup/fetch-models build/models` fetches the meshes; or give the "
+                    "files or folders to measure");
     }
   }
   std::erase_if(files, [&](const MeshFile& file) {
     return file.name.find(settings.only) == std::string::npos;
   });
   return files;
-}
-
-void fail_what_is_missing(RealOutcome& outcome, const std::string& failure) {
-  if (!outcome.measured && outcome.failure.empty()) outcome.failure = failure;
 }
 
 // Parses the last complete line. Returns an empty RealMesh if there is none.
@@ -82,7 +263,7 @@ RealMesh last_of(const std::string& lines) {
 RealMesh run_apart(const MeshFile& file, const RealBench& settings) {
   const Told told = run_in_child_process(
       [&](const auto& tell) {
-        run_real_mesh(file.path, file.name, {settings.most_vertices, settings.arap_iterations},
+        run_real_mesh(file.path, file.name, settings,
                       [&](const RealMesh& so_far) { tell(to_json_line(so_far)); });
       },
       settings.seconds);
@@ -98,23 +279,24 @@ RealMesh run_apart(const MeshFile& file, const RealBench& settings) {
   }
   for (RealRun& run : mesh.runs) {
     if (!run.failure.empty()) continue;
-    for (RealOutcome* outcome : {&run.ours, &run.linear, &run.arap, &run.smooth_arap}) {
-      fail_what_is_missing(*outcome, failure);
+    for (RealOutcome* outcome : {&run.ours, &run.linear, &run.arap}) {
+      if (!outcome->measured && outcome->failure.empty()) outcome->failure = failure;
     }
   }
   return mesh;
 }
 
-void write_all(const RealBench& settings, const RealReport& report) {
-  if (!settings.json.empty()) write_text(settings.json, to_json(report));
-  if (!settings.markdown.empty()) write_text(settings.markdown, markdown_of(report));
+void write_json(const RealBench& settings, const RealReport& report) {
+  if (!settings.json.empty()) replace_file(settings.json, to_json(report));
 }
 
 RealReport measured_report(const RealBench& settings) {
   const Stopwatch watch;
   const Host host = this_host();
   RealReport report{now_utc(), built_from(), host.processor, host.threads};
-  for (const MeshFile& file : mesh_files(settings)) {
+  const std::vector<MeshFile> files = mesh_files(settings);
+  std::fputs(real_heading().c_str(), stdout);
+  for (const MeshFile& file : files) {
     const RealMesh mesh = run_apart(file, settings);
     if (!mesh.passed_over.empty()) report.passed_over.push_back({file.name, mesh.passed_over});
     for (const RealRun& run : mesh.runs) {
@@ -124,7 +306,7 @@ RealReport measured_report(const RealBench& settings) {
     std::fflush(stdout);
     report.seconds = watch.elapsed_ms() / 1e3;
     // Write after each mesh, so that a failure does not lose earlier results.
-    write_all(settings, report);
+    write_json(settings, report);
   }
   return report;
 }
@@ -132,19 +314,17 @@ RealReport measured_report(const RealBench& settings) {
 }  // namespace
 
 void bench_real(const RealBench& settings) {
-  for (const std::string& path : {settings.json, settings.markdown}) {
-    if (!path.empty()) require_writable(path);
-  }
-  std::fputs(real_heading().c_str(), stdout);
+  if (!settings.json.empty()) require_replaceable(settings.json);
   RealReport report;
   if (settings.show.empty()) {
     report = measured_report(settings);
   } else {
     report = parse_real_report(FileBytes::read(settings.show).view(), settings.show);
+    std::fputs(real_heading().c_str(), stdout);
     for (const RealRun& run : report.runs) std::fputs(line_of(run).c_str(), stdout);
   }
   std::printf("\n%s", text_of(report).c_str());
-  write_all(settings, report);
+  write_json(settings, report);
 }
 
 }  // namespace lapwing::bench

@@ -22,10 +22,6 @@ class MeshArrays:
     materials: np.ndarray  #: int32, the material slot of each polygon
 
     @property
-    def diagonal(self) -> float:
-        return float(np.linalg.norm(np.ptp(self.vertices, axis=0))) if len(self.vertices) else 0.0
-
-    @property
     def starts(self) -> np.ndarray:
         return np.cumsum(self.sizes) - self.sizes
 

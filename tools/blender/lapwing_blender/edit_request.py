@@ -101,6 +101,15 @@ def edited_object(context: bpy.types.Context) -> bpy.types.Object | None:
     return obj
 
 
+def has_mesh(context: bpy.types.Context) -> bool:
+    return context.object is not None and context.object.type == "MESH"
+
+
+def has_edited(context: bpy.types.Context) -> bool:
+    obj = edited_object(context)
+    return obj is not None and obj.type == "MESH"
+
+
 def gather(obj: bpy.types.Object) -> Iterator[None]:
     """Yields while it reads. Its value is the EditRequest."""
     settings = settings_of(obj)

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds the engine: the Python module `lapwing`, or else the program."""
+"""Finds the engine: the Python module `lapwing`, or else the program. What both return."""
 
 from __future__ import annotations
 
 import importlib
 import os
+import re
 import shutil
 import subprocess
 import sys
+from dataclasses import dataclass, field
 from typing import Any, Callable, List, Optional, Tuple
 
+from .arrays import MeshArrays
 from .errors import Refusal
 
 #: Major and minor version of the engine that this add-on needs.
@@ -17,7 +20,25 @@ VERSION = (0, 1)
 
 Progress = Callable[[str, float], bool]
 
+#: The file or step, and the place in it, at the beginning of the engine's messages. A user who
+#: pressed a button does not know the recipe.
+_PLACE = re.compile(r"^(note: )?((\w+\.json|recipe|Deformer|deform|peel|step \d+): )*(/[\w/]*: )?")
+
 _found: dict = {}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The result of an operation of the engine."""
+
+    mesh: MeshArrays
+    warnings: List[str] = field(default_factory=list)
+
+
+def in_words(message: str) -> str:
+    """Returns a message of the engine as one sentence for Blender's report."""
+    words = _PLACE.sub("", " ".join(message.split()))
+    return words[:1].upper() + words[1:]
 
 
 def engine(path: str = "") -> Any:

@@ -13,9 +13,8 @@ from typing import Any, Dict, List, Mapping, Sequence, Tuple
 import numpy as np
 
 from .arrays import MeshArrays
-from .engine import Progress
+from .engine import Outcome, Progress, in_words
 from .errors import Cancelled, Refusal
-from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
 from .response import HandleFrame, moved_handles, unit_motions
 

@@ -8,8 +8,8 @@ from bpy.props import BoolProperty, StringProperty
 
 from . import live_mesh, recipe_store, session
 from .background import EngineOperator, Work, warn
-from .edit_request import check_object, edited_object, gather, return_handles
-from .operator_parts import Refusing, has_edited
+from .edit_request import check_object, edited_object, gather, has_edited, return_handles
+from .errors import Refusing
 from .preferences import chosen_engine
 from .settings import put_at_rest, settings_of
 

@@ -12,11 +12,10 @@ from bpy_extras.io_utils import ExportHelper
 from . import live_mesh, recipe_store, surface_result
 from .arrays import object_arrays, to_local, world_matrix
 from .background import EngineOperator, Work, finished, warn
-from .edit_request import check_object
-from .errors import Refusal
-from .operator_parts import Refusing, has_mesh
+from .edit_request import check_object, has_mesh
+from .engine import Outcome
+from .errors import Refusal, Refusing
 from .operators_surface import other_object
-from .outcome import Outcome
 from .ply import write_ply
 from .preferences import chosen_engine
 from .settings import settings_of

@@ -6,9 +6,8 @@ import numpy as np
 from bpy.props import EnumProperty, FloatProperty
 
 from .arrays import coordinates_of, rest_points, transformed, world_matrix
-from .edit_request import check_object, edited_object
-from .errors import Refusal
-from .operator_parts import Refusing, has_edited, has_mesh
+from .edit_request import check_object, edited_object, has_edited, has_mesh
+from .errors import Refusal, Refusing
 from .regions import free_name, masked_vertices, selected_vertices, set_group
 from .settings import PROFILES, put_at_rest, settings_of
 

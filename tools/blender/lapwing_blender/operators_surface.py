@@ -10,10 +10,9 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, St
 from . import recipe_store, surface_result
 from .arrays import object_arrays, world_matrix
 from .background import EngineOperator, Work, warn
-from .edit_request import check_object
+from .edit_request import check_object, has_mesh
+from .engine import Outcome
 from .errors import Refusal
-from .operator_parts import has_mesh
-from .outcome import Outcome
 from .preferences import chosen_engine
 from .regions import Region, chosen_region, named_region
 from .settings import PROFILES, settings_of
@@ -113,44 +112,54 @@ def source_region(obj: bpy.types.Object, group: str) -> Region:
     return (yield from named_region(obj, group, "The source's region"))
 
 
-def disk_of(region: Dict[str, Any], wanted: bool) -> Dict[str, Any]:
-    return {"disk_in": region} if wanted else region
-
-
 def check_positive(value: float, what: str) -> float:
     if value <= 0.0:
         raise Refusal(f"{what} is 0; give the length below which a feature is detail")
     return value
 
 
-class LAPWING_OT_coat(SurfaceOperator, bpy.types.Operator):
+class SourceOperator(SurfaceOperator):
+    """Mixin for operators that take detail from another mesh object."""
+
+    source: StringProperty(name="Source", description="Without it, the other selected mesh")
+    source_group: StringProperty(name="Source Group", description="Where the detail is taken; all without it")
+    detail_size: length("Detail Size", "Of the source: what is smaller is its detail", 0.1)
+    find_disk: BoolProperty(name="Find Disks", default=True,
+                            description="Take the largest disk in each region, if it is none itself")
+
+    def disk_of(self, region: Dict[str, Any]) -> Dict[str, Any]:
+        return {"disk_in": region} if self.find_disk else region
+
+    def patch_of(self, source: bpy.types.Object) -> Region:
+        return self.disk_of((yield from source_region(source, self.source_group)))
+
+    def target_patch(self, context: bpy.types.Context, obj: bpy.types.Object) -> Region:
+        return self.disk_of((yield from self.target(context, obj)))
+
+
+class LAPWING_OT_coat(SourceOperator, bpy.types.Operator):
     bl_idname = "lapwing.coat"
     bl_label = "Coat"
     bl_description = "Puts the fine detail of the other selected mesh on a part of the active one"
     bl_options = {"REGISTER", "UNDO"}
 
-    source: StringProperty(name="Source", description="Without it, the other selected mesh")
-    source_group: StringProperty(name="Source Group", description="Where the detail is taken; all without it")
-    detail_size: length("Detail Size", "Of the source: what is smaller is its detail", 0.1)
     smooth_target: length("Smooth Target", "Features of the target smaller than this go first; 0 keeps them")
     amplitude: FloatProperty(name="Amplitude", default=1.0, description="Of the detail; negative engraves")
-    find_disk: BoolProperty(name="Find Disks", default=True,
-                            description="Take the largest disk in each region, if it is none itself")
     shown = ("source", "source_group", "detail_size", "smooth_target", "amplitude", "find_disk")
 
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         other = other_object(context, self.source, "The source")
         step = {
             "op": "coat", "source": "source.ply",
-            "source_patch": disk_of((yield from source_region(other, self.source_group)), self.find_disk),
-            "target_patch": disk_of((yield from self.target(context, obj)), self.find_disk),
+            "source_patch": (yield from self.patch_of(other)),
+            "target_patch": (yield from self.target_patch(context, obj)),
             "detail_size": check_positive(self.detail_size, "The detail size"),
             "smooth_target": self.smooth_target, "amplitude": self.amplitude,
         }
         return step, {"source.ply": other.name}
 
 
-class LAPWING_OT_mix(SurfaceOperator, bpy.types.Operator):
+class LAPWING_OT_mix(SourceOperator, bpy.types.Operator):
     bl_idname = "lapwing.mix"
     bl_label = "Mix"
     bl_description = (
@@ -159,22 +168,17 @@ class LAPWING_OT_mix(SurfaceOperator, bpy.types.Operator):
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    source: StringProperty(name="Source", description="Without it, the other selected mesh")
-    source_group: StringProperty(name="Source Group", description="Where the detail is taken; all without it")
-    detail_size: length("Detail Size", "Of the source: what is smaller is its detail", 0.1)
     own_detail_size: length("Own Detail Size", "Of the target: what is smaller is its detail", 0.1)
     own_radius: length("Own Within", "Within this distance of the 3D cursor the detail is the target's own", 0.1)
     width: length("Width", "Over which one detail goes over into the other; 0 is a step", 0.2)
     profile: EnumProperty(items=PROFILES, name="Profile")
-    find_disk: BoolProperty(name="Find Disks", default=True,
-                            description="Take the largest disk in each region, if it is none itself")
     shown = ("source", "source_group", "detail_size", "own_detail_size", "own_radius", "width",
              "profile", "find_disk")
 
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         other = other_object(context, self.source, "The source")
-        target = disk_of((yield from self.target(context, obj)), self.find_disk)
-        patch = disk_of((yield from source_region(other, self.source_group)), self.find_disk)
+        target = yield from self.target_patch(context, obj)
+        patch = yield from self.patch_of(other)
         cursor = [float(x) for x in context.scene.cursor.location]
         own = check_positive(self.own_detail_size, "The own detail size")
         step = {

@@ -8,10 +8,10 @@ from typing import Any
 import bpy
 
 from . import session
-from .edit_request import edited_object
-from .operator_parts import has_mesh
+from .edit_request import edited_object, has_mesh
 from .recipe_store import edits_of
 from .settings import settings_of
+from .wrapped_text import draw_text
 
 
 class LAPWING_UL_handles(bpy.types.UIList):
@@ -47,10 +47,10 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
             return
         settings = settings_of(obj)
         if session.has_session(obj):
-            self._draw_live(layout, session.session_of(obj))
+            self._draw_live(context, session.session_of(obj))
             return
         if why := session.why_ended(obj):
-            _draw_text(layout, why)
+            draw_text(layout, context, why, icon="ERROR")
         column = layout.column()
         _draw_region(column, obj, settings, "roi", "Region")
         if context.mode in ("SCULPT", "OBJECT"):
@@ -93,12 +93,13 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
         if settings.is_live:
             layout.operator("lapwing.cancel", icon="X")
 
-    def _draw_live(self, layout: Any, live: session.Session) -> None:
+    def _draw_live(self, context: bpy.types.Context, live: session.Session) -> None:
+        layout = self.layout
         layout.label(text="Live: move the Empties", icon="EMPTY_AXIS")
         layout.label(text="Settled" if live.is_settled else "Settling ...",
                      icon="CHECKMARK" if live.is_settled else "SORTTIME")
-        if live.message:
-            _draw_text(layout, live.message)
+        for text in live.message.splitlines():
+            draw_text(layout, context, text, icon="ERROR")
         column = layout.column(align=True)
         column.scale_y = 1.3
         column.operator("lapwing.apply", text="Apply to Mesh", icon="CHECKMARK").as_key = False
@@ -113,18 +114,6 @@ def _draw_region(column: Any, obj: bpy.types.Object, settings: Any, role: str, l
     op.role, op.source = role, "SELECTION"
 
 
-def _draw_text(layout: Any, text: str, width: int = 40) -> None:
-    column = layout.column(align=True)
-    column.scale_y = 0.8
-    line = ""
-    for word in text.split():
-        if line and len(line) + len(word) >= width:
-            column.label(text=line)
-            line = ""
-        line = f"{line} {word}".strip()
-    column.label(text=line)
-
-
 class LAPWING_PT_surfaces(_Panel, bpy.types.Panel):
     bl_label = "Detail and Parts"
     bl_options = {"DEFAULT_CLOSED"}
@@ -135,7 +124,7 @@ class LAPWING_PT_surfaces(_Panel, bpy.types.Panel):
         column.operator("lapwing.mix", icon="MOD_TINT")
         column.operator("lapwing.transplant", icon="MOD_BOOLEAN")
         column.operator("lapwing.peel", icon="MOD_SMOOTH")
-        self.layout.label(text="Source or part: select it, too", icon="INFO")
+        draw_text(self.layout, context, "Source or part: select it, too", icon="INFO")
 
 
 class LAPWING_PT_recipe(_Panel, bpy.types.Panel):
@@ -146,7 +135,7 @@ class LAPWING_PT_recipe(_Panel, bpy.types.Panel):
         layout = self.layout
         for k, edit in enumerate(edits_of(context.object)[-5:]):
             ops = ", ".join(step["op"] for step in edit["steps"])
-            layout.label(text=f"{ops} in {edit['key'] or 'the mesh'}", icon="DOT")
+            draw_text(layout, context, f"{ops} in {edit['key'] or 'the mesh'}", icon="DOT")
         column = layout.column(align=True)
         column.operator("lapwing.replay", text="Replay from Selected", icon="FILE_REFRESH")
         column.operator("lapwing.export_recipe", icon="EXPORT")

@@ -8,6 +8,7 @@ from bpy.props import StringProperty
 
 from . import engine
 from .errors import Refusal
+from .wrapped_text import draw_text
 
 
 def _changed(_self: Any, _context: bpy.types.Context) -> None:
@@ -23,16 +24,15 @@ class LapwingPreferences(bpy.types.AddonPreferences):
         "Without it, the module that Python finds, or else the program on PATH",
     )
 
-    def draw(self, _context: bpy.types.Context) -> None:
+    def draw(self, context: bpy.types.Context) -> None:
         self.layout.prop(self, "engine_path")
-        row = self.layout.row()
         found = engine.last_look(self.engine_path)
         if isinstance(found, Refusal):
-            row.label(text=str(found), icon="ERROR")
+            draw_text(self.layout, context, str(found), icon="ERROR")
         else:
             version = ".".join(map(str, found.version))
-            row.label(text=f"Found: {found.name}, version {version}", icon="CHECKMARK")
-        row.operator("lapwing.find_engine", text="Look Again", icon="FILE_REFRESH")
+            draw_text(self.layout, context, f"Found: {found.name}, version {version}", icon="CHECKMARK")
+        self.layout.operator("lapwing.find_engine", text="Look Again", icon="FILE_REFRESH")
 
 
 def chosen_engine(context: bpy.types.Context) -> Any:

@@ -36,7 +36,7 @@ class Session:
         self.request = request
         self.response = response
         self.edit = edit
-        self.message = ""  #: for the panel
+        self.message = ""  #: for the panel, a line for each warning
         self._shown: Optional[List[np.ndarray]] = None
         self._pose_of: Optional[List[np.ndarray]] = None
         self._job: Optional[Job] = None
@@ -84,7 +84,7 @@ class Session:
     def _take(self, motions: List[np.ndarray], world: np.ndarray, warnings: List[str]) -> None:
         self.response.set_pose(motions, world)
         self._pose_of = motions
-        self.message = warnings[0] if warnings else ""
+        self.message = "\n".join(warnings)
         self.is_stale = True
 
     def take(self, obj: bpy.types.Object, settled: Any) -> None:

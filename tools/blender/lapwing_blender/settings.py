@@ -84,7 +84,7 @@ class LapwingSettings(bpy.types.PropertyGroup):
         description="Details smaller than this share of the region's radius keep their shape",
     )
     hard: BoolProperty(
-        name="Hold Exactly", description="Belt and handles are held exactly, not in the least squares",
+        name="Hold Exactly", description="Belt and handles reach their places to the last digit, and no handle turns freely",
     )
     is_live: BoolProperty(name="Live", description="The surface follows the handles", options={"HIDDEN"})
     #: A copy of the mesh before its first edit, with which recipes begin.

@@ -63,6 +63,9 @@ Positions read_positions(const py::object& vertices) {
   return positions;
 }
 
+// Corners of a triangle or quad, the faces of tables.
+constexpr std::size_t kMostCornersInRows = 4;
+
 // Collects polygons and checks that all their vertices exist.
 class FaceReader {
  public:
@@ -74,9 +77,15 @@ class FaceReader {
       throw InputError("faces: expected shape (m, 3), (m, 4) or more corners, got " +
                        shape_of(table));
     }
+    const auto count = static_cast<std::size_t>(table.shape(0));
+    // Each row of a transposed table has a corner of every face.
+    if (count <= kMostCornersInRows && corners > 2 * kMostCornersInRows && 2 * corners > count_) {
+      throw InputError("faces: " + std::to_string(count) + " faces of " + std::to_string(corners) +
+                       " corners have too many for the " + std::to_string(count_) +
+                       " vertices. A row must be a face; pass the transposed array (faces.T)");
+    }
     const auto numbers = signed_numbers(table);
     const long long* const data = numbers.data();
-    const auto count = static_cast<std::size_t>(table.shape(0));
     faces_.vertices.reserve(count * corners);
     faces_.starts.reserve(count + 1);
     for (std::size_t f = 0; f < count; ++f) add(std::span(data + f * corners, corners));
@@ -183,6 +192,19 @@ py::object faces_of(const Mesh& mesh) {
   py::list polygons;
   for (std::size_t f = 0; f < count; ++f) polygons.append(array_of(mesh.face(f)));
   return polygons;
+}
+
+py::iterator arrays_of(const Mesh& mesh) {
+  return py::iter(py::make_tuple(array_of(mesh.positions), faces_of(mesh)));
+}
+
+py::object read_only(py::object arrays) {
+  if (py::isinstance<py::list>(arrays)) {
+    for (const py::handle& array : arrays) array.attr("setflags")(py::arg("write") = false);
+  } else {
+    arrays.attr("setflags")(py::arg("write") = false);
+  }
+  return arrays;
 }
 
 Motions::Motions(const py::object& array, std::size_t handles) : handles_(handles) {

@@ -1,5 +1,3 @@
-#include "edits.h"
-
 #include <algorithm>
 #include <map>
 #include <mutex>
@@ -7,16 +5,19 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
+#include <utility>
 
 #include "arrays.h"
 #include "interruptible.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/prepared_deform.h"
-#include "lapwing/recipe/key_reader.h"
-#include "lapwing/recipe/key_table.h"
-#include "lapwing/session/run_recipe.h"
-#include "lapwing/step/mesh_cache.h"
+#include "lapwing/recipe/recipe.h"
+#include "lapwing/recipe/step.h"
+#include "lapwing/run/mesh_cache.h"
+#include "lapwing/run/run_recipe.h"
 #include "lapwing/vulkan/open_device.h"
+#include "messages.h"
+#include "module.h"
 #include "result.h"
 
 namespace lapwing::python {
@@ -40,6 +41,7 @@ Result carry_out(const Mesh& mesh, const std::string& step_json, const std::stri
     run.mesh = mesh;
     run.original = mesh.positions;
     run.report.device = opened.kernels->device();
+    if (!opened.note.empty()) run.report.notes.push_back(opened.note);
     run.report.vertices = mesh.vertex_count();
     run.report.faces = mesh.face_count();
     run.report.steps.push_back(
@@ -58,6 +60,7 @@ Result run(const std::string& recipe_json, const std::filesystem::path& folder,
     MeshCache shelf;
     put(meshes, shelf);
     const auto result = run_recipe(recipe, *opened.kernels, progress, {.meshes = &shelf});
+    if (!opened.note.empty()) result->report.notes.push_back(opened.note);
     if (saves && !recipe.save.empty()) save_result(*result, recipe.save_path());
     return Result{std::move(result->mesh), std::move(result->original), std::move(result->region),
                   std::move(result->report)};
@@ -138,7 +141,8 @@ class Edit {
       const py::gil_scoped_release unlocked;  // the copy is large
       for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
     }
-    return py::make_tuple(std::move(columns), array_of(response.centers), response.why_not_exact);
+    return py::make_tuple(std::move(columns), array_of(response.centers),
+                          in_python_words(response.why_not_exact));
   }
 
   const PreparedDeform& prepared() const { return *prepared_; }
@@ -154,23 +158,29 @@ class Edit {
   }
 
   Result result_of(Deformed done) const {
-    Result result;
-    result.rest = prepared_->mesh().positions;
-    StepReport step = report_of(done);
-    step.op = "deform";
-    result.mesh = std::move(done.mesh);
-    result.region = std::move(done.region);
-    result.report.vertices = result.mesh.vertex_count();
-    result.report.faces = result.mesh.face_count();
-    result.report.warnings = std::move(done.warnings);
-    result.report.notes = std::move(done.notes);
-    result.report.steps.push_back(std::move(step));
-    return result;
+    RunReport report;
+    report.vertices = done.mesh.vertex_count();
+    report.faces = done.mesh.face_count();
+    report.steps.push_back(report_of(done));
+    report.steps.back().op = "deform";
+    report.warnings = std::move(done.warnings);
+    report.notes = std::move(done.notes);
+    return {std::move(done.mesh), prepared_->mesh().positions, std::move(done.region),
+            std::move(report)};
   }
 
   std::unique_ptr<PreparedDeform> prepared_;
   std::mutex mutex_;
 };
+
+std::string keys(const std::string& op) {
+  std::string known;
+  for (const Operation& operation : operations()) {
+    if (operation.name == op) return key_table(operation);
+    known += (known.empty() ? "" : ", ") + std::string(operation.name);
+  }
+  throw InputError("unknown operation \"" + op + "\"; choose one of " + known);
+}
 
 }  // namespace
 
@@ -191,25 +201,23 @@ void add_edits(py::module_& module) {
       .def_property_readonly("handle_count", &Edit::handle_count)
       .def_property_readonly("mesh", [](const Edit& edit) { return edit.prepared().mesh(); })
       .def_property_readonly(
-          "roi", [](const Edit& edit) { return array_of(edit.prepared().region().roi); })
+          "roi", [](const Edit& edit) { return read_only(array_of(edit.prepared().region().roi)); })
       .def_property_readonly(
-          "belt", [](const Edit& edit) { return array_of(edit.prepared().region().belt); })
+          "belt",
+          [](const Edit& edit) { return read_only(array_of(edit.prepared().region().belt)); })
       .def_property_readonly("handles", [](const Edit& edit) {
         py::list handles;
         for (const VertexSet& handle : edit.prepared().region().handles) {
           handles.append(array_of(handle));
         }
-        return handles;
+        return read_only(handles);
       });
-  module.def(
-      "key_table",
-      [](const std::string& op) {
-        for (const Operation& operation : operations()) {
-          if (operation.name == op) return key_table(operation);
-        }
-        throw InputError("unknown operation \"" + op + "\"");
-      },
-      py::arg("op"));
+  module.def("key_table", &keys, py::arg("op"));
+  module.def("operations", [] {
+    std::vector<std::string> names;
+    for (const Operation& operation : operations()) names.emplace_back(operation.name);
+    return names;
+  });
 }
 
 }  // namespace lapwing::python

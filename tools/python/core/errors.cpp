@@ -1,9 +1,10 @@
-#include "errors.h"
+#include "lapwing/base/errors.h"
 
 #include <filesystem>
 
 #include "arrays.h"
-#include "lapwing/base/errors.h"
+#include "messages.h"
+#include "module.h"
 
 namespace lapwing::python {
 namespace {
@@ -29,7 +30,7 @@ py::handle add_class(py::module_& module, const char* name, py::handle base, py:
 }
 
 void raise(py::handle type, const char* message, std::span<const Index> vertices = {}) {
-  const py::object error = type(message);
+  const py::object error = type(in_python_words(message));
   error.attr("vertices") = array_of(vertices);
   PyErr_SetObject(type.ptr(), error.ptr());
 }
@@ -69,6 +70,7 @@ void add_errors(py::module_& module) {
   classes.file = add_class(module, "FileError", classes.error, PyExc_OSError,
                            "A file cannot be opened, read or written.");
   py::register_exception_translator(translate);
+  module.def("_in_python_words", py::overload_cast<std::string>(&in_python_words));
 }
 
 }  // namespace lapwing::python

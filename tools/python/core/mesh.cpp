@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "arrays.h"
-#include "edits.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "module.h"
+#include "pickle.h"
 
 namespace lapwing::python {
 namespace {
@@ -52,22 +53,24 @@ Mesh shape(const std::string& name) {
 }  // namespace
 
 void add_mesh(py::module_& module) {
-  py::class_<Mesh>(module, "Mesh",
-                   "A polygon mesh with all data of its file. No function changes it.")
+  py::class_<Mesh> type(
+      module, "Mesh",
+      "A polygon mesh with all data of its file. It cannot be changed. `V, F = mesh` are arrays "
+      "of your own; the arrays that are attributes are read-only copies. A pickle has vertices, "
+      "faces, texture coordinates, normals, colours, materials, groups and named attributes. It "
+      "does not have the bytes of the file, such as its order and its line elements.");
+  add_copies(type);
+  type.def(py::pickle([](const Mesh& mesh) { return pack(mesh); }, &unpack_mesh))
       .def(py::init(&mesh_of), py::arg("vertices"), py::arg("faces"))
       .def_property_readonly(
-          "vertices", [](const Mesh& mesh) { return array_of(mesh.positions); },
-          "(n, 3) float64, a new array each time.")
-      .def_property_readonly("faces", &faces_of,
-                             "(m, k) uint32, or a list of arrays if the polygons differ in size.")
+          "vertices", [](const Mesh& mesh) { return read_only(array_of(mesh.positions)); },
+          "(n, 3) float64, a read-only copy.")
+      .def_property_readonly(
+          "faces", [](const Mesh& mesh) { return read_only(faces_of(mesh)); },
+          "(m, k) uint32, or a list of arrays if the polygons differ in size.")
       .def_property_readonly("vertex_count", &Mesh::vertex_count)
       .def_property_readonly("face_count", &Mesh::face_count)
-      .def(
-          "__iter__",
-          [](const Mesh& mesh) {
-            return py::iter(py::make_tuple(array_of(mesh.positions), faces_of(mesh)));
-          },
-          "V, F = mesh")
+      .def("__iter__", &arrays_of, "V, F = mesh")
       .def("with_vertices", &with_vertices, py::arg("vertices"),
            "The same mesh in another pose, shape (n, 3).")
       .def("__repr__", [](const Mesh& mesh) {

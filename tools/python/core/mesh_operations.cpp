@@ -2,15 +2,16 @@
 #include <string>
 
 #include "arrays.h"
-#include "edits.h"
 #include "interruptible.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/peel.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
 #include "lapwing/parameterize/parameterize.h"
-#include "lapwing/recipe/read_region.h"
+#include "lapwing/recipe/read_values.h"
 #include "lapwing/remesh/remesh.h"
+#include "messages.h"
+#include "module.h"
 
 namespace lapwing::python {
 namespace {
@@ -33,7 +34,8 @@ py::dict peel_mesh(const Mesh& mesh, const std::string& region, double detail_si
       Interruptible(py::none()).call([&](const Progress&) { return peel(mesh, request); });
   return py::dict("mesh"_a = peeled.mesh, "coating"_a = array_of(peeled.displacement),
                   "moved"_a = array_of(peeled.moved), "mean_coating"_a = peeled.mean_coating,
-                  "largest_coating"_a = peeled.largest_coating, "warnings"_a = peeled.warnings);
+                  "largest_coating"_a = peeled.largest_coating,
+                  "warnings"_a = in_python_words(peeled.warnings));
 }
 
 py::dict remesh_mesh(const Mesh& mesh, const std::string& region, std::optional<double> length,
@@ -50,7 +52,7 @@ py::dict remesh_mesh(const Mesh& mesh, const std::string& region, std::optional<
   return py::dict("mesh"_a = result.mesh, "kept"_a = array_of(result.kept),
                   "region"_a = array_of(result.region), "mean_edge"_a = result.after.mean_edge,
                   "smallest_angle_degrees"_a = result.after.smallest_angle_degrees,
-                  "warnings"_a = result.warnings);
+                  "warnings"_a = in_python_words(result.warnings));
 }
 
 py::dict parameterize_mesh(const Mesh& mesh, const std::string& region, const std::string& domain,
@@ -73,7 +75,8 @@ py::dict parameterize_mesh(const Mesh& mesh, const std::string& region, const st
                   "patch_vertices"_a = array_of(patch.vertices),
                   "patch_faces"_a = std::move(triangles), "pins"_a = array_of(result.pins),
                   "flipped"_a = array_of(result.flipped), "stretch"_a = result.distortion.stretch,
-                  "shear"_a = result.distortion.shear, "warnings"_a = result.warnings);
+                  "shear"_a = result.distortion.shear,
+                  "warnings"_a = in_python_words(result.warnings));
 }
 
 const char* word_of(Severity severity) {
@@ -117,9 +120,11 @@ py::dict check_mesh(const Mesh& mesh, bool self_intersections, std::size_t most_
   for (const Defect& defect : report.defects) {
     const DefectInfo& info = describe(defect.kind);
     defects.append(py::dict("kind"_a = info.key, "name"_a = info.name, "count"_a = defect.count,
-                            "severity"_a = word_of(info.severity), "meaning"_a = info.meaning,
-                            "next_step"_a = info.next_step, "element"_a = word_of(info.element),
-                            "first"_a = array_of(defect.first), "fixable"_a = info.fixable));
+                            "severity"_a = word_of(info.severity),
+                            "meaning"_a = in_python_words(std::string(info.meaning)),
+                            "next_step"_a = in_python_words(std::string(info.next_step)),
+                            "element"_a = word_of(info.element), "first"_a = array_of(defect.first),
+                            "fixable"_a = info.fixable));
   }
   return py::dict("defects"_a = std::move(defects), "statistics"_a = dict_of(report.statistics),
                   "has_problems"_a = report.has_problems(), "is_fixable"_a = report.is_fixable());

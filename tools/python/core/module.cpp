@@ -1,8 +1,4 @@
-#include <pybind11/pybind11.h>
-
-#include "edits.h"
-#include "errors.h"
-#include "result.h"
+#include "module.h"
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Implementation of the package lapwing; call that instead.";

@@ -9,7 +9,7 @@
 
 Vertices have shape (n, 3). Faces have shape (m, 3) or (m, 4), or are a list of polygons. Any
 numeric type and memory order works. Results own their memory. No function opens a display, and only
-`render` and `device="auto"` need Vulkan.
+`render` and a device other than "cpu" and "auto" need Vulkan.
 """
 
 from ._core import (
@@ -24,8 +24,8 @@ from ._core import (
     __version__,
 )
 from ._deformer import Deformer, Many, Response
-from ._meshes import read, shape, write
-from ._operations import coat, deform, mix, run, transplant
+from ._meshes import read, shape, shape_names, write
+from ._operations import coat, deform, keys, mix, run, transplant
 from ._picture import render
 from ._reports import (
     Check,
@@ -44,6 +44,6 @@ from ._reports import (
 __all__ = [
     "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Fixed",
     "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Response", "Result",
-    "SolverError", "check", "coat", "deform", "fix", "mix", "parameterize", "peel", "read", "remesh", "render",
-    "run", "shape", "transplant", "write",
+    "SolverError", "check", "coat", "deform", "fix", "keys", "mix", "parameterize", "peel", "read",
+    "remesh", "render", "run", "shape", "shape_names", "transplant", "write",
 ]

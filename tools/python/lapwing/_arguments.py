@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import json
 import math
+import numbers
 import os
-from typing import Any, List, Mapping, Optional, Sequence
+from typing import AbstractSet, Any, List, Mapping, Optional, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _core
-
-Array = NDArray[Any]
+from ._types import Array
 
 #: Keys whose values are regions, at any depth.
 _REGION_KEYS = frozenset(
-    ["roi", "region", "source_patch", "target_patch", "patch", "target_region", "distance_to"]
+    ["roi", "region", "source_patch", "target_patch", "patch", "target_region", "distance_to",
+     "disk_in"]
 )
+#: Keys whose values are lists of regions.
+_REGION_LIST_KEYS = frozenset(["union", "minus"])
 #: Keys whose values are moves.
 _MOVE_KEYS = frozenset(["move", "place"])
 
@@ -70,9 +72,17 @@ def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
         return {"all": True}
     if isinstance(region, Mapping):
         return plain(region, vertex_count, where)
+    return {"vertices": listed_vertices(region, vertex_count, where)}
+
+
+def listed_vertices(region: Any, vertex_count: Optional[int], where: str) -> List[int]:
+    """Returns the vertices of a mask or of a list of vertex numbers. Whole numbers are a mask if
+    there is a 0 or 1 for each vertex of the mesh: as vertex numbers, these would be 0 and 1."""
+    if isinstance(region, AbstractSet):
+        region = sorted(region)
     vertices = np.asarray(region)
     if vertices.size == 0:
-        return {"vertices": []}
+        return []
     if vertices.ndim != 1:
         raise _core.InputError(
             f"{where}: expected vertex numbers of shape (k,) or a mask of shape (n,), "
@@ -84,26 +94,44 @@ def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
                 f"{where}: expected a mask with a value for each of the {vertex_count} vertices, "
                 f"got {vertices.size}"
             )
-        return {"vertices": np.flatnonzero(vertices).tolist()}
-    return {"vertices": vertices_of(vertices, where)}
+        return [int(v) for v in np.flatnonzero(vertices)]
+    is_mask = (
+        vertices.dtype.kind in "iu"
+        and 2 < vertices.size == vertex_count
+        and vertices.min() >= 0
+        and vertices.max() <= 1
+    )
+    if is_mask:
+        return [int(v) for v in np.flatnonzero(vertices)]
+    return vertices_of(vertices, where)
 
 
 def vertices_of(vertices: Any, where: str) -> List[int]:
-    """Returns vertex numbers, in their order."""
-    numbers = np.asarray(vertices)
-    if numbers.size == 0:
+    """Returns vertex numbers, in their order. Refuses repeated numbers, since labels and masks
+    have them."""
+    listed = np.asarray(vertices)
+    if listed.size == 0:
         return []
-    if numbers.ndim != 1 or numbers.dtype.kind not in "iu":
+    if listed.ndim != 1 or listed.dtype.kind not in "iu":
         raise _core.InputError(
-            f"{where}: expected vertex numbers, got an array of type {numbers.dtype} and shape "
-            f"{numbers.shape}"
+            f"{where}: expected vertex numbers, got an array of type {listed.dtype} and shape "
+            f"{listed.shape}; a mask has the type bool"
         )
-    if int(numbers.min()) < 0:
-        place = int(np.argmin(numbers))
+    if int(listed.min()) < 0:
+        place = int(np.argmin(listed))
         raise _core.InputError(
-            f"{where}[{place}]: expected a vertex number from 0, got {numbers[place]}"
+            f"{where}[{place}]: expected a vertex number from 0, got {listed[place]}"
         )
-    return [int(v) for v in numbers.tolist()]
+    found, counts = np.unique(listed, return_counts=True)
+    if counts.max() > 1:
+        first = int(found[np.argmax(counts > 1)])
+        raise _core.InputError(
+            f"{where}: vertex {first} is listed {counts[counts > 1][0]} times. List each vertex "
+            "once, as numpy.unique does. A mask has the type bool and a value for each vertex, "
+            "as in labels == 1",
+            [first],
+        )
+    return [int(v) for v in listed.tolist()]
 
 
 def move_of(move: Any, vertex_count: Optional[int], where: str) -> Any:
@@ -147,7 +175,7 @@ def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
         return value
     if isinstance(value, Mapping):
         return {
-            str(key): _plain_of_key(str(key), each, vertex_count, f"{where}.{key}")
+            str(key): plain_of_key(str(key), each, vertex_count, f"{where}.{key}")
             for key, each in value.items()
         }
     if isinstance(value, os.PathLike):
@@ -177,7 +205,8 @@ def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
     raise _core.InputError(f"{where}: {type(value).__name__} cannot be written in a recipe")
 
 
-def _plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str) -> Any:
+def plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str) -> Any:
+    """Converts the value of a recipe's key to JSON types."""
     if key == "handles":
         return handles_of(value, vertex_count, where)
     if key == "targets":
@@ -186,6 +215,10 @@ def _plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str)
         return plain(value, vertex_count, where)
     if key in _REGION_KEYS:
         return region_of(value, vertex_count, where)
+    if key in _REGION_LIST_KEYS and isinstance(value, (list, tuple)):
+        return [region_of(each, vertex_count, f"{where}[{k}]") for k, each in enumerate(value)]
+    if key == "vertices":
+        return listed_vertices(value, vertex_count, where)
     if key in _MOVE_KEYS:
         return move_of(value, vertex_count, where)
     if key == "belt":
@@ -195,7 +228,7 @@ def _plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str)
 
 def belt_of(belt: Any, vertex_count: Optional[int], where: str) -> Any:
     """Converts a belt to a recipe's belt. A number is the outer fraction of the region."""
-    if isinstance(belt, (int, float)) and not isinstance(belt, bool):
+    if isinstance(belt, numbers.Real) and not isinstance(belt, bool):
         return {"fraction": plain(belt, vertex_count, where)}
     return region_of(belt, vertex_count, where)
 
@@ -210,6 +243,33 @@ def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
             for key, place in targets.items()
         ]
     return plain(targets, vertex_count, where)
+
+
+def landmarks_of(landmarks: Any, where: str) -> Array:
+    """Converts a pair (vertex numbers, positions of shape (k, 3)) to the rows of targets."""
+    if not isinstance(landmarks, (tuple, list)) or len(landmarks) != 2:
+        raise _core.InputError(
+            f"{where}: expected a pair (vertex numbers, positions), got {type(landmarks).__name__}"
+        )
+    ids = vertices_of(landmarks[0], f"{where}[0]")
+    positions = np.asarray(landmarks[1])
+    if positions.shape != (len(ids), 3) or positions.dtype.kind not in "iuf":
+        raise _core.InputError(
+            f"{where}[1]: expected positions of shape ({len(ids)}, 3), one for each vertex number, "
+            f"got an array of type {positions.dtype} and shape {positions.shape}"
+        )
+    return np.column_stack([ids, positions])
+
+
+def targets_and(landmarks: Any, targets: Any, name: str) -> Any:
+    """Returns the targets of an operation called `name` that takes both."""
+    if landmarks is None:
+        return targets
+    if targets is not None:
+        raise _core.InputError(
+            f"{name}: give landmarks or targets, not both; targets can have weights"
+        )
+    return landmarks_of(landmarks, f"{name}: landmarks")
 
 
 def step_json(op: str, keys: Mapping[str, Any]) -> str:

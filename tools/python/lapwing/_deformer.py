@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._arguments import Array, mesh_of
-from ._operations import Progress, deform_step
+from ._arguments import mesh_of, targets_and
+from ._operations import deform_step
+from ._types import (
+    Array,
+    FacesLike,
+    Landmarks,
+    LinearResponse,
+    Loose,
+    MeshOrVertices,
+    Progress,
+    Region,
+    Seams,
+    Weights,
+)
 
 
 class Many(NamedTuple):
@@ -55,7 +67,8 @@ class Deformer:
         many = d.solve_many(matrices)           # shape (k, handles, 4, 4), on all threads
 
     `handles` are regions, or dicts with "region" and "weight" or "falloff". All other arguments
-    are as in `lapwing.deform`, and the results have the same bits. Preparing takes tens of
+    (`roi`, `belt`, `targets`, `landmarks`, `mirror`, `hard`, `detail_length`, `constraint_weight`,
+    `settle`, `weights`, `response`, `loose`, `seams`, `progress`) are as in `lapwing.deform`, and the results have the same bits. Preparing takes tens of
     milliseconds for ten thousand vertices, and about 8 kB of memory per vertex. Threads can share
     a Deformer; their calls take turns. A pickled Deformer prepares itself again when it is
     unpickled, for example on a worker of a cluster.
@@ -63,27 +76,28 @@ class Deformer:
 
     def __init__(
         self,
-        mesh: Any,
-        faces: Any = None,
-        roi: Any = "all",
-        belt: Any = None,
-        handles: Sequence[Any] = (),
+        mesh: MeshOrVertices,
+        faces: Optional[FacesLike] = None,
+        roi: Region = "all",
+        belt: Union[float, Region, None] = None,
+        handles: Sequence[Region] = (),
         *,
         targets: Any = None,
-        mirror: Any = None,
+        landmarks: Optional[Landmarks] = None,
+        mirror: Union[str, Mapping[str, Any], None] = None,
         hard: Optional[bool] = None,
         detail_length: Optional[float] = None,
         constraint_weight: Optional[float] = None,
-        settle: Any = None,
-        weights: Optional[str] = None,
-        response: Optional[str] = None,
-        loose: Optional[str] = None,
-        seams: Optional[str] = None,
+        settle: Union[bool, Mapping[str, Any], None] = None,
+        weights: Optional[Weights] = None,
+        response: Optional[LinearResponse] = None,
+        loose: Optional[Loose] = None,
+        seams: Optional[Seams] = None,
         progress: Progress = None,
     ) -> None:
         chosen = mesh_of(mesh, faces, "Deformer: mesh")
         keys = dict(
-            roi=roi, belt=belt, targets=targets, mirror=mirror, hard=hard,
+            roi=roi, belt=belt, targets=targets_and(landmarks, targets, "Deformer"), mirror=mirror, hard=hard,
             detail_length=detail_length, constraint_weight=constraint_weight, settle=settle,
             weights=weights, response=response, loose=loose, seams=seams,
             handles=[_at_rest(handle) for handle in handles],
@@ -175,8 +189,7 @@ class Deformer:
         return Response(*self._edit.response(list(chosen), progress))
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        mesh = self.mesh
-        return (_prepared, (mesh.vertices, mesh.faces, self._step))
+        return (_prepared, (self.mesh, self._step))
 
     def __repr__(self) -> str:
         return (
@@ -191,7 +204,7 @@ def _at_rest(handle: Any) -> Any:
     return {"region": handle, "move": {}}
 
 
-def _prepared(vertices: Array, faces: Any, step: str) -> Deformer:
+def _prepared(mesh: _core.Mesh, step: str) -> Deformer:
     deformer = Deformer.__new__(Deformer)
-    deformer._prepare(_core.Mesh(vertices, faces), step, None)
+    deformer._prepare(mesh, step, None)
     return deformer

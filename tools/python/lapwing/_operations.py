@@ -4,54 +4,80 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence
+from typing import Any, Dict, Mapping, Optional, Sequence, Union
+
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._arguments import (
-    belt_of,
     handles_of,
     mesh_of,
     move_of,
     plain,
+    plain_of_key,
     region_of,
     step_json,
-    targets_of,
+    targets_and,
+)
+from ._meshes import Path
+from ._types import (
+    Domain,
+    FacesLike,
+    Handle,
+    Landmarks,
+    LinearResponse,
+    Loose,
+    MeshLike,
+    MeshOrVertices,
+    Move,
+    Operation,
+    Profile,
+    Progress,
+    Region,
+    Remesh,
+    Sampling,
+    Seams,
+    Take,
+    Weights,
 )
 
-Progress = Optional[Callable[[str, float], Optional[bool]]]
+
+def keys(op: Optional[Operation] = None) -> str:
+    """Returns a table of the keys of an operation, or of all operations: their values, defaults and
+    meaning. In recipes these are the keys of a step, in Python the parameters of the function."""
+    names = _core.operations() if op is None else [op]
+    return "\n".join(f"{name}\n\n{_core.key_table(name)}" for name in names)
 
 
 def deform_step(count: int, name: str, keys: Mapping[str, Any]) -> str:
     """Returns the JSON of a deform step for a mesh of `count` vertices."""
-    written = {key: plain(value, count, f"{name}: {key}") for key, value in keys.items()
-               if key not in ("roi", "belt", "handles", "targets")}
-    written["roi"] = region_of(keys["roi"], count, f"{name}: roi")
-    if keys["belt"] is not None:
-        written["belt"] = belt_of(keys["belt"], count, f"{name}: belt")
-    written["handles"] = handles_of(keys["handles"], count, f"{name}: handles")
-    if keys["targets"] is not None:
-        written["targets"] = targets_of(keys["targets"], count, f"{name}: targets")
+    written = {
+        key: plain_of_key(key, value, count, f"{name}: {key}")
+        for key, value in keys.items()
+        if value is not None or key in ("roi", "handles")
+    }
     return step_json("deform", written)
 
 
 def deform(
-    mesh: Any,
-    faces: Any = None,
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
     *,
-    roi: Any = "all",
-    belt: Any = None,
-    handles: Sequence[Any] = (),
+    roi: Region = "all",
+    belt: Union[float, Region, None] = None,
+    handles: Sequence[Handle] = (),
     targets: Any = None,
-    mirror: Any = None,
+    landmarks: Optional[Landmarks] = None,
+    mirror: Union[str, Mapping[str, Any], None] = None,
     hard: Optional[bool] = None,
     detail_length: Optional[float] = None,
     constraint_weight: Optional[float] = None,
-    settle: Any = None,
-    weights: Optional[str] = None,
-    response: Optional[str] = None,
+    settle: Union[bool, Mapping[str, Any], None] = None,
+    weights: Optional[Weights] = None,
+    response: Optional[LinearResponse] = None,
     commit_every: Optional[float] = None,
-    loose: Optional[str] = None,
-    seams: Optional[str] = None,
+    loose: Optional[Loose] = None,
+    seams: Optional[Seams] = None,
     device: str = "cpu",
     progress: Progress = None,
 ) -> _core.Result:
@@ -75,15 +101,41 @@ def deform(
         "pivot". A dict may also have "orientation": "free", if the surface determines the rotation
         of the handle, and "path", the moves that the handle made before.
     targets
-        Landmarks, beside handles or instead of them: an array whose rows are vertex, x, y, z (a
-        weight may follow) or px, py, pz, x, y, z; a dict from vertices to positions; or
-        {"rows": ROWS, "hard": True}, which reaches them exactly.
+        Points of the surface and their prescribed positions, beside handles or instead of them:
+        an array whose rows are vertex, x, y, z or px, py, pz, x, y, z for the surface point nearest
+        to p; a dict from vertices to positions; or {"rows": ROWS, "hard": True}, which reaches them
+        exactly. A row may end with a weight, by default 1: a larger one follows the position more
+        closely, a smaller one averages over neighbouring targets and leaves out their noise.
+    landmarks
+        Targets as a pair (vertex numbers, positions of shape (k, 3)).
     mirror
         "auto", {"plane": "x"} or {"point", "normal"}: makes the edit on both sides of that plane.
-    hard, detail_length, constraint_weight, settle, weights, response, commit_every, loose, seams
-        As in recipes (`lapwing keys deform`).
+    hard
+        Whether belt and handles are held exactly.
+    detail_length
+        Details smaller than this keep their shape; beyond it the surface bends and stretches like
+        an elastic sheet. A fraction of the ROI's radius, by default 0.077.
+    constraint_weight
+        Holds belt and handles softly, by this weight in the least-squares system; 1 in the paper.
+        Without it they reach their places.
+    settle
+        Whether to minimize the energy, by default True, or {"tolerance", "max_iterations"}. False
+        keeps the linear response, which is accurate for small angles only.
+    weights
+        The edge weights of the Laplacian, "cotangent" by default or "uniform".
+    response
+        The linear response: "tangent" by default, or "rsi", that of the paper.
+    commit_every
+        Divides a larger turn into equal substeps of at most this many degrees.
+    loose
+        What happens to components that nothing holds: "carry" by default, which moves them with
+        the nearest surface, "leave" or "refuse".
+    seams
+        "join" by default: boundary edges that coincide, as at texture seams, stay closed. "leave"
+        lets them move apart.
     device
-        "cpu" (double precision, no Vulkan needed), "auto" or a part of a device's name.
+        "cpu" (double precision, no Vulkan needed), "auto" (a GPU, or else the CPU), or a part
+        of a device's name.
     progress
         Called as progress(stage, fraction), at most every 30 ms; returning False cancels.
 
@@ -101,7 +153,8 @@ def deform(
     """
     chosen = mesh_of(mesh, faces, "deform: mesh")
     keys = dict(
-        roi=roi, belt=belt, handles=handles, targets=targets, mirror=mirror, hard=hard,
+        roi=roi, belt=belt, handles=handles, mirror=mirror, hard=hard,
+        targets=targets_and(landmarks, targets, "deform"),
         detail_length=detail_length, constraint_weight=constraint_weight, settle=settle,
         weights=weights, response=response, commit_every=commit_every, loose=loose, seams=seams,
     )
@@ -110,31 +163,59 @@ def deform(
 
 
 def coat(
-    target: Any,
-    source: Any = None,
+    target: MeshLike,
+    source: Optional[MeshLike] = None,
     *,
-    target_patch: Any,
-    source_patch: Any = "all",
+    target_patch: Region,
+    source_patch: Region = "all",
     detail_size: float,
     smooth_target: Optional[float] = None,
     amplitude: Optional[float] = None,
     scale: Optional[float] = None,
-    transition: Any = None,
-    boundary_pairs: Any = None,
-    inner_pairs: Any = None,
-    domain: Optional[str] = None,
-    sampling: Optional[str] = None,
-    weights: Optional[str] = None,
-    remesh: Optional[str] = None,
+    transition: Optional[Mapping[str, Any]] = None,
+    boundary_pairs: Optional[ArrayLike] = None,
+    inner_pairs: Optional[ArrayLike] = None,
+    domain: Optional[Domain] = None,
+    sampling: Optional[Sampling] = None,
+    weights: Optional[Weights] = None,
+    remesh: Optional[Remesh] = None,
     device: str = "cpu",
     progress: Progress = None,
 ) -> _core.Result:
     """Puts the fine detail of a patch of `source` on a patch of `target`.
 
-    Meshes are pairs (vertices, faces) or objects with both; the default `source` is the target
-    itself. Patches are regions as in `deform`, and must be disks: {"disk_in": REGION} finds one.
-    `detail_size` is a length on the source: smaller features are its coating. The others are keys
-    of recipes (`lapwing keys coat`). If the patch has to be refined, the result has new faces.
+    If the patch has to be refined, the result has new faces.
+
+    Parameters
+    ----------
+    target, source
+        Meshes: pairs (vertices, faces) or objects with both. The default source is the target.
+    target_patch, source_patch
+        Regions as in `deform`. Both must be disks; {"disk_in": REGION} finds one.
+    detail_size
+        A length on the source: features smaller than this are its coating.
+    smooth_target
+        A length on the target: its own features smaller than this are removed first; 0 by default.
+    amplitude
+        Factor of the coating, 1 by default; a negative value engraves it.
+    scale
+        Ratio of the coating's size on the target to that on the source, by default the local ratio
+        of lengths.
+    transition
+        {"width": a, "profile": "smooth" or "linear"}: the coating fades in over this width from the
+        patch's boundary, by default over the detail size on the target.
+    boundary_pairs, inner_pairs
+        Pairs (source vertex, target vertex) that are mapped to each other, of shape (k, 2).
+    domain
+        The shape that both patches are mapped to, "disk" by default or "square".
+    sampling
+        How the coating's Laplacians are sampled: "one_ring" by default, or "linear".
+    weights
+        The edge weights of the Laplacian, "cotangent" by default or "uniform".
+    remesh
+        "auto" by default: refines a patch that is too coarse for its coating; or "none".
+    device, progress
+        As in `deform`.
     """
     chosen = mesh_of(target, None, "coat: target")
     count = chosen.vertex_count
@@ -155,28 +236,47 @@ def coat(
 
 
 def mix(
-    target: Any,
+    target: MeshLike,
     sources: Sequence[Mapping[str, Any]],
     *,
-    target_patch: Any,
-    weight: Any,
-    take: Optional[str] = None,
-    profile: Optional[str] = None,
-    handles: Sequence[Any] = (),
+    target_patch: Region,
+    weight: Union[ArrayLike, Mapping[str, Any]],
+    take: Optional[Take] = None,
+    profile: Optional[Profile] = None,
+    handles: Sequence[Handle] = (),
     smooth_target: Optional[float] = None,
-    transition: Any = None,
-    domain: Optional[str] = None,
-    weights: Optional[str] = None,
-    remesh: Optional[str] = None,
+    transition: Optional[Mapping[str, Any]] = None,
+    domain: Optional[Domain] = None,
+    weights: Optional[Weights] = None,
+    remesh: Optional[Remesh] = None,
     device: str = "cpu",
     progress: Progress = None,
 ) -> _core.Result:
     """Puts a blend of two surfaces on a patch of `target`.
 
-    `sources` are two dicts with "mesh" (by default the target itself), "patch", "detail_size" and
-    the other keys of a recipe's sources. `weight` is the share of the second source: an array of n
-    values from 0 to 1, {"distance_to": REGION, "width": a} or {"domain_v": [a, b]}. The others are
-    keys of recipes (`lapwing keys mix`).
+    Parameters
+    ----------
+    target
+        A mesh: a pair (vertices, faces) or an object with both.
+    sources
+        Two dicts with "mesh" (by default the target), "patch" and "detail_size", and optionally
+        "boundary_pairs", "inner_pairs", "sampling", "scale" and "amplitude", as in `coat`.
+    target_patch
+        The region that gets the detail; must be a disk.
+    weight
+        The share of the second source: an array of n values from 0 to 1,
+        {"distance_to": REGION, "width": a} or {"domain_v": [a, b]}.
+    take
+        "coating" by default: mixes the details and adds them to the target; or "shape": mixes the
+        surfaces, and replaces the target inside the patch's boundary.
+    profile
+        The profile of the weight, "smooth" by default or "linear".
+    handles
+        Handles in the patch, as in `deform`; they move in the same solve.
+    smooth_target, transition, domain, weights, remesh
+        As in `coat`.
+    device, progress
+        As in `deform`.
     """
     chosen = mesh_of(target, None, "mix: target")
     count = chosen.vertex_count
@@ -208,29 +308,56 @@ def mix(
 
 
 def transplant(
-    host: Any,
-    part: Any = None,
+    host: MeshLike,
+    part: Optional[MeshLike] = None,
     *,
-    target_region: Any,
-    part_region: Any = None,
+    target_region: Region,
+    part_region: Optional[Region] = None,
     loop: Optional[int] = None,
-    place: Any = None,
+    place: Optional[Move] = None,
     snap: Optional[bool] = None,
-    transition: Any = None,
-    belt: Any = None,
-    sampling: Optional[str] = None,
-    weights: Optional[str] = None,
-    remesh: Optional[str] = None,
+    transition: Optional[Mapping[str, Any]] = None,
+    belt: Optional[Mapping[str, Any]] = None,
+    sampling: Optional[Sampling] = None,
+    weights: Optional[Weights] = None,
+    remesh: Optional[Remesh] = None,
     device: str = "cpu",
     progress: Progress = None,
 ) -> _core.Result:
     """Replaces a region of `host` by `part`.
 
-    Meshes are pairs (vertices, faces) or objects with both. `part_region` is the region to cut from
-    `part`, by default from the host itself. `place` is a matrix of shape (4, 4), a move as in
-    `deform`, or {"auto": {...}}, the default, which fits the part's loop to the hole. The others
-    are keys of recipes (`lapwing keys transplant`). The result has the host's vertices and faces
-    first, in their order.
+    The result has the host's vertices and faces first, in their order.
+
+    Parameters
+    ----------
+    host, part
+        Meshes: pairs (vertices, faces) or objects with both. The default part is the host.
+    target_region
+        The region of the host that is replaced; its boundary must be one loop.
+    part_region
+        The region to cut from the part; by default the part has a boundary loop already.
+    loop
+        The boundary loop of the part to join, by default the longest. Loops are numbered by their
+        smallest vertices.
+    place
+        A matrix of shape (4, 4), a move as in `deform`, or {"auto": {...}}, the default, which fits
+        the part's loop to the hole: with "rotate_degrees", and "scale" or "keep_size".
+    snap
+        Whether, after a move, the loop is brought onto the surface by the smallest motion.
+    transition
+        {"width": a, "profile": "smooth" or "linear"}: the detail blends from the host's to the
+        part's within this distance of the loop, by default within half the hole's radius.
+    belt
+        {"padding": a, "width": b}: beyond the transition, vertices are free over `padding` and held
+        over `width`.
+    sampling
+        How the Laplacians of the replaced region are sampled: "linear" by default, or "one_ring".
+    weights
+        The edge weights of the Laplacian, "cotangent" by default or "uniform".
+    remesh
+        "auto" by default: makes the triangles between the loops uniform; or "none".
+    device, progress
+        As in `deform`.
     """
     chosen = mesh_of(host, None, "transplant: host")
     count = chosen.vertex_count
@@ -258,10 +385,10 @@ def transplant(
 
 
 def run(
-    recipe: Any,
-    meshes: Optional[Mapping[str, Any]] = None,
+    recipe: Union[Path, Mapping[str, Any]],
+    meshes: Optional[Mapping[str, MeshLike]] = None,
     *,
-    folder: Any = None,
+    folder: Optional[Path] = None,
     save: bool = False,
     device: str = "cpu",
     progress: Progress = None,
@@ -271,13 +398,14 @@ def run(
     `recipe` is a dict, or the path of a recipe file. `meshes` replaces files by meshes in memory,
     by their names in the recipe. Other files are read from `folder`, by default the folder of the
     recipe file or the working directory. The result is written to the recipe's "save" only with
-    `save=True`.
+    `save=True`. `device` and `progress` are as in `deform`. `lapwing.keys()` lists the keys of the
+    steps.
     """
     if isinstance(recipe, Mapping):
         text = json.dumps(plain(recipe, None, "recipe"))
         base = os.getcwd()
     else:
-        path = os.fspath(recipe)
+        path = os.fsdecode(recipe)
         try:
             with open(path, encoding="utf-8") as file:
                 text = file.read()

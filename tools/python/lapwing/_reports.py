@@ -4,11 +4,20 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, Dict, Iterator, List, Optional, Sequence
 
 from . import _core
-from ._arguments import Array, mesh_of, region_of, vertices_of
-from ._operations import Progress
+from ._arguments import mesh_of, region_of, vertices_of
+from ._types import (
+    Array,
+    Domain,
+    FacesLike,
+    FacesOf,
+    MeshOrVertices,
+    Progress,
+    Region,
+    Weights,
+)
 
 
 @dataclass(frozen=True)
@@ -45,8 +54,12 @@ class _Made:
         return self.mesh.vertices
 
     @property
-    def faces(self) -> Any:
+    def faces(self) -> FacesOf:
         return self.mesh.faces
+
+    def __iter__(self) -> Iterator[Array]:
+        """V, F = result"""
+        return iter(self.mesh)
 
 
 @dataclass(frozen=True)
@@ -99,29 +112,35 @@ def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
 
 
 def check(
-    mesh: Any, faces: Any = None, *, self_intersections: bool = False, most_listed: int = 8
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    self_intersections: bool = False,
+    most_listed: int = 8,
 ) -> Check:
     """Returns the defects of a mesh, and what they mean for an edit. Checking for
-    `self_intersections` takes several times as long as everything else."""
+    `self_intersections` takes several times as long as everything else. Each defect lists the
+    first `most_listed` of its places."""
     found = _core.check(mesh_of(mesh, faces, "check: mesh"), self_intersections, most_listed)
     found["defects"] = [Defect(**defect) for defect in found["defects"]]
     return Check(**found)
 
 
-def fix(mesh: Any, faces: Any = None) -> Fixed:
+def fix(mesh: MeshOrVertices, faces: Optional[FacesLike] = None) -> Fixed:
     """Repairs defects that have one sensible repair. Positions do not change."""
     return Fixed(**_core.fix(mesh_of(mesh, faces, "fix: mesh")))
 
 
 def peel(
-    mesh: Any,
-    faces: Any = None,
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
     *,
     detail_size: float,
-    region: Any = "all",
-    weights: str = "cotangent",
+    region: Region = "all",
+    weights: Weights = "cotangent",
 ) -> Peeled:
-    """Removes the fine detail of a region: features smaller than the length `detail_size`."""
+    """Removes the fine detail of a region: features smaller than the length `detail_size`. The
+    boundary of the region stays. `weights` are the edge weights of the Laplacian."""
     chosen = mesh_of(mesh, faces, "peel: mesh")
     return Peeled(
         **_core.peel(chosen, _region_json(region, chosen, "peel: region"), detail_size, weights)
@@ -129,10 +148,10 @@ def peel(
 
 
 def remesh(
-    mesh: Any,
-    faces: Any = None,
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
     *,
-    region: Any = "all",
+    region: Region = "all",
     length: Optional[float] = None,
     scale: float = 1.0,
     iterations: int = 5,
@@ -141,7 +160,8 @@ def remesh(
 ) -> Remeshed:
     """Remeshes a region with nearly equilateral triangles of one size on the same surface. Edges
     have `length`, or `scale` times the region's mean edge length. Edges between faces that meet at
-    `feature_degrees` or more are kept."""
+    `feature_degrees` or more are kept. `iterations` is the number of passes over the region.
+    `progress` is as in `deform`."""
     chosen = mesh_of(mesh, faces, "remesh: mesh")
     return Remeshed(
         **_core.remesh(
@@ -157,16 +177,16 @@ def remesh(
 
 
 def parameterize(
-    mesh: Any,
-    faces: Any = None,
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
     *,
-    region: Any = "all",
-    domain: str = "disk",
+    region: Region = "all",
+    domain: Domain = "disk",
     pins: Sequence[int] = (),
 ) -> Parameterized:
-    """Maps a region that is a disk to the unit disk or square by mean value coordinates. `pins` are
-    the boundary vertex for the disk's rightmost point, or four for the square's corners,
-    counterclockwise from the lower left."""
+    """Maps a region that is a disk to a `domain`, the unit "disk" or "square", by mean value
+    coordinates. `pins` are the boundary vertex for the disk's rightmost point, or four for the
+    square's corners, counterclockwise from the lower left."""
     chosen = mesh_of(mesh, faces, "parameterize: mesh")
     return Parameterized(
         **_core.parameterize(

@@ -59,7 +59,7 @@ void merge(std::vector<CarryShare>& shares) {
 SurfaceContacts::SurfaceContacts(std::span<const Vector3d> rest, const Topology& topology)
     : rest_(rest),
       topology_(topology),
-      widest_band_(kWidestCarryBand * bounds_of(rest).diagonal()),
+      widest_band_(kWidestCarryBand * bounds_of(surface_positions(rest, topology)).diagonal()),
       surface_(topology.triangles, rest, one_group(topology)) {
   for (const auto& [a, b, c] : topology_.triangles) {
     areas_.push_back((rest[b] - rest[a]).cross(rest[c] - rest[a]).norm());

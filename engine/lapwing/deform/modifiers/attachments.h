@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/closest/closest_point.h"
 #include "lapwing/deform/deform.h"
 #include "lapwing/deform/vertex_motion.h"
+#include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
 
@@ -39,20 +39,19 @@ struct CarryShares {
 
 /// Finds the vertices of a surface at rest that points around it follow.
 ///
-/// The contacts of a point p are the closest points x_k of all triangles in a band: they are
-/// farther than the nearest one by at most kCarryBand times its distance, and at most
-/// kWidestCarryBand of the surface's diagonal. Contacts are weighted by triangle area and by
-/// closeness, which falls to 0 at the edge of the band. The share of a vertex is its part of all
-/// contacts.
+/// The contacts of a point are the closest points of all triangles in a band: farther than the
+/// nearest one by at most kCarryBand times its distance, and at most kWidestCarryBand of the
+/// surface's diagonal. They are weighted by area and by closeness, which falls to 0 at the edge of
+/// the band.
 class SurfaceContacts {
  public:
   /// `rest` and `topology` must outlive the object. O(n log n). Throws InputError for a mesh
   /// without triangles.
   SurfaceContacts(std::span<const Eigen::Vector3d> rest, const Topology& topology);
 
-  /// Replaces `shares` by those of one point, ascending by vertex. O(log n) for a point near the
-  /// surface; a distant point has many contacts. The position must be finite. `hint` speeds up the
-  /// search: pass kNoIndex first, then the value of the last search nearby.
+  /// Replaces `shares` by those of one finite point, ascending by vertex. O(log n) near the
+  /// surface. `hint` speeds up the search: pass kNoIndex first, then the value of the last search
+  /// nearby.
   void find(const Eigen::Vector3d& point, Index& hint, std::vector<CarryShare>& shares) const;
 
   /// Returns the shares of all points, on all processors. Returns nothing if there are more than
@@ -72,20 +71,16 @@ class SurfaceContacts {
 
 /// Moves points, such as a hat or a point cloud, with a surface that `deform` moved. Let x, x', R
 /// and S be the weighted means of rest position, new position, rotation (VertexMotion) and rest
-/// stretch over the contacts of a point p (SurfaceContacts). Then
-///
-///     p' = x' + R S (p - x)
-///
-/// A point on the surface stays on it. If the surface moves rigidly, so do the points. p' is
-/// continuous in p, also half way between two parts of the surface. Points whose contacts did not
-/// move keep their bits.
+/// stretch over the contacts of a point p. Then
+///     p' = x' + R S (p - x).
+/// Points on the surface stay on it, p' is continuous in p, and points whose contacts did not move
+/// keep their bits.
 class AttachmentDeformer {
  public:
   /// `rest` are the positions before `deformed`; both must outlive the object. O(n log n). Throws
   /// InputError for a mesh without triangles.
   AttachmentDeformer(std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
-  /// The same with contacts that are reused for several deformations of one surface, as in a drag.
-  /// Linear in the region.
+  /// The same with contacts that serve several deformations of one surface, as in a drag.
   AttachmentDeformer(std::shared_ptr<const SurfaceContacts> contacts, const Deformed& deformed);
 
   /// Runs on all processors. Positions must be finite.

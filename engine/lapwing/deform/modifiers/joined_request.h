@@ -4,7 +4,7 @@
 
 #include "lapwing/deform/deform.h"
 #include "lapwing/deform/deform_request.h"
-#include "lapwing/mesh/joined_surface.h"
+#include "lapwing/mesh/seams.h"
 
 namespace lapwing {
 

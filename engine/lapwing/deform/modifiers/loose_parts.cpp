@@ -6,8 +6,8 @@
 
 #include <Eigen/LU>
 
-#include "lapwing/closest/closest_point.h"
 #include "lapwing/laplacian/rotation.h"
+#include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
 namespace {
@@ -115,20 +115,20 @@ LooseParts::LooseParts(const EditRegion& region, std::span<const Vector3d> rest,
   }
 }
 
-LooseParts::Lead LooseParts::lead(const Part& part, std::span<const Vector3d> wanted,
+LooseParts::Lead LooseParts::lead(const Part& part, std::span<const Vector3d> prescribed,
                                   std::span<const Vector3d> u) {
   Lead lead;
   for (const Guide& guide : part.guides) {
-    lead.displacements.push_back(guide.is_anchor ? wanted[guide.vertex] : u[guide.vertex]);
+    lead.displacements.push_back(guide.is_anchor ? prescribed[guide.vertex] : u[guide.vertex]);
     lead.mean += guide.weight * lead.displacements.back();
   }
   return lead;
 }
 
-void LooseParts::carry(std::span<const Vector3d> wanted, std::span<const double> scales,
+void LooseParts::carry(std::span<const Vector3d> prescribed, std::span<const double> scales,
                        std::span<Vector3d> u) const {
   for (const Part& part : parts_) {
-    const auto [displacements, mean] = lead(part, wanted, u);
+    const auto [displacements, mean] = lead(part, prescribed, u);
     const double scale = mean_of(scales, part.guides, 1.0);
     Matrix3d H = Matrix3d::Zero();
     double spread = 0.0;
@@ -148,10 +148,10 @@ void LooseParts::carry(std::span<const Vector3d> wanted, std::span<const double>
   }
 }
 
-void LooseParts::carry_linear(std::span<const Vector3d> wanted, std::span<const double> growth,
+void LooseParts::carry_linear(std::span<const Vector3d> prescribed, std::span<const double> growth,
                               std::span<Vector3d> u) const {
   for (const Part& part : parts_) {
-    const auto [displacements, mean] = lead(part, wanted, u);
+    const auto [displacements, mean] = lead(part, prescribed, u);
     Matrix3d inertia = std::numeric_limits<double>::min() * Matrix3d::Identity();
     Vector3d moment = Vector3d::Zero();
     for (std::size_t g = 0; g < part.guides.size(); ++g) {
@@ -170,9 +170,9 @@ void LooseParts::carry_linear(std::span<const Vector3d> wanted, std::span<const 
   }
 }
 
-void LooseParts::carry_straight(std::span<const Vector3d> wanted, std::span<Vector3d> u) const {
+void LooseParts::carry_straight(std::span<const Vector3d> prescribed, std::span<Vector3d> u) const {
   for (const Part& part : parts_) {
-    const Vector3d mean = lead(part, wanted, u).mean;
+    const Vector3d mean = lead(part, prescribed, u).mean;
     for (const Index v : *part.vertices) u[v] = mean;
   }
 }

@@ -10,11 +10,11 @@
 
 namespace lapwing {
 
-/// Moves the loose parts of a region along. Each part moves rigidly, by the best fit to the motion
-/// of the surface at its contacts (weighted least squares; Kabsch 1976), and scales with the
-/// prescribed stretch there. Contacts are the points of the rest of the mesh that are closest to
-/// the part's vertices. Their weight decreases with distance, to 0 at kContactBand of the part's
-/// size beyond the nearest. Vertices of the part on belt or handles count much more.
+/// Moves the loose parts of a region along, each rigidly by the best fit to the surface at its
+/// contacts (weighted least squares; Kabsch 1976), and scaled with the prescribed stretch there.
+/// Contacts are the points of the rest of the mesh that are closest to the part's vertices. Their
+/// weight decreases with distance, to 0 at kContactBand of the part's size beyond the nearest.
+/// Vertices of the part on belt or handles count much more.
 class LooseParts {
  public:
   LooseParts() = default;  ///< no parts
@@ -24,19 +24,19 @@ class LooseParts {
 
   bool empty() const { return parts_.empty(); }
 
-  /// `u` has one displacement per vertex of the mesh. Sets those of the loose parts so that the
-  /// parts follow the surface. `wanted` prescribes the displacements of their anchors. `scales` are
-  /// the mean scales of the S_i, per vertex of the mesh; empty for 1. Parts that do not move keep
-  /// their bits.
-  void carry(std::span<const Eigen::Vector3d> wanted, std::span<const double> scales,
+  /// Sets the displacements `u` of the loose parts, per vertex of the mesh, so that they follow the
+  /// surface. `prescribed` has those of their anchors, `scales` the mean scales of the S_i per
+  /// vertex of the mesh; empty for 1. Parts that do not move keep their bits.
+  void carry(std::span<const Eigen::Vector3d> prescribed, std::span<const double> scales,
              std::span<Eigen::Vector3d> u) const;
 
   /// The same to first order, for the columns of a response. `growth` is the scale minus 1.
-  void carry_linear(std::span<const Eigen::Vector3d> wanted, std::span<const double> growth,
+  void carry_linear(std::span<const Eigen::Vector3d> prescribed, std::span<const double> growth,
                     std::span<Eigen::Vector3d> u) const;
 
   /// Translates each part by the mean displacement at its contacts.
-  void carry_straight(std::span<const Eigen::Vector3d> wanted, std::span<Eigen::Vector3d> u) const;
+  void carry_straight(std::span<const Eigen::Vector3d> prescribed,
+                      std::span<Eigen::Vector3d> u) const;
 
  private:
   // A vertex whose displacement determines the motion of a part.
@@ -56,7 +56,7 @@ class LooseParts {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   };
 
-  static Lead lead(const Part& part, std::span<const Eigen::Vector3d> wanted,
+  static Lead lead(const Part& part, std::span<const Eigen::Vector3d> prescribed,
                    std::span<const Eigen::Vector3d> u);
 
   std::span<const Eigen::Vector3d> rest_;

@@ -6,8 +6,8 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/closest/closest_point.h"
 #include "lapwing/laplacian/decompositions.h"
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {

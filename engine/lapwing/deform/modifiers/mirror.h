@@ -25,7 +25,7 @@ struct AutomaticMirror {
 
 /// A mirror as the user wrote it.
 struct MirrorSpec {
-  std::variant<AutomaticMirror, MirrorPlane> plane;
+  std::variant<AutomaticMirror, MirrorPlane> plane = {};
   std::string where = "mirror";  ///< as in RegionSpec; no part of the value
   bool operator==(const MirrorSpec& other) const { return plane == other.plane; }
 };
@@ -56,8 +56,8 @@ FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where);
 double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::string& where);
 
 /// Returns for each vertex the vertex at its mirror image: the nearest corner of the triangle that
-/// is closest to the image. On a symmetric mesh these are its pairs. A vertex without a triangle is
-/// its own image. O(n log n). Throws what `require_through` throws.
+/// is closest to the image. A vertex without a triangle is its own image. O(n log n). Throws what
+/// `require_through` throws.
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where);
 

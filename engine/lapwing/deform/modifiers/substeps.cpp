@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/modifiers/winding.h"
 #include "lapwing/deform/turn_tracker.h"
 
 namespace lapwing {
@@ -17,16 +17,69 @@ using Eigen::Vector3d;
 // 0.3 degrees in parts of 0.1 must give three parts, although the quotient is rounded up.
 constexpr double kRoundingOfQuotient = 1e-9;
 
-// Tolerance for a computed half turn.
-constexpr double kRoundingDegrees = 1e-6;
+bool is_free(const MovedHandle& handle) {
+  return handle.orientation == HandleOrientation::free;
+}
 
 }  // namespace
+
+std::vector<Affine3d> ResolvedRequest::motions(double from, double to) const {
+  std::vector<Affine3d> all;
+  for (std::size_t h = 0; h < request.handles.size(); ++h) {
+    const Move& move = request.handles[h].move;
+    all.push_back(to_affine(move, centroids[h], to));
+    if (from > 0.0) all.back() = all.back() * to_affine(move, centroids[h], from).inverse();
+  }
+  return all;
+}
+
+HandleMotions ResolvedRequest::handle_motions(double from, double to) const {
+  HandleMotions all{motions(from, to), {}, {}};
+  for (const MovedHandle& handle : request.handles) {
+    const AxisRotation whole = turn_of(handle.move);
+    all.turns.emplace_back((to - from) * whole.degrees * std::numbers::pi / 180.0, whole.axis);
+    all.is_free.push_back(is_free(handle) ? 1 : 0);
+  }
+  if (!all.any_free()) all.is_free.clear();
+  return all;
+}
+
+std::vector<HandleMotions> ResolvedRequest::path() const {
+  std::size_t count = 0;
+  for (const MovedHandle& handle : request.handles) count = std::max(count, handle.path.size());
+  std::vector<HandleMotions> path;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k + 1) / static_cast<double>(count + 1);
+    HandleMotions motions = handle_motions(0.0, share);
+    for (std::size_t h = 0; h < request.handles.size(); ++h) {
+      const MovedHandle& handle = request.handles[h];
+      if (handle.path.empty()) continue;
+      motions.maps[h] = to_affine(handle.path[k], centroids[h]);
+      const AxisRotation turn = turn_of(handle.path[k]);
+      motions.turns[h] = {turn.degrees * std::numbers::pi / 180.0, turn.axis};
+    }
+    path.push_back(std::move(motions));
+  }
+  return path;
+}
+
+LargestTurn largest_turn(const DeformRequest& request) {
+  LargestTurn largest;
+  for (std::size_t h = 0; h < request.handles.size(); ++h) {
+    if (is_free(request.handles[h])) continue;
+    const AxisRotation turn = turn_of(request.handles[h].move);
+    if (turn.degrees > largest.turn.degrees) largest = {h, turn};
+  }
+  return largest;
+}
 
 std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
                                       bool has_path) {
   if (parameters.commit_every) return parameters.commit_every;
-  const bool is_far = turn_degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
-  return parameters.settle && is_far && !has_path ? std::optional(kFarTurnDegrees) : std::nullopt;
+  // Linear responses ignore paths.
+  const bool follows_path = parameters.settle && has_path;
+  return exceeds_settled_turn(turn_degrees) && !follows_path ? std::optional(kFarTurnDegrees)
+                                                             : std::nullopt;
 }
 
 std::size_t commit_count(const DeformRequest& request) {
@@ -51,14 +104,11 @@ Certificate certify(const ResolvedRequest& bound, std::span<const Vector3d> star
                     std::span<const Eigen::Matrix3d> stretch) {
   Certificate certificate;
   // The final position of a free handle is not known, but each part has measured its error.
-  const auto is_free = [](const MovedHandle& handle) {
-    return handle.orientation == HandleOrientation::free;
-  };
   const bool any_free = std::ranges::any_of(bound.request.handles, is_free);
   for (const Certificate& part : parts) {
     certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);
     certificate.relative_gradient = std::max(certificate.relative_gradient, part.relative_gradient);
-    certificate.asked_motion += part.asked_motion;
+    certificate.prescribed_motion += part.prescribed_motion;
     if (any_free) {
       certificate.handle_error = std::max(certificate.handle_error, part.handle_error);
     }

@@ -1,19 +1,49 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include "lapwing/deform/certificate.h"
-#include "lapwing/deform/modifiers/resolved_request.h"
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
 
 namespace lapwing {
+
+/// A request with its regions resolved. Everything it refers to must outlive it.
+struct ResolvedRequest {
+  const DeformRequest& request;
+  const EditRegion& region;
+  const Topology& topology;
+  /// The handles' centroids before the request is carried out.
+  std::span<const Eigen::Vector3d> centroids;
+
+  /// Returns the motion of each handle from its place after share `from` of the request to its
+  /// place after share `to`.
+  std::vector<Eigen::Affine3d> motions(double from, double to) const;
+  /// Returns `motions` with the turns, whole turns included, and the free handles.
+  HandleMotions handle_motions(double from, double to) const;
+  /// Returns the waypoints of the request's paths, in order. Empty without paths.
+  std::vector<HandleMotions> path() const;
+};
+
+/// The handle of a request with the largest turn.
+struct LargestTurn {
+  std::size_t handle = 0;
+  AxisRotation turn;  ///< degrees 0 or more
+};
+LargestTurn largest_turn(const DeformRequest& request);
 
 /// More commits than this count as a mistake, since each repeats the preparation.
 inline constexpr std::size_t kMostCommits = 1000;
 
-/// Returns the largest turn of one part: `commit_every` if that is set. Without it, 90 degrees if
-/// the surface settles, no handle has a path, and one turns by more than
-/// kLargestSettledTurnDegrees, since the energy may then be less in the other direction. Otherwise
-/// nothing.
+/// Returns the largest turn of one part: `commit_every` if that is set. Without it, 90 degrees if a
+/// handle turns by more than kLargestSettledTurnDegrees, since the energy may then be less in the
+/// other direction, and the surface does not settle along a path. Otherwise nothing.
 std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
                                       bool has_path);
 

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <sstream>
 
-#include "lapwing/deform/modifiers/substeps.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/laplacian/ring_fit.h"
 
@@ -29,8 +28,7 @@ double suggested_commit_every(const DeformRequest& request, double degrees) {
 // there is none.
 std::vector<Index> path_from_still(const EditRegion& region, const Topology& topology,
                                    Index vertex) {
-  std::vector<char> moves(topology.vertex_count(), 0);
-  for (const Index v : region.roi) moves[v] = 1;
+  std::vector<char> moves = vertex_mask(topology.vertex_count(), region.roi);
   for (const Index v : region.belt) moves[v] = 0;
   std::vector<Index> towards(topology.vertex_count(), kNoIndex);
   std::vector<Index> queue{vertex};
@@ -68,16 +66,6 @@ std::string advice(const DeformRequest& request, double degrees) {
 
 }  // namespace
 
-LargestTurn largest_turn(const DeformRequest& request) {
-  LargestTurn largest;
-  for (std::size_t h = 0; h < request.handles.size(); ++h) {
-    if (request.handles[h].orientation == HandleOrientation::free) continue;
-    const AxisRotation turn = turn_of(request.handles[h].move);
-    if (turn.degrees > largest.turn.degrees) largest = {h, turn};
-  }
-  return largest;
-}
-
 std::optional<double> winding_degrees(const ResolvedRequest& bound, const LargestTurn& largest,
                                       std::span<const Vector3d> start,
                                       std::span<const Vector3d> end) {
@@ -99,20 +87,11 @@ std::optional<double> winding_degrees(const ResolvedRequest& bound, const Larges
 std::string winding_warning(const DeformRequest& request, const std::optional<double>& wound) {
   const LargestTurn largest = largest_turn(request);
   const double degrees = largest.turn.degrees;
-  const bool at_once = !request.parameters.settle && !request.parameters.commit_every &&
-                       degrees > kLargestSettledTurnDegrees;
-  const bool lost = wound && std::abs(*wound - degrees) > 180.0;
-  if (!at_once && !lost) return {};
+  if (!wound || std::abs(*wound - degrees) <= 180.0) return {};
   std::ostringstream text;
-  text << "handle " << largest.handle + 1 << " turns by " << degrees << " degrees";
-  if (lost) {
-    text << ", but the surface is wound by " << std::lround(*wound)
-         << " degrees. To correct this, ";
-  } else {
-    text << " at once; beyond " << kLargestSettledTurnDegrees << " degrees a surface may unwind"
-         << (wound ? ", although this one did not" : "") << ". To prevent this, ";
-  }
-  text << advice(request, degrees);
+  text << "handle " << largest.handle + 1 << " turns by " << degrees
+       << " degrees, but the surface is wound by " << std::lround(*wound)
+       << " degrees. To correct this, " << advice(request, degrees);
   return text.str();
 }
 

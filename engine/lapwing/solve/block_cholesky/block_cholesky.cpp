@@ -9,14 +9,31 @@
 
 #include "lapwing/base/limits.h"
 #include "lapwing/base/worker_pool.h"
-#include "lapwing/solve/block_cholesky/instruction_sets.h"
+#include "lapwing/solve/block_cholesky/kernels.h"
 #include "lapwing/solve/block_cholesky/numeric.h"
 #include "lapwing/solve/block_cholesky/triangular_solve.h"
 
 namespace lapwing {
-namespace {
 
 using namespace cholesky;
+
+struct BlockCholesky::Analysis final : SolverAnalysis {
+  Symbolic symbolic;
+  const BlockPattern* pattern = nullptr;
+};
+
+// The numeric work in one precision.
+class BlockCholesky::Factorization {
+ public:
+  virtual ~Factorization() = default;
+  virtual void touch() = 0;
+  virtual Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
+                            const std::vector<char>& kept) = 0;
+  virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+                     std::span<const Index> places) = 0;
+};
+
+namespace {
 
 void check_order(std::span<const int> order, std::size_t blocks) {
   std::vector<char> seen(blocks, 0);
@@ -58,22 +75,6 @@ std::vector<int> component_of(const Symbolic& symbolic, int front) {
   return blocks;
 }
 
-struct Analysis final : SolverAnalysis {
-  Symbolic symbolic;
-  const BlockPattern* pattern = nullptr;
-};
-
-// The numeric work in one precision.
-class Factorization {
- public:
-  virtual ~Factorization() = default;
-  virtual void touch() = 0;
-  virtual Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
-                            const std::vector<char>& kept) = 0;
-  virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
-                     std::span<const Index> places) = 0;
-};
-
 template <typename Real>
 const KernelTable<Real>& kernels_in(const KernelTables& tables) {
   if constexpr (std::is_same_v<Real, float>) {
@@ -82,28 +83,6 @@ const KernelTable<Real>& kernels_in(const KernelTables& tables) {
     return tables.doubles;
   }
 }
-
-template <typename Real>
-class FactorizationIn final : public Factorization {
- public:
-  FactorizationIn(const Symbolic& symbolic, const KernelTables& tables, WorkerPool& pool)
-      : numeric_(symbolic, kernels_in<Real>(tables), pool),
-        solve_(symbolic, numeric_, kernels_in<Real>(tables), pool) {}
-
-  void touch() override { numeric_.touch(); }
-  Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
-                    const std::vector<char>& kept) override {
-    return numeric_.factorize(matrix, progress, kept);
-  }
-  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
-             std::span<const Index> places) override {
-    solve_.solve(B, X, columns, places);
-  }
-
- private:
-  Numeric<Real> numeric_;
-  TriangularSolve<Real> solve_;
-};
 
 template <typename Real>
 void add_sizes(const Symbolic& symbolic, int threads, SolverStatistics& statistics) {
@@ -136,15 +115,53 @@ SolverError not_finite(const BlockPattern& pattern, std::size_t entry) {
 
 }  // namespace
 
-class BlockCholesky::Implementation {
+template <typename Real>
+class BlockCholesky::FactorizationIn final : public Factorization {
  public:
-  explicit Implementation(const BlockCholeskyOptions& options)
-      : options_(options),
-        kernels_(kernels_for(options.instruction_set)),
-        own_pool_(options.threads > 0 ? std::make_unique<WorkerPool>(options.threads) : nullptr),
-        pool_(own_pool_ ? *own_pool_ : shared_workers()) {}
+  FactorizationIn(const Symbolic& symbolic, const KernelTables& tables, WorkerPool& pool)
+      : numeric_(symbolic, kernels_in<Real>(tables), pool),
+        solve_(symbolic, numeric_, kernels_in<Real>(tables), pool) {}
 
-  void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) {
+  void touch() override { numeric_.touch(); }
+  Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
+                    const std::vector<char>& kept) override {
+    return numeric_.factorize(matrix, progress, kept);
+  }
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+             std::span<const Index> places) override {
+    solve_.solve(B, X, columns, places);
+  }
+
+ private:
+  Numeric<Real> numeric_;
+  TriangularSolve<Real> solve_;
+};
+
+BlockCholesky::BlockCholesky(const BlockCholeskyOptions& options)
+    : options_(options),
+      kernels_(kernels_for(options.instruction_set)),
+      own_pool_(options.threads > 0 ? std::make_unique<WorkerPool>(options.threads) : nullptr),
+      pool_(own_pool_ ? *own_pool_ : shared_workers()) {}
+
+BlockCholesky::~BlockCholesky() = default;
+
+// Calls `step`. If memory runs out, throws a SolverError that says how much is needed.
+template <typename Step>
+void BlockCholesky::guard(Step step) {
+  try {
+    step();
+  } catch (const std::bad_alloc&) {
+    if (!factored_) factorization_.reset();
+    throw SolverError(analysis_ != nullptr
+                          ? "out of memory: the factorization needs " +
+                                in_megabytes(statistics_.peak_bytes) + "; choose a smaller region"
+                          : "out of memory in the symbolic factorization; choose a smaller region");
+  }
+}
+
+void BlockCholesky::analyze(const BlockPattern& pattern, int block_size,
+                            std::span<const int> order) {
+  guard([&] {
     forget();
     check_order(order, pattern.size());
     if (block_size != 1 && block_size != 3) {
@@ -154,197 +171,152 @@ class BlockCholesky::Implementation {
     auto found = std::make_shared<Analysis>();
     found->symbolic = analyze_pattern(pattern, block_size, order);
     found->pattern = &pattern;
-    analyze_as(std::move(found));
-  }
-
-  void analyze_as(std::shared_ptr<const SolverAnalysis> analysis) {
-    forget();
-    analysis_ = std::dynamic_pointer_cast<const Analysis>(std::move(analysis));
-    require_analysis();
-    statistics_.flops = symbolic().flops;
-    if (options_.precision == FactorPrecision::float32) {
-      add_sizes<float>(symbolic(), pool_.size(), statistics_);
-    } else {
-      add_sizes<double>(symbolic(), pool_.size(), statistics_);
-    }
-    if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
-      const int blocks = symbolic().blocks;
-      analysis_.reset();
-      throw SolverError("the factorization of " + std::to_string(blocks) + " blocks needs " +
-                        in_megabytes(statistics_.peak_bytes) + ", more than the limit of " +
-                        in_megabytes(options_.memory_limit_bytes) +
-                        "; choose a smaller region or raise the limit");
-    }
-  }
-
-  std::shared_ptr<const SolverAnalysis> analysis() const { return analysis_; }
-
-  void prepare_memory() {
-    require_analysis();
-    take_memory();
-    factorization_->touch();
-  }
-
-  void factorize(const BlockMatrix& matrix, const Progress& progress,
-                 const std::vector<char>& kept) {
-    check(matrix);
-    factored_ = false;
-    take_memory();
-    const Refusal refusal = factorization_->factorize(matrix, progress, kept);
-    if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(symbolic(), refusal);
-    if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(pattern(), refusal.where);
-    factored_ = true;
-  }
-
-  void refactorize_diagonal(const BlockMatrix& matrix, std::span<const Index> changed,
-                            const Progress& progress) {
-    std::vector<char> kept;
-    if (factored_) {
-      kept.assign(symbolic().upward.size(), 1);
-      for (const Index block : changed) kept[symbolic().node_of_front(front_of(block))] = 0;
-      // Children are numbered before their parents.
-      for (int node = 0; node < symbolic().upward.size(); ++node) {
-        if (kept[node]) continue;
-        const WorkGraph& graph = symbolic().upward;
-        for (int s = graph.successor_starts[node]; s < graph.successor_starts[node + 1]; ++s) {
-          kept[graph.successors[s]] = 0;
-        }
-      }
-    }
-    factorize(matrix, progress, kept);
-  }
-
-  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
-             std::span<const Index> places) {
-    if (!factored_) throw SolverError("the matrix is not factorized; call factorize first");
-    const std::scoped_lock lock(solving_);  // all solves use the same scratch memory
-    factorization_->solve(B, X, columns, places);
-  }
-
-  const SolverStatistics& statistics() const { return statistics_; }
-
-  // Calls `step`. If memory runs out, throws a SolverError that says how much is needed.
-  template <typename Step>
-  void guard(Step step) {
-    try {
-      step();
-    } catch (const std::bad_alloc&) {
-      const bool known = analysis_ != nullptr;
-      if (!factored_) factorization_.reset();
-      throw SolverError(known
-                            ? "out of memory: the factorization needs " +
-                                  in_megabytes(statistics_.peak_bytes) + "; choose a smaller region"
-                            : "out of memory in the symbolic factorization; choose a smaller "
-                              "region");
-    }
-  }
-
- private:
-  const Symbolic& symbolic() const { return analysis_->symbolic; }
-  const BlockPattern& pattern() const { return *analysis_->pattern; }
-
-  void forget() {
-    factored_ = false;
-    factorization_.reset();
-    analysis_.reset();
-    statistics_ = {};
-  }
-
-  void take_memory() {
-    if (factorization_) return;
-    require_memory_for_factor();
-    if (options_.precision == FactorPrecision::float32) {
-      factorization_ = std::make_unique<FactorizationIn<float>>(symbolic(), kernels_, pool_);
-    } else {
-      factorization_ = std::make_unique<FactorizationIn<double>>(symbolic(), kernels_, pool_);
-    }
-  }
-
-  // Throws if the factor does not fit into memory. Systems in 3 x 3 blocks are exempt: they are the
-  // large ones, and their callers check before and can do without.
-  void require_memory_for_factor() const {
-    constexpr std::size_t kWorthAsking = 64'000'000;  // smaller amounts are not worth a check
-    const std::size_t bytes = statistics_.peak_bytes - table_bytes(symbolic());
-    if (symbolic().block_size == 3 || bytes < kWorthAsking) return;
-    require_memory(bytes, "the factorization of " + std::to_string(symbolic().blocks) + " blocks",
-                   "choose a smaller region");
-  }
-
-  int front_of(Index block) const {
-    if (block >= symbolic().front_of_block.size()) {
-      throw SolverError("block " + std::to_string(block) +
-                        " cannot be refactorized: it does not exist");
-    }
-    return symbolic().front_of_block[block];
-  }
-
-  void require_analysis() const {
-    if (!analysis_) throw SolverError("the pattern is not analyzed; call analyze first");
-  }
-
-  void check(const BlockMatrix& matrix) const {
-    require_analysis();
-    const auto b = static_cast<std::size_t>(symbolic().block_size);
-    if (matrix.block_size != symbolic().block_size ||
-        matrix.values.size() != symbolic().entries.size() * b * b) {
-      throw SolverError("the matrix does not have the analyzed pattern; call analyze again");
-    }
-  }
-
-  BlockCholeskyOptions options_;
-  const KernelTables& kernels_;
-  std::unique_ptr<WorkerPool> own_pool_;
-  WorkerPool& pool_;
-  SolverStatistics statistics_;
-  std::shared_ptr<const Analysis> analysis_;
-  std::unique_ptr<Factorization> factorization_;
-  std::mutex solving_;
-  bool factored_ = false;
-};
-
-BlockCholesky::BlockCholesky(const BlockCholeskyOptions& options)
-    : implementation_(std::make_unique<Implementation>(options)) {}
-
-BlockCholesky::~BlockCholesky() = default;
-
-void BlockCholesky::analyze(const BlockPattern& pattern, int block_size,
-                            std::span<const int> order) {
-  implementation_->guard([&] { implementation_->analyze(pattern, block_size, order); });
+    use(std::move(found));
+  });
 }
 
 std::shared_ptr<const SolverAnalysis> BlockCholesky::analysis() const {
-  return implementation_->analysis();
+  return analysis_;
 }
 
 void BlockCholesky::analyze_as(std::shared_ptr<const SolverAnalysis> analysis) {
-  implementation_->guard([&] { implementation_->analyze_as(std::move(analysis)); });
+  guard([&] {
+    forget();
+    use(std::dynamic_pointer_cast<const Analysis>(std::move(analysis)));
+  });
+}
+
+void BlockCholesky::use(std::shared_ptr<const Analysis> analysis) {
+  analysis_ = std::move(analysis);
+  require_analysis();
+  const Symbolic& symbolic = analysis_->symbolic;
+  statistics_.flops = symbolic.flops;
+  if (options_.precision == FactorPrecision::float32) {
+    add_sizes<float>(symbolic, pool_.size(), statistics_);
+  } else {
+    add_sizes<double>(symbolic, pool_.size(), statistics_);
+  }
+  if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
+    const int blocks = symbolic.blocks;
+    analysis_.reset();
+    throw SolverError("the factorization of " + std::to_string(blocks) + " blocks needs " +
+                      in_megabytes(statistics_.peak_bytes) + ", more than the limit of " +
+                      in_megabytes(options_.memory_limit_bytes) +
+                      "; choose a smaller region or raise the limit");
+  }
 }
 
 void BlockCholesky::prepare_memory() {
-  implementation_->guard([&] { implementation_->prepare_memory(); });
+  guard([&] {
+    require_analysis();
+    take_memory();
+    factorization_->touch();
+  });
 }
 
 void BlockCholesky::factorize(const BlockMatrix& matrix) {
-  implementation_->guard([&] { implementation_->factorize(matrix, progress_, {}); });
+  factorize(matrix, {});
+}
+
+// Recomputes all nodes except those that `kept` marks. An empty `kept` marks none.
+void BlockCholesky::factorize(const BlockMatrix& matrix, const std::vector<char>& kept) {
+  guard([&] {
+    check(matrix);
+    factored_ = false;
+    take_memory();
+    const Refusal refusal = factorization_->factorize(matrix, progress_, kept);
+    if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(analysis_->symbolic, refusal);
+    if (refusal.reason == Refusal::Reason::not_finite) {
+      throw not_finite(*analysis_->pattern, refusal.where);
+    }
+    factored_ = true;
+  });
 }
 
 void BlockCholesky::refactorize_diagonal(const BlockMatrix& matrix,
                                          std::span<const Index> changed) {
-  implementation_->guard(
-      [&] { implementation_->refactorize_diagonal(matrix, changed, progress_); });
+  std::vector<char> kept;
+  if (factored_) {
+    const Symbolic& symbolic = analysis_->symbolic;
+    const WorkGraph& graph = symbolic.upward;
+    guard([&] { kept.assign(graph.size(), 1); });
+    for (const Index block : changed) {
+      if (block >= symbolic.front_of_block.size()) {
+        throw SolverError("block " + std::to_string(block) +
+                          " cannot be refactorized: it does not exist");
+      }
+      kept[symbolic.node_of_front(symbolic.front_of_block[block])] = 0;
+    }
+    // Children are numbered before their parents.
+    for (int node = 0; node < graph.size(); ++node) {
+      if (kept[node]) continue;
+      for (int s = graph.successor_starts[node]; s < graph.successor_starts[node + 1]; ++s) {
+        kept[graph.successors[s]] = 0;
+      }
+    }
+  }
+  factorize(matrix, kept);
 }
 
 void BlockCholesky::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
-  implementation_->guard([&] { implementation_->solve(B, X, columns, {}); });
+  solve(B, X, columns, {});
 }
 
 void BlockCholesky::solve_in_places(std::span<double> X, std::size_t columns,
                                     std::span<const Index> places) {
-  implementation_->guard([&] { implementation_->solve(X, X, columns, places); });
+  solve(X, X, columns, places);
 }
 
-SolverStatistics BlockCholesky::statistics() const {
-  return implementation_->statistics();
+void BlockCholesky::solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+                          std::span<const Index> places) {
+  guard([&] {
+    if (!factored_) throw SolverError("the matrix is not factorized; call factorize first");
+    const std::scoped_lock lock(solving_);  // all solves use the same scratch memory
+    factorization_->solve(B, X, columns, places);
+  });
+}
+
+void BlockCholesky::forget() {
+  factored_ = false;
+  factorization_.reset();
+  analysis_.reset();
+  statistics_ = {};
+}
+
+void BlockCholesky::take_memory() {
+  if (factorization_) return;
+  require_memory_for_factor();
+  const Symbolic& symbolic = analysis_->symbolic;
+  if (options_.precision == FactorPrecision::float32) {
+    factorization_ = std::make_unique<FactorizationIn<float>>(symbolic, kernels_, pool_);
+  } else {
+    factorization_ = std::make_unique<FactorizationIn<double>>(symbolic, kernels_, pool_);
+  }
+}
+
+// Throws if the factor does not fit into memory. Systems in 3 x 3 blocks are exempt: they are the
+// large ones, and their callers check before and can do without.
+void BlockCholesky::require_memory_for_factor() const {
+  constexpr std::size_t kWorthAsking = 64'000'000;  // smaller amounts are not worth a check
+  const Symbolic& symbolic = analysis_->symbolic;
+  const std::size_t bytes = statistics_.peak_bytes - table_bytes(symbolic);
+  if (symbolic.block_size == 3 || bytes < kWorthAsking) return;
+  require_memory(bytes, "the factorization of " + std::to_string(symbolic.blocks) + " blocks",
+                 "choose a smaller region");
+}
+
+void BlockCholesky::require_analysis() const {
+  if (!analysis_) throw SolverError("the pattern is not analyzed; call analyze first");
+}
+
+void BlockCholesky::check(const BlockMatrix& matrix) const {
+  require_analysis();
+  const Symbolic& symbolic = analysis_->symbolic;
+  const auto b = static_cast<std::size_t>(symbolic.block_size);
+  if (matrix.block_size != symbolic.block_size ||
+      matrix.values.size() != symbolic.entries.size() * b * b) {
+    throw SolverError("the matrix does not have the analyzed pattern; call analyze again");
+  }
 }
 
 std::unique_ptr<BlockSolver> make_solver(FactorPrecision precision) {

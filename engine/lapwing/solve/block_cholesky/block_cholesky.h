@@ -2,13 +2,19 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "lapwing/base/instruction_set.h"
+#include "lapwing/base/worker_pool.h"
 #include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
+namespace cholesky {
+struct KernelTables;
+}
 
 /// Options of BlockCholesky.
 struct BlockCholeskyOptions {
@@ -59,11 +65,34 @@ class BlockCholesky final : public BlockSolver {
   void solve_in_places(std::span<double> X, std::size_t columns,
                        std::span<const Index> places) override;
 
-  SolverStatistics statistics() const override;
+  SolverStatistics statistics() const override { return statistics_; }
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  struct Analysis;
+  class Factorization;
+  template <typename Real>
+  class FactorizationIn;
+  template <typename Step>
+  void guard(Step step);
+  void use(std::shared_ptr<const Analysis> analysis);
+  void factorize(const BlockMatrix& matrix, const std::vector<char>& kept);
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+             std::span<const Index> places);
+  void forget();
+  void take_memory();
+  void require_memory_for_factor() const;
+  void require_analysis() const;
+  void check(const BlockMatrix& matrix) const;
+
+  BlockCholeskyOptions options_;
+  const cholesky::KernelTables& kernels_;
+  std::unique_ptr<WorkerPool> own_pool_;
+  WorkerPool& pool_;
+  SolverStatistics statistics_;
+  std::shared_ptr<const Analysis> analysis_;
+  std::unique_ptr<Factorization> factorization_;
+  std::mutex solving_;
+  bool factored_ = false;
 };
 
 }  // namespace lapwing

@@ -1,8 +1,7 @@
-#include "lapwing/solve/block_cholesky/front_structure.h"
-
 #include <algorithm>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/solve/block_cholesky/symbolic.h"
 
 namespace lapwing::cholesky {
 namespace {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "lapwing/base/instruction_set.h"
 #include "lapwing/solve/block_cholesky/front_layout.h"
 
 namespace lapwing::cholesky {
@@ -59,5 +60,9 @@ struct KernelTables {
   KernelTable<double> doubles;
   KernelTable<float> floats;
 };
+
+/// Returns the kernels of an instruction set; for `automatic`, of the fastest one of this
+/// processor. Throws SolverError if the processor or this build lacks the set.
+const KernelTables& kernels_for(InstructionSet set);
 
 }  // namespace lapwing::cholesky

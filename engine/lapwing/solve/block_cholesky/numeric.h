@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/solve/block_cholesky/arena.h"
 #include "lapwing/solve/block_cholesky/kernels.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/solve/block_cholesky/front_structure.h"
 #include "lapwing/solve/block_cholesky/supernodes.h"
 
 namespace lapwing::cholesky {
@@ -127,7 +126,6 @@ class FrontNumbering {
         const double entries = b * tree.counts[j];
         for (double k = 0; k < b; ++k) {
           front.flops += (entries - k) * (entries - k);
-          symbolic_.factor_entries += static_cast<std::size_t>(entries - k);
         }
       }
       symbolic_.flops += front.flops;

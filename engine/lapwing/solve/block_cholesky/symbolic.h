@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/solve/block_cholesky/elimination_tree.h"
 #include "lapwing/solve/block_cholesky/front_layout.h"
 #include "lapwing/solve/block_matrix.h"
 
@@ -87,7 +88,6 @@ struct Symbolic {
   WorkGraph upward;                ///< tasks, then top fronts: children before parents
   WorkGraph downward;              ///< the same nodes: parents before children
   double flops = 0;                ///< true operations of the factorization
-  std::size_t factor_entries = 0;  ///< true entries of the factor
 
   int task_count() const { return static_cast<int>(task_starts.size()) - 1; }
   int first_top() const { return task_starts.back(); }
@@ -102,5 +102,9 @@ struct Symbolic {
 /// Computes the symbolic factorization of `pattern` under `order` (new to old). Almost linear time
 /// in the size of the factor's block structure.
 Symbolic analyze_pattern(const BlockPattern& pattern, int block_size, std::span<const int> order);
+
+/// Fills all lists of `symbolic` (front_structure.cpp). Its fronts must already have their columns,
+/// children and numbers of update blocks.
+void find_structure(const BlockPattern& pattern, const EliminationGraph& graph, Symbolic& symbolic);
 
 }  // namespace lapwing::cholesky

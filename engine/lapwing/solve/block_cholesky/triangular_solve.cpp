@@ -354,9 +354,9 @@ void TriangularSolve<Real>::store_pivots(const Front& front, const Real* y) cons
 template <typename Real>
 int TriangularSolve<Real>::chunks_for(const Front& front, int pieces) const {
   const std::size_t numbers = padded_updates(front) * front.pivots;
-  const auto wanted = static_cast<int>(
+  const auto chunks = static_cast<int>(
       std::min<std::size_t>(numbers / kSmallestChunk, static_cast<std::size_t>(4 * pool_.size())));
-  return std::clamp(wanted, 1, std::max(1, pieces));
+  return std::clamp(chunks, 1, std::max(1, pieces));
 }
 
 template class TriangularSolve<double>;

@@ -2,10 +2,16 @@
 
 #include <vector>
 
-#include "lapwing/solve/dissection/edge_cut.h"
+#include "lapwing/solve/dissection/cut_score.h"
 #include "lapwing/solve/dissection/weighted_graph.h"
 
 namespace lapwing::dissection {
+
+/// A cut of a graph in two. For its score, the weight of the cut edges stands for the separator.
+struct EdgeCut {
+  CutScore score;
+  Sides sides;
+};
 
 /// Multilevel bisection of a graph (Hendrickson, Leland 1995). Groups the nodes until few are left,
 /// sweeps these, and improves the cut on every level. Any number of threads may call it at the same

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "lapwing/solve/minimum_degree.h"
+#include "lapwing/solve/ordering.h"
 
 namespace lapwing::dissection {
 namespace {

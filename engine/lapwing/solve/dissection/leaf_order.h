@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/solve/dissection/coupling_graph.h"
+#include "lapwing/solve/dissection/mesh_dissection.h"
 
 namespace lapwing::dissection {
 

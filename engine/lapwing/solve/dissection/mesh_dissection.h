@@ -2,20 +2,24 @@
 
 #include <vector>
 
-#include "lapwing/solve/dissection/coupling_graph.h"
-
 namespace lapwing {
 
-/// Returns an order of the unknowns, new to old, that keeps the Cholesky factor of M'M sparse. This
-/// is nested dissection (George 1973) of the graph of the rows of M, which has a third of the edges
-/// of that of M'M.
-///
-/// A set of nodes is cut in two. The unknowns at both ends of the cut edges come last. The two
-/// sides, with those unknowns as nodes that only couple, are ordered in the same way. Minimum
-/// degree orders sets of up to ninety unknowns. All threads share the sets, and the order does not
-/// depend on their number.
-///
-/// Throws Cancelled, and std::bad_alloc if memory runs out.
+/// How the rows of M couple the unknowns of M'M. Node r is a row of M, which holds r and its
+/// neighbours. Two unknowns are coupled in M'M if they are neighbours or share a neighbour, unknown
+/// or not.
+struct CouplingGraph {
+  std::vector<int> starts{0};  ///< compressed rows; both rows of an edge hold it
+  std::vector<int> neighbours;
+  int unknowns = 0;  ///< nodes [0, unknowns); the others only couple
+
+  int size() const { return static_cast<int>(starts.size()) - 1; }
+};
+
+/// Returns an order of the unknowns, new to old, that keeps the Cholesky factor of M'M sparse. It
+/// is a nested dissection (George 1973) of the graph of the rows of M. The unknowns at both ends of
+/// the cut edges come last. Both sides are ordered in the same way, where those unknowns are nodes
+/// that only couple others. Minimum degree orders sets of up to ninety unknowns. The order does not
+/// depend on the number of threads. Throws Cancelled and std::bad_alloc.
 std::vector<int> dissection_order(const CouplingGraph& graph);
 
 }  // namespace lapwing

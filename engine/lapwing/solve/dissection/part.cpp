@@ -84,11 +84,11 @@ Part side_of(const Part& part, const ThickSeparator& separator, int side) {
   for (int v = 0; v < graph.size(); ++v) {
     if (separator.side(v) != side) continue;
     const bool left = is_left(v);
-    bool wanted = left;
-    for (int e = graph.starts[v]; !wanted && e < graph.starts[v + 1]; ++e) {
-      wanted = is_left(graph.neighbours[e]);
+    bool is_needed = left;
+    for (int e = graph.starts[v]; !is_needed && e < graph.starts[v + 1]; ++e) {
+      is_needed = is_left(graph.neighbours[e]);
     }
-    if (!wanted) continue;
+    if (!is_needed) continue;
     number[v] = builder.part().graph.size();
     // A separator is two nodes thick. The farther ones are not in this part, so the others count
     // twice.

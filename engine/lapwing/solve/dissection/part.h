@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lapwing/solve/dissection/coupling_graph.h"
+#include "lapwing/solve/dissection/mesh_dissection.h"
 #include "lapwing/solve/dissection/separator.h"
 #include "lapwing/solve/dissection/weighted_graph.h"
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lapwing/solve/dissection/cut_score.h"
-#include "lapwing/solve/dissection/edge_cut.h"
 #include "lapwing/solve/dissection/weighted_graph.h"
 
 namespace lapwing::dissection {

@@ -16,6 +16,9 @@ struct WeightedGraph {
   int size() const { return static_cast<int>(weights.size()); }
 };
 
+/// Holds the side of a cut, 0 or 1, for each node.
+using Sides = std::vector<unsigned char>;
+
 /// Groups of neighbouring nodes.
 struct Groups {
   std::vector<int> of_node;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lapwing/deform/certificate.h"
+
+namespace lapwing {
+
+/// Returns warnings for the user, each with a place and advice: not settled, handle error, flipped
+/// triangles, inside-out surface, long edges. Empty for a good result.
+std::vector<std::string> warnings_of(const Certificate& certificate);
+
+/// `warnings_of` warns if a larger share of the region is inside out.
+inline constexpr double kMostInsideOut = 0.01;
+
+/// `warnings_of` warns of an edge longer than this factor times its prescribed length.
+inline constexpr double kLongEdge = 3.0;
+
+/// Whether the handle error exceeds 1% of the mesh's diagonal, about 8 pixels of a window that
+/// shows the whole mesh, or a quarter of the prescribed motion, which matters in a region that is
+/// small beside its mesh. Soft handles of default weight miss by a hundredth of their motion, on
+/// the coarsest meshes by a tenth.
+bool misses_handles(const Certificate& certificate);
+
+}  // namespace lapwing

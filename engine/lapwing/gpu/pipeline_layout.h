@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/gpu/owned.h"
+
+namespace lapwing::gpu {
+
+/// Layout of a pipeline: storage buffers at the bindings 0, 1, ... of one set, which are bound by
+/// push descriptors, and push constants. Movable.
+class PipelineLayout {
+ public:
+  /// `buffers` is at most kMaxBuffers.
+  PipelineLayout(const Context& context, VkShaderStageFlags stages, std::uint32_t buffers,
+                 std::uint32_t push_constant_bytes);
+
+  static constexpr std::size_t kMaxBuffers = 16;  ///< every device takes at least 32
+
+  VkPipelineLayout handle() const { return layout_.get(); }
+
+  /// Records the binding of a pipeline of this layout, its buffers and its push constants.
+  void bind(VkCommandBuffer commands, VkPipelineBindPoint point, VkPipeline pipeline,
+            std::span<const BufferRange> buffers, std::span<const std::byte> push) const;
+
+ private:
+  const Context* context_;
+  VkShaderStageFlags stages_;
+  Owned<VkDescriptorSetLayout> set_;
+  Owned<VkPipelineLayout> layout_;
+};
+
+/// Returns a shader module, which is needed only until its pipeline exists.
+Owned<VkShaderModule> shader_module(const Context& context, std::span<const std::uint32_t> spirv);
+
+}  // namespace lapwing::gpu

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace lapwing {
+
+/// The unlit colour of a material, from an MTL or glTF file.
+struct Material {
+  std::string name;
+  std::optional<Eigen::Vector3f> color;  ///< Kd: sRGB in [0, 1]
+  float opacity = 1.0F;                  ///< d or 1 - Tr, in [0, 1]
+  std::string image;                     ///< map_Kd as written, without its options; empty if none
+  /// The bytes of an image that is embedded in a glTF file; `image` is then a file name for it.
+  std::shared_ptr<const std::string> embedded_image;
+  /// -s and -o of map_Kd, KHR_texture_transform: the image is looked up at scale * uv + offset.
+  Eigen::Vector2d uv_scale = Eigen::Vector2d::Ones();
+  Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
+  bool is_clamped = false;         ///< -clamp on: the image is not repeated
+  std::size_t further_images = 0;  ///< of an MTL file: map_Bump, map_Ks, ...
+};
+
+/// Returns the materials of an MTL file in its order; of two with the same name, the first. What
+/// cannot be read is left out and becomes one of `notes`: "path:line: what; next step". Throws
+/// IoError if the file cannot be read, and InputError if it is larger than 64 MiB.
+std::vector<Material> read_material_library(const std::filesystem::path& path,
+                                            std::vector<std::string>& notes);
+
+/// Returns the materials of the glTF file at `path`, with the names that read_gltf gives them and
+/// their base colours. Malformed ones become `notes`. Throws what reading the file throws.
+std::vector<Material> read_gltf_materials(const std::filesystem::path& path,
+                                          std::vector<std::string>& notes);
+
+/// Returns the extension for the bytes of an image file: ".png", ".jpg", ".webp", ".ktx2", or
+/// ".image" for any other.
+std::string_view image_extension(std::string_view bytes);
+
+}  // namespace lapwing

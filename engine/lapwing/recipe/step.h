@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "lapwing/coating/coat_request.h"
+#include "lapwing/coating/peel.h"
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/transplant/transplant_request.h"
+
+namespace lapwing {
+
+class KeyVisitor;
+
+/// A coat source with the file of its mesh.
+struct FileSource : CoatSource {
+  /// As written in the recipe. Empty for the edited mesh itself, as it is before the step.
+  std::filesystem::path mesh;
+  bool operator==(const FileSource&) const = default;
+};
+
+/// {"op": "coat"}: puts the fine detail of a patch of one mesh on a patch of the edited mesh.
+using CoatStep = CoatOf<FileSource>;
+
+/// {"op": "mix"}: mixes two surfaces on a patch of the edited mesh.
+using MixStep = MixOf<FileSource>;
+
+/// {"op": "transplant"}: replaces a region of the mesh by a part of another mesh.
+struct TransplantStep : TransplantRequest {
+  std::filesystem::path part;  ///< as written; empty: the mesh before the step
+  bool operator==(const TransplantStep&) const = default;
+};
+
+/// One operation of a recipe. Recipes, commands, the reference and the window are derived from
+/// these types and their `describe`.
+using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest>;
+
+/// A kind of step.
+struct Operation {
+  std::string_view name;  ///< in {"op": NAME}, and of the command
+  std::string_view help;  ///< what it does, in a few words
+  /// Text between the name and the files of a step, as in "coat from gargoyle.off".
+  std::string_view before_files;
+  Step step;  ///< with default values
+};
+/// All operations, in the order of Step.
+std::span<const Operation> operations();
+const Operation& operation_of(const Step& step);
+
+/// Visits the keys of the step, in the order in which recipes are written.
+void describe(Step& step, KeyVisitor& visitor);
+void describe(DeformRequest& step, KeyVisitor& visitor);
+void describe(CoatStep& step, KeyVisitor& visitor);
+void describe(MixStep& step, KeyVisitor& visitor);
+void describe(TransplantStep& step, KeyVisitor& visitor);
+void describe(PeelRequest& step, KeyVisitor& visitor);
+
+/// Groups of keys that the panels show.
+void describe(DeformParameters& parameters, KeyVisitor& visitor);
+void describe(SettleOptions& settle, KeyVisitor& visitor);
+void describe(LaplacianWeights& weights, KeyVisitor& visitor);
+void describe(CoatParameters& parameters, KeyVisitor& visitor);
+void describe(CoatOptions& options, KeyVisitor& visitor);
+void describe(Transition& transition, KeyVisitor& visitor);
+void describe(FileSource& source, KeyVisitor& visitor);
+void describe(TransplantParameters& parameters, KeyVisitor& visitor);
+
+/// Returns the keys of an operation as a Markdown table with name, value, default and help.
+/// `settle.tolerance` names the key `tolerance` of the object `settle`.
+std::string key_table(const Operation& operation);
+
+/// Returns whether handles may have a free orientation. That requires settling without substeps and
+/// with soft constraints.
+bool allows_free_handles(const DeformParameters& parameters);
+
+/// Throws InputError, naming the key and its range, for a number that a recipe may not have.
+void require_valid(DeformParameters parameters);
+/// Does the same for a handle's move, and for a move that the parameters exclude.
+void require_valid(const Move& move, const DeformParameters& parameters);
+
+}  // namespace lapwing

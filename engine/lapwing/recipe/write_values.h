@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/recipe/step.h"
+
+namespace lapwing {
+
+using Json = nlohmann::ordered_json;
+
+// These functions write the compound values that `read_values.h` reads.
+Json json_of(const RegionSpec& spec);
+Json json_of(const BeltSpec& belt);
+Json json_of(const Move& move);
+Json json_of(const std::vector<MovedHandle>& handles);
+Json json_of(const TargetSpec& targets);
+Json json_of(const MirrorSpec& mirror);
+Json json_of(const std::vector<CarrySpec>& carry);
+Json json_of(const MixWeight& weight);
+Json json_of(const PartPlace& place);
+
+}  // namespace lapwing

@@ -1,0 +1,217 @@
+#include "lapwing/run/run_step.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/coating/coat.h"
+#include "lapwing/deform/modifiers/attachments.h"
+#include "lapwing/io/number_table.h"
+#include "lapwing/transplant/transplant.h"
+
+namespace lapwing {
+namespace {
+
+// Opens the files that no earlier step opened. Returns the indices of `files` in
+// `on.result.carried`.
+std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const StepContext& on) {
+  std::vector<AttachmentFile>& open = on.result.carried;
+  std::vector<std::size_t> chosen;
+  for (const CarrySpec& spec : files) {
+    const std::filesystem::path path = (on.base_directory / spec.file).lexically_normal();
+    auto at = std::find_if(open.begin(), open.end(),
+                           [&](const AttachmentFile& file) { return file.file() == path; });
+    const auto number = static_cast<std::size_t>(at - open.begin());
+    if (at == open.end()) {
+      at = open.insert(at, AttachmentFile(path));
+      on.result.inputs.push_back(split_mesh_path(path).file);
+    }
+    if (!spec.save.empty()) at->save = on.base_directory / spec.save;
+    if (std::count(chosen.begin(), chosen.end(), number) == 0) chosen.push_back(number);
+  }
+  return chosen;
+}
+
+StepReport run_step(const DeformRequest& step, const StepContext& on) {
+  DeformRequest named = step;
+  if (on.number > 0) named.where = "step " + std::to_string(on.number);
+  named.carry.clear();
+  const std::vector<std::size_t> carried = open_carried(step.carry, on);
+  if (!named.targets.file.empty()) {
+    const NumberTable table = read_number_table(on.base_directory / named.targets.file);
+    const NumberColumns columns = number_columns(table);
+    for (std::size_t r = 0; r < table.row_count(); ++r) {
+      named.targets.rows.push_back(target_row(columns.of_row(table, r), table.place(r)));
+    }
+    named.targets.where = table.name;
+    on.result.inputs.emplace_back(table.name);
+  }
+  RunResult& result = on.result;
+  const Positions rest = carried.empty() ? Positions() : result.mesh.positions;
+  Deformed done = deform(std::move(result.mesh), named, on.kernels, result.deformed, on.progress);
+  if (!carried.empty()) {
+    stage("carry", done.timings, on.progress, [&] {
+      const AttachmentDeformer carrier(rest, done);
+      for (const std::size_t k : carried) {
+        result.carried[k].move(carrier.carry(result.carried[k].positions()));
+      }
+    });
+  }
+  result.mesh = std::move(done.mesh);
+  result.warn(done.warnings);
+  result.note(done.notes);
+  StepReport report = report_of(done);
+  result.region = std::move(done.region);
+  return report;
+}
+
+std::vector<SharedSource> read_sources(std::span<const FileSource> sources, const StepContext& on,
+                                       StageTimings& timings) {
+  std::vector<SharedSource> meshes;
+  stage("source", timings, on.progress,
+        [&] { meshes = read_source_meshes(sources, on.base_directory, on.meshes); });
+  for (const FileSource& source : sources) {
+    if (!source.mesh.empty())
+      on.result.inputs.push_back(split_mesh_path(on.base_directory / source.mesh).file);
+  }
+  return meshes;
+}
+
+// Stores the result of `coat` at `positions` in `result`: mesh, region and warnings. `timings` are
+// those of the stages before.
+StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions positions,
+                     RunResult& result) {
+  StepReport report;
+  report.roi = coat.target_patch().vertices.size();
+  report.belt = coat.target_patch().loop.size();
+  report.free = coat.free_count();
+  report.timings = std::move(timings);
+  const StageTimings own = coat.timings();
+  for (const auto& [name, ms] : own.stages()) report.timings.add(name, ms);
+  report.coat = coat.report(positions);
+  result.region = {coat.target_patch().vertices, border_of(coat.target_patch()), {}};
+  for (const TargetHandle& handle : coat.handles()) {
+    report.handles.push_back(handle.vertices.size());
+    result.region.handles.push_back(handle.vertices);
+  }
+  result.warn(coat.warnings());
+  if (const RemeshResult* remeshed = coat.remeshed()) {
+    // The original position of a new vertex is its position in the remeshed patch.
+    Positions original = remeshed->mesh.positions;
+    for (std::size_t v = 0; v < original.size(); ++v) {
+      if (remeshed->kept[v] != kNoIndex) original[v] = result.original[remeshed->kept[v]];
+    }
+    result.original = std::move(original);
+    result.mesh = remeshed->mesh;
+  }
+  result.mesh.positions = std::move(positions);
+  return report;
+}
+
+StepReport run_step(const CoatStep& step, const StepContext& on) {
+  StageTimings timings;
+  const std::vector<SharedSource> sources = read_sources({&step.source, 1}, on, timings);
+  const PreparedCoat coat({step.source, step.target_patch, step.parameters, step.where},
+                          on.result.mesh, sources.front(), on.kernels, on.progress);
+  return take_over(coat.layers(), std::move(timings), coat.positions(step.source.amplitude),
+                   on.result);
+}
+
+StepReport run_step(const MixStep& step, const StepContext& on) {
+  StageTimings timings;
+  const std::vector<SharedSource> sources = read_sources(step.sources, on, timings);
+  const LayeredCoat mix(layered(step), on.result.mesh, sources, on.kernels, on.progress);
+  return take_over(mix, std::move(timings), mix.positions(1.0), on.result);
+}
+
+StepReport run_step(const TransplantStep& step, const StepContext& on) {
+  RunResult& result = on.result;
+  StepReport report;
+  std::shared_ptr<const Mesh> read;
+  stage("part", report.timings, on.progress,
+        [&] { read = read_part_mesh(step, on.base_directory, on.meshes); });
+  if (read) result.inputs.push_back(split_mesh_path(on.base_directory / step.part).file);
+  const Mesh& part = read ? *read : result.mesh;
+  const std::string name = read ? step.part.stem().string() : "part";
+  Transplanted done = transplant(result.mesh, part, name, step, on.kernels, on.progress);
+  for (const auto& [stage_name, ms] : done.timings.stages()) report.timings.add(stage_name, ms);
+  result.warn(done.warnings);
+  report.roi = done.region.size();
+  report.belt = done.belt.size();
+  report.free = report.roi - report.belt;
+  report.transplant = std::move(done.report);
+  Positions original = std::move(done.placed);
+  for (std::size_t v = 0; v < original.size(); ++v) {
+    const Index host = done.host_vertices[v];
+    if (host != kNoIndex) original[v] = result.original[host];
+  }
+  result.original = std::move(original);
+  result.mesh = std::move(done.mesh);
+  result.region = {std::move(done.region), std::move(done.belt), {}};
+  return report;
+}
+
+StepReport run_step(const PeelRequest& step, const StepContext& on) {
+  StepReport report;
+  Peeled peeled;
+  stage("peel", report.timings, on.progress,
+        [&] { peeled = peel(on.result.mesh, step, on.progress); });
+  const VertexSet region = resolve(step.region, on.result.mesh);
+  report.roi = region.size();
+  report.free = peeled.moved.size();
+  report.belt = report.roi - report.free;
+  report.peel = PeelReport{peeled.mean_coating, peeled.largest_coating};
+  on.result.region = {region, subtract(region, peeled.moved), {}};
+  on.result.warn(peeled.warnings);
+  on.result.mesh.positions = std::move(peeled.mesh.positions);
+  return report;
+}
+
+// Records the device, and notes once that it took over from another.
+void record_device(const DeviceInfo& device, RunResult& result) {
+  if (!device.took_over.empty() && device.took_over != result.report.device.took_over) {
+    result.note(std::array{device.took_over});
+  }
+  result.report.device = device;
+}
+
+}  // namespace
+
+StepReport report_of(Deformed& done) {
+  StepReport report;
+  report.roi = done.region.roi.size();
+  report.free = done.region.free_count();
+  report.belt = done.region.belt.size();
+  for (const VertexSet& handle : done.region.handles) report.handles.push_back(handle.size());
+  report.timings = std::move(done.timings);
+  report.deform = std::move(static_cast<DeformReport&>(done));
+  return report;
+}
+
+std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
+                                             const std::filesystem::path& base_directory,
+                                             const MeshCache& meshes) {
+  std::vector<SharedSource> all;
+  for (const FileSource& source : sources) {
+    all.push_back(source.mesh.empty() ? nullptr : meshes.mesh(base_directory, source.mesh));
+  }
+  return all;
+}
+
+std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
+                                           const std::filesystem::path& base_directory,
+                                           const MeshCache& meshes) {
+  return step.part.empty() ? nullptr : meshes.mesh(base_directory, step.part);
+}
+
+StepReport run_step(const Step& step, const StepContext& on) {
+  // Only another deform on the same triangles can reuse the workspace.
+  if (!std::holds_alternative<DeformRequest>(step)) on.result.deformed = {};
+  StepReport report = std::visit([&](const auto& each) { return run_step(each, on); }, step);
+  report.op = operation_of(step).name;
+  record_device(on.kernels.device(), on.result);
+  return report;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,58 @@
+#include "editing/guide.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viewer_state/tube_edit.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Guide, LeadsFromTheRegionToTheHandleAndTheDrag) {
+  const DiskTool disk;
+  const GizmoTool gizmo;
+  AppState state = open_state(bumpy_tube());
+  Guide guide = guide_of(state, kRoi, disk, false);
+  EXPECT_EQ(guide.current, 0U);
+  EXPECT_FALSE(guide.steps[0].is_done);
+  EXPECT_THAT(guide.what, HasSubstr("region to edit"));
+
+  state = apply(state, Choose{kRoi, box(0.3, 4.0)});
+  guide = guide_of(state, kHandle, disk, false);
+  EXPECT_EQ(guide.current, 1U);
+  EXPECT_TRUE(guide.steps[0].is_done);
+  EXPECT_THAT(guide.what, HasSubstr("handle"));
+
+  state = apply(state, Choose{kHandle, box(2.8, 4.0)});
+  guide = guide_of(state, kHandle, gizmo, true);
+  EXPECT_EQ(guide.current, 2U);
+  EXPECT_TRUE(guide.steps[1].is_done);
+  EXPECT_FALSE(guide.steps[2].is_done);
+  EXPECT_THAT(guide.what, HasSubstr("drag the gizmo"));
+
+  state = apply(state, MoveHandle{0, bent()});
+  guide = guide_of(state, kHandle, gizmo, true);
+  EXPECT_TRUE(guide.steps[2].is_done);
+  EXPECT_THAT(guide.what, HasSubstr("Ctrl+N"));
+}
+
+TEST(Guide, SaysWhatIsMissingToWhoeverWouldMove) {
+  const GizmoTool gizmo;
+  AppState state = open_state(bumpy_tube());
+  EXPECT_THAT(guide_of(state, kRoi, gizmo, true).what, HasSubstr("I chooses"));
+  state = apply(state, Choose{kRoi, box(0.3, 4.0)});
+  EXPECT_THAT(guide_of(state, kHandle, gizmo, true).what, HasSubstr("H chooses"));
+}
+
+TEST(Guide, OfAPaintedPartSaysThatEnterGoesOn) {
+  const PaintTool paint;
+  AppState state = open_state(bumpy_tube());
+  EXPECT_THAT(guide_of(state, kRoi, paint, false).what, HasSubstr("paint the region"));
+  state = apply(state, Choose{kRoi, box(0.3, 4.0)});
+  EXPECT_THAT(guide_of(state, kRoi, paint, false).what, HasSubstr("Enter goes on"));
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lapwing::python {
+
+/// Rewrites a message of the engine, which speaks of the command line and of JSON pointers, for
+/// Python: "deform: /handles/0/region: ..." becomes "deform: handles[0].region: ...", and
+/// "`lapwing check MESH --fix OUT`" becomes "`lapwing.fix`".
+std::string in_python_words(std::string message);
+std::vector<std::string> in_python_words(std::vector<std::string> messages);
+
+}  // namespace lapwing::python

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+// Each function adds its part of the extension `_core`.
+namespace lapwing::python {
+
+/// Adds `run_step`, `run` and `Edit`: the operations of recipes.
+void add_edits(pybind11::module_& module);
+
+/// Adds the exceptions, each with an attribute `vertices`, and translates the engine's errors to
+/// them.
+void add_errors(pybind11::module_& module);
+
+/// Adds `Mesh`, `read` and `write`.
+void add_mesh(pybind11::module_& module);
+
+/// Adds `peel`, `remesh`, `parameterize`, `check` and `fix`.
+void add_mesh_operations(pybind11::module_& module);
+
+/// Adds `render`.
+void add_render(pybind11::module_& module);
+
+/// Adds `Result` and `Certificate`.
+void add_result(pybind11::module_& module);
+
+}  // namespace lapwing::python

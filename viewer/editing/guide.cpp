@@ -1,0 +1,87 @@
+#include "editing/guide.h"
+
+namespace lapwing::viewer {
+namespace {
+
+bool has_patch(const DetailTransferTool& desk, std::size_t k) {
+  return is_chosen(desk.draft().sources[k].patch);
+}
+
+const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, bool has_target) {
+  if (desk.picking() != DetailTransferTool::Picking::none) {
+    return desk.picked_source()   ? "click the same place on the target; K ends picking"
+           : desk.picked_target() ? "click the same place on the source; K ends picking"
+                                  : "click the same place on source and target; K ends picking";
+  }
+  if (desk.is_painting())
+    return "paint where the second source appears; Ctrl + wheel sizes the brush";
+  if (!has_target && !desk.taken_up()) {
+    return editor.part().role == Part::Role::roi && !editor.has_in_hand(editor.gizmo_tool())
+               ? editor.hint()
+               : "press I, then choose the region that gets the detail";
+  }
+  if (!has_patch(desk, desk.current())) {
+    return "drag a disk over the source, beside the mesh; Ctrl+Shift+K takes another mesh";
+  }
+  if (desk.draft().source_count() == 2 && !has_patch(desk, 1 - desk.current())) {
+    return "Shift+K shows the other source, which needs a patch, too";
+  }
+  return "Ctrl+Enter applies it; the sliders change it, K picks corresponding points";
+}
+
+Guide guide_of_layers(const DetailTransferTool& desk, const Editor& editor) {
+  const bool has_target = !editor.state().selection.roi.vertices.empty() || desk.taken_up();
+  Guide guide;
+  guide.count = 0;
+  const auto add = [&guide](const char* name, bool is_done) {
+    if (is_done && guide.current == guide.count) ++guide.current;
+    guide.steps[guide.count++] = {name, is_done};
+  };
+  add("Target", has_target);
+  if (desk.draft().source_count() == 1) {
+    add("Source", has_patch(desk, 0));
+  } else {
+    add("First source", has_patch(desk, 0));
+    add("Second source", has_patch(desk, 1));
+  }
+  add("Apply", false);
+  guide.what = what_to_do(desk, editor, has_target);
+  return guide;
+}
+
+Guide guide_of_transplant(const TransplantTool& desk, const Editor& editor) {
+  using Stage = PlaceTool::Stage;
+  const bool stands = desk.tool().stage() == Stage::set_down;
+  Guide guide;
+  guide.steps = {{{"Part", desk.has_part()}, {"Place", stands}, {"Apply", false}, {"", false}}};
+  guide.current = stands ? 2 : desk.has_part() ? 1 : 0;
+  guide.what = !desk.has_part()                   ? "the part is being read"
+               : !editor.has_in_hand(desk.tool()) ? "another tool is in hand: \"Place by hand\" in "
+                                                    "the Transplant panel takes the part again"
+                                                  : editor.hint();
+  return guide;
+}
+
+}  // namespace
+
+Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, bool moves) {
+  const bool has_roi = !state.selection.roi.vertices.empty();
+  const bool has_handle = !state.selection.handles.empty();
+  Guide guide;
+  guide.steps = {{{"Region", has_roi}, {"Handle", has_handle}, {"Drag", is_moved(state)}, {}}};
+  const bool can_move = moves && has_roi && has_handle;
+  guide.current = can_move ? 2 : part.role == Part::Role::handle && has_roi ? 1 : 0;
+  guide.what = tool.hint(state, part);
+  if (can_move && is_moved(state)) guide.what = "drag the gizmo on; Ctrl+N begins another edit";
+  return guide;
+}
+
+Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplant,
+               const Editor& editor) {
+  if (transplant.is_open()) return guide_of_transplant(transplant, editor);
+  if (layers.is_open()) return guide_of_layers(layers, editor);
+  const bool moves = editor.has_in_hand(editor.gizmo_tool());
+  return guide_of(editor.state(), editor.part(), editor.tool(), moves);
+}
+
+}  // namespace lapwing::viewer

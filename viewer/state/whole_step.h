@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/recipe/step.h"
+#include "lapwing/run/run_report.h"
+#include "state/app_state.h"
+
+namespace lapwing::viewer {
+
+/// Returns the step's name in the history: "coat from gargoyle.off".
+std::string describe(const Step& step);
+
+/// Returns the step with absolute file paths, resolved in `base_directory`. States keep steps in
+/// this form, because a state has no folder.
+Step with_absolute_paths(Step step, const std::filesystem::path& base_directory);
+
+/// Returns the step as a recipe in the folder `base_directory` writes it.
+Step with_paths_from(Step step, const std::filesystem::path& base_directory);
+
+/// The result of a step that was carried out, with its report and warnings.
+struct CarriedOut {
+  std::shared_ptr<const AppliedStep> result;
+  StepReport report;
+  std::vector<std::string> warnings;
+};
+
+/// Carries out `step` on the surface of `state`, settled if it has a result, with the same bits as
+/// `run_recipe`. `Apply` makes the result a step. Looks for sources in `base_directory`. Throws
+/// what `run_recipe` throws, and InputError while a drag waits for its result.
+CarriedOut apply_step(const AppState& state, const Step& step,
+                      const std::filesystem::path& base_directory, Kernels& kernels,
+                      const Progress& progress = {});
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,118 @@
+// The help: the guide over the picture, the list of controls, the device and its timings.
+
+#include <imgui.h>
+
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace lapwing::viewer {
+namespace {
+
+void draw_lines(const char* id, const std::vector<ControlLine>& lines) {
+  if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
+  for (const ControlLine& line : lines) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(line.how.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(line.what.c_str());
+  }
+  ImGui::EndTable();
+}
+
+constexpr float kWidthLetters = 26.0F;
+
+void row(const char* label, const char* format, auto value) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", label);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped(format, value);
+}
+
+void draw_timings(const FrameTimings& timings) {
+  if (!ImGui::BeginTable("timings", 2, ImGuiTableFlags_SizingFixedFit)) return;
+  row("blend, device", "%.2f ms", timings.blend_ms);
+  row("normals, device", "%.2f ms", timings.normals_ms);
+  row("surface, device", "%.2f ms", timings.draw_ms);
+  row("panels, device", "%.2f ms", timings.ui_ms);
+  row("panels, processor", "%.2f ms", timings.panels_ms);
+  row("frame, processor", "%.2f ms", timings.frame_ms);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+double draw_guide(const Guide& guide, const PictureArea& area) {
+  constexpr ImGuiWindowFlags kOverPicture =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  const float gap = 0.5F * ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({static_cast<float>(area.corner.x()) + gap,
+                           static_cast<float>(area.corner.y() + area.size.y()) - gap},
+                          ImGuiCond_Always, {0.0F, 1.0F});
+  if (ImGui::Begin("Guide", nullptr, kOverPicture)) {
+    ImGui::PushTextWrapPos(static_cast<float>(area.size.x()) - 2.0F * gap -
+                           2.0F * ImGui::GetStyle().WindowPadding.x);
+    for (std::size_t k = 0; k < guide.count; ++k) {
+      if (k > 0) ImGui::SameLine(0.0F, 1.5F * ImGui::GetFontSize());
+      const Guide::Step& step = guide.steps[k];
+      const char* done = step.is_done ? " (done)" : "";
+      if (k == guide.current) {
+        ImGui::Text("%zu  %s%s", k + 1, step.name, done);
+      } else {
+        ImGui::TextDisabled("%zu  %s%s", k + 1, step.name, done);
+      }
+    }
+    ImGui::TextUnformatted(guide.what);
+    ImGui::PopTextWrapPos();
+  }
+  const double height = static_cast<double>(ImGui::GetWindowHeight() + gap);
+  ImGui::End();
+  return height;
+}
+
+void draw_controls_list(const Keymap& keymap, bool& open) {
+  center_next_window();
+  const ImVec2 all = ImGui::GetMainViewport()->WorkSize;
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {0.95F * all.x, 0.95F * all.y});
+  const bool shown = ImGui::Begin(
+      "Controls", &open,
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
+  if (shown) {
+    ImGui::TextDisabled("Mouse, as in %s", std::string(keymap.name).c_str());
+    draw_lines("mouse", mouse_controls(keymap));
+    ImGui::Spacing();
+    ImGui::TextDisabled("Keys");
+    draw_lines("keys", key_controls());
+  }
+  ImGui::End();
+}
+
+void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings& timings,
+                        const Certificate* certificate, bool& open) {
+  center_next_window(ImGuiCond_Appearing);
+  ImGui::SetNextWindowSize({kWidthLetters * ImGui::GetFontSize(), 0.0F}, ImGuiCond_Appearing);
+  if (ImGui::Begin("Machine", &open, ImGuiWindowFlags_NoCollapse)) {
+    if (ImGui::BeginTable("device", 2)) {
+      ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
+      ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+      row("device", "%s", device.name.c_str());
+      row("kind", "%s", device.type.c_str());
+      row("driver", "%s", device.driver.c_str());
+      row("Vulkan", "%s", device.api_version.c_str());
+      if (certificate != nullptr) {
+        row("residual", "%.1e", certificate->relative_residual);
+        row("gradient left", "%.1e", certificate->relative_gradient);
+      }
+      ImGui::EndTable();
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("the last frame");
+    draw_timings(timings);
+  }
+  ImGui::End();
+}
+
+}  // namespace lapwing::viewer

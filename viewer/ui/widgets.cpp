@@ -1,0 +1,84 @@
+#include "ui/widgets.h"
+
+#include "window/theme.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// Width at which a tooltip wraps, in letters of the font.
+constexpr float kTooltipLetters = 28.0F;
+
+}  // namespace
+
+void draw_swatch(const ImVec4& color) {
+  const float side = 0.7F * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float top = at.y + 0.5F * (ImGui::GetFrameHeight() - side);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side},
+                                            ImGui::GetColorU32(color),
+                                            0.13F * ImGui::GetFontSize());
+  ImGui::Dummy({side, ImGui::GetFrameHeight()});
+  ImGui::SameLine(0.0F, 0.25F * ImGui::GetFontSize());
+}
+
+float swatch_width() {
+  return 0.95F * ImGui::GetFontSize();
+}
+
+bool toggle_button(const char* label, bool on) {
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
+  }
+  const bool pressed = ImGui::Button(label);
+  if (on) ImGui::PopStyleColor();
+  return pressed;
+}
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+void stay_on_line(float width, float right) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  if (ImGui::GetItemRectMax().x + spacing + width <= right) ImGui::SameLine();
+}
+
+float right_end() {
+  return ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+}
+
+void draw_colored(Tone tone, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, text_color(tone));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void explain(std::string_view what, std::string_view more) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(kTooltipLetters * ImGui::GetFontSize());
+  ImGui::TextUnformatted(what.data(), what.data() + what.size());
+  if (!more.empty()) ImGui::TextDisabled("%.*s", static_cast<int>(more.size()), more.data());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void explain(Action action) {
+  if (!ImGui::IsItemHovered()) return;
+  const ControlLine control = control_of(action);
+  explain(control.what, control.how.empty() ? std::string() : "key " + control.how);
+}
+
+void center_next_window(ImGuiCond when) {
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), when, {0.5F, 0.5F});
+}
+
+bool is_pressed(ImGuiKey key) {
+  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+ImVec2 to_imgui(const Eigen::Vector2d& vector) {
+  return {static_cast<float>(vector.x()), static_cast<float>(vector.y())};
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <imgui.h>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "navigation/keymap.h"
+#include "state/message.h"
+
+namespace lapwing::viewer {
+
+/// Flags of a window in the layout: it stays where it is and behind what opens over it.
+inline constexpr ImGuiWindowFlags kFixed =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+/// Flags of a window that does not scroll.
+inline constexpr ImGuiWindowFlags kWithoutScrolling =
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+/// Flags of a window that asks a question.
+inline constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_AlwaysAutoResize |
+                                            ImGuiWindowFlags_NoCollapse |
+                                            ImGuiWindowFlags_NoSavedSettings;
+
+/// The colours of the parts of an edit on the surface (shaders/surface.glsl).
+inline const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
+inline const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
+inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
+
+/// Draws a square of that colour before an item with a frame, on the same line.
+void draw_swatch(const ImVec4& color);
+float swatch_width();
+
+/// Draws choices on one line after `label`. Sets `value` to the one that is clicked, and returns
+/// whether one was.
+template <typename Value>
+bool choose(const char* label, Value& value,
+            std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", label);
+  ImGui::PushID(label);
+  bool clicked = false;
+  for (const auto& [name, choice] : choices) {
+    ImGui::SameLine();
+    if (!ImGui::RadioButton(name, value == choice)) continue;
+    value = choice;
+    clicked = true;
+  }
+  ImGui::PopID();
+  return clicked;
+}
+
+/// Draws a button that is highlighted while `on`. Returns whether it was pressed.
+bool toggle_button(const char* label, bool on);
+float button_width(const char* label);
+
+/// Stays on the line if an item of `width` still fits there, up to `right` on the screen.
+void stay_on_line(float width, float right);
+/// Returns the right end of the line on the screen, where the next item begins a new one.
+float right_end();
+
+/// Draws wrapped text in the colour of `tone`.
+void draw_colored(Tone tone, const std::string& text);
+
+/// Adds a tooltip to the last item: `what` it is or does, and `more` below in grey. Lines wrap.
+void explain(std::string_view what, std::string_view more = {});
+/// Likewise, with the description and the key of an action.
+void explain(Action action);
+
+/// Places the next window in the middle of the viewer.
+void center_next_window(ImGuiCond when = ImGuiCond_Always);
+/// Whether `key` was pressed in the current window. The key that opened the window does not count.
+bool is_pressed(ImGuiKey key);
+
+ImVec2 to_imgui(const Eigen::Vector2d& vector);
+
+}  // namespace lapwing::viewer

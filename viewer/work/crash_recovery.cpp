@@ -1,0 +1,48 @@
+#include "work/crash_recovery.h"
+
+#include <utility>
+
+#include "work/settled_result.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// Returns the pose in which the surface is at `positions`, the result of the state's moves.
+DragState pose_at(AppState state, const MovedVertices& moved, const Positions& positions) {
+  state.settled = std::make_shared<const MovedVertices>(moved);
+  DragState pose;
+  pose.motions = motions_of(state);
+  pose.displacement = positions;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    pose.displacement[v] -= state.rest->positions[v];
+  }
+  return pose;
+}
+
+// Returns `kept`, bit for bit. Its certificate is that of the minimum found from there.
+std::shared_ptr<const MovedVertices> result_again(const AppState& state, const MovedVertices& kept,
+                                                  Kernels& kernels, const Progress& progress) {
+  Positions positions = state.rest->positions;
+  place(kept, positions);
+  const DeformSolver solver(state.rest->positions, surface_of(state)->topology(),
+                            edit_region(state), state.parameters, kernels, progress);
+  DeformResult solved =
+      solver.solve_from(pose_at(state, kept, positions), motions_of(state), progress);
+  solved.positions = std::move(positions);
+  AttachmentCache contacts;
+  return certified_result(state, solver, std::move(solved), contacts, progress);
+}
+
+}  // namespace
+
+History restore_after_crash(AppState start, const InterruptedEdit& edit, Kernels& kernels,
+                            const Progress& progress) {
+  CarryOut carry_out = carry_out_with(kernels, progress);
+  carry_out.solve = [&, run = std::move(carry_out.solve)](const AppState& state) {
+    const std::optional<MovedVertices> kept = kept_result(edit, state);
+    return kept ? result_again(state, *kept, kernels, progress) : run(state);
+  };
+  return from_draft(std::move(start), edit.draft, carry_out);
+}
+
+}  // namespace lapwing::viewer
