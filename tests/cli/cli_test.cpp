@@ -251,8 +251,7 @@ TEST_F(CommandLine, WhatCannotBeLaidIntoThePlaneIsNamed) {
 
 TEST_F(CommandLine, RemeshMakesTrianglesOfOneSizeWhereItIsAsked) {
   EXPECT_THAT(succeed("remesh tube.obj --region box:-1,-1,-1,1,1,1.5 --length 0.1 -o fine.obj"),
-              AllOf(HasSubstr("faces"), HasSubstr("mean edge"), HasSubstr("smallest angle"),
-                    HasSubstr("remesh")));
+              AllOf(HasSubstr("faces"), HasSubstr("mean edge"), HasSubstr("smallest angle")));
   const Mesh tube = read_mesh(file("tube.obj"));
   const Mesh fine = read_mesh(file("fine.obj"));
   EXPECT_GT(fine.face_count(), 2 * tube.face_count());

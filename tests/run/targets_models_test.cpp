@@ -119,6 +119,7 @@ TEST(TargetsOnModels, SolveTheLinearSystemAsEigenDoes) {
     request.belt = RegionSpec{ListedVertices{belt}};
     request.parameters.response = LinearResponse::rsi;
     request.parameters.settle.reset();
+    request.parameters.constraint_weight = 1.0;
     VertexSet chosen;
     for (int k = 0; k < 40; ++k) {
       const Index v = any(random);
