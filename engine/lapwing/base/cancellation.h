@@ -74,8 +74,8 @@ class LentScope {
   std::atomic<bool> given_up_ = false;
 };
 
-/// While a CancellationGuard exists, checks on this thread do nothing, so that files are written
-/// completely.
+/// While a CancellationGuard exists, checks on this thread do nothing. The thread can thus finish
+/// writing a file.
 class CancellationGuard {
  public:
   CancellationGuard();

@@ -25,7 +25,8 @@ void make_noun_singular(std::string& words) {
   }
 }
 
-// "faces that repeat a vertex" has a verb, too. One in the past stays as it is.
+// Handles phrases with a verb, such as "faces that repeat a vertex". A verb in the past tense does
+// not change.
 void make_verb_singular(std::string& words) {
   constexpr std::string_view kThat = " that ";
   const std::size_t that = words.find(kThat);

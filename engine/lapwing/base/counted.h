@@ -6,11 +6,12 @@
 
 namespace lapwing {
 
-/// Returns a plural noun phrase in the singular: "vertex", "face that repeats a vertex". The first
-/// word in -s is the noun. A phrase that begins with "of" has none.
+/// Returns a plural noun phrase in the singular, such as "vertex" or "face that repeats a vertex".
+/// The noun is the first word that ends in -s. A phrase that begins with "of" has no noun and stays
+/// unchanged.
 std::string singular(std::string_view plural);
 
-/// Returns a count and its noun: "3 vertices", "1 vertex".
+/// Returns a count followed by its noun, such as "3 vertices" or "1 vertex".
 inline std::string counted(std::size_t count, std::string_view plural) {
   return std::to_string(count) + " " + (count == 1 ? singular(plural) : std::string(plural));
 }

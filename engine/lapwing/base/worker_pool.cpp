@@ -42,7 +42,7 @@ void pause() {
 #endif
 }
 
-// Number of forks between the program's start and this process, counted from the first pool on.
+// Number of forks that led to this process since the program created its first pool.
 std::atomic<unsigned> forks{0};
 
 void count_forks() {
@@ -82,7 +82,8 @@ WorkerPool::WorkerPool(unsigned threads) {
 
 WorkerPool::~WorkerPool() {
   if (is_of_parent()) {
-    // Joining the threads, or destroying what they sleep on, would wait for them for ever.
+    // The threads do not exist in this process. Joining them, or destroying the condition variables
+    // on which they sleep, would block forever.
     for (std::thread& helper : helpers_) helper.detach();
     static_cast<void>(sleep_.release());
     return;
@@ -114,7 +115,7 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   taken_ = false;
 }
 
-// Whether this process is the child of a fork of the one that made the pool.
+// Returns whether a parent process created the pool. The threads then do not exist in this one.
 bool WorkerPool::is_of_parent() const {
   return forks_ != forks;
 }

@@ -14,8 +14,9 @@ namespace lapwing {
 
 /// Threads that wait for work. A job is a function that every thread may call. Any number of
 /// threads, even the caller alone, must complete it, so that the pool never waits for a helper that
-/// wakes late. Thread-safe: if the helpers are busy, with another thread's job or with one that
-/// encloses this one, the caller works alone. So does the child of a fork, which has no helpers.
+/// wakes late. Thread-safe: the caller works alone if the helpers are busy with the job of another
+/// thread or with an enclosing job. The child of a fork has no helpers, so its threads always work
+/// alone.
 class WorkerPool {
  public:
   /// `threads` includes the caller. Uses fewer if the system provides no more.
@@ -45,7 +46,7 @@ class WorkerPool {
   std::atomic<std::uint64_t> round_ = 0;
   std::atomic<bool> quit_ = false;
 
-  /// For sleeping threads.
+  /// Sleeping threads wait on these. The child of a fork must never destroy them.
   struct Sleep {
     std::mutex mutex;
     std::condition_variable wake;
@@ -58,7 +59,7 @@ class WorkerPool {
 
   cpu_set_t allowed_;  ///< processors available to the program
   int kept_off_ = -1;  ///< processor that helpers must not use
-  unsigned forks_;     ///< number of forks before this process, from the first pool on
+  unsigned forks_;     ///< value of the fork counter when the pool was created
 };
 
 /// While a SerialScope exists, its thread uses no helpers of any pool. For threads that divide the

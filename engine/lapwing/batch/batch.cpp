@@ -53,18 +53,18 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
   return groups;
 }
 
-// Assigns jobs to workers. A worker stays with a group while it has jobs left, and then takes a
-// group that no other worker has, if there is one. Thread-safe.
+// Assigns jobs to workers. A worker stays with its group until no job of the group is left. Then it
+// takes an untouched group if there is one. Thread-safe.
 class JobQueue {
  public:
   static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 
-  // `groups` holds the jobs of each group, in order.
+  // `groups` lists the indices of each group's jobs, in the order of the job file.
   explicit JobQueue(std::vector<std::vector<std::size_t>> groups)
       : groups_(std::move(groups)), given_(groups_.size(), 0) {}
 
-  // Returns the next job for a worker whose last job was of `group` (kNoGroup at first), and sets
-  // `group` to that of the job. Returns nothing when all jobs are assigned.
+  // Returns the next job for a worker. `group` is the group of the worker's last job (kNoGroup at
+  // first), and becomes that of the returned job. Returns nothing when all jobs are assigned.
   std::optional<std::size_t> next(std::size_t& group) {
     const std::lock_guard lock(mutex_);
     if (group == kNoGroup || left(group) == 0) {

@@ -12,9 +12,9 @@ namespace lapwing {
 
 /// Many edits of one or more recipes with values that vary from job to job.
 struct BatchRequest {
-  std::filesystem::path jobs = {};    ///< read by JobFile
+  std::filesystem::path jobs = {};    ///< file of jobs (JobFile)
   std::filesystem::path recipe = {};  ///< for jobs that name none
-  std::filesystem::path folder = {};  ///< for the results
+  std::filesystem::path folder = {};  ///< receives the results
   BatchOutput output = {};
   bool resume = false;                 ///< continue from the results in the folder
   std::filesystem::path sandbox = {};  ///< the only folder that recipes may use; empty: any

@@ -33,7 +33,7 @@ class ResultFolder {
   ResultFolder(std::filesystem::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
                bool resume);
 
-  /// Returns the file with the lines of failed jobs: failed.jsonl, or failed-2-of-8.jsonl.
+  /// Returns the path of failed.jsonl, or of a file like failed-2-of-8.jsonl for a shard.
   static std::filesystem::path failed_file(const std::filesystem::path& folder,
                                            const std::optional<Shard>& shard);
 

@@ -84,7 +84,7 @@ struct MixOf {
   std::array<Source, 2> sources = {};
   MixWeight weight = {};
   TransferMode transfer = TransferMode::coating;
-  std::vector<MovedHandle> handles = {};  ///< in the patch, moved in the same solve
+  std::vector<MovedHandle> handles = {};  ///< in the patch; the mix's solve moves them
   /// With TransferMode::shape, the target's frames are free of detail below `smooth_target`; 0
   /// stands for the mean of the sources' detail sizes, scaled to the target.
   CoatParameters parameters = {};

@@ -291,7 +291,7 @@ void LayeredCoat::note_held_scales() {
   }
 }
 
-// Tells the user why detail goes inward. If both surfaces are inside out, it does not.
+// Detail points inward if only one of the two surfaces faces outward. Tells the user why.
 void LayeredCoat::note_inward_sides() {
   const auto note = [&](const std::string& where, const char* effect, Facing facing) {
     const bool is_closed = facing == Facing::inside_out;

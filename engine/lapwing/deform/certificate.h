@@ -14,7 +14,7 @@ struct Certificate {
   /// |N u - b| / |b| of the linear system, in 2-norms. 0 if nothing moves or if the surface
   /// settles.
   double relative_residual = 0.0;
-  /// MinimizerResult::relative_gradient of a settled surface.
+  /// The value of MinimizerResult::relative_gradient; 0 without settling.
   double relative_gradient = 0.0;
   /// Largest distance of a handle vertex from its prescribed position, in mesh units.
   double handle_error = 0.0;
@@ -35,9 +35,9 @@ struct Certificate {
   /// Largest angle by which a ring has turned, in degrees, 0 to 180.
   double largest_rotation_degrees = 0.0;
   Index largest_rotation_vertex = kNoIndex;
-  /// Triangles that face against their rest normal, rotated by the mean rotation of their corners,
-  /// without those thinner than kThinnestTriangle at rest. The list holds the first
-  /// kListedTriangles.
+  /// Number of triangles that face against their rest normal, after the mean rotation of their
+  /// corners is applied to it. Triangles thinner than kThinnestTriangle at rest do not count. The
+  /// list holds the first kListedTriangles.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
   /// Share of the region's area that is inside out (`measure_inversion`), 0 to 1, and a vertex
@@ -46,10 +46,11 @@ struct Certificate {
   Index inside_out_vertex = kNoIndex;
   /// Whether the region consists of whole connected components of the mesh.
   bool region_is_whole = false;
-  /// `detail_error` over the free vertices; 0 if details are kept, 1 if they are lost, NaN if the
-  /// surface has none.
+  /// `detail_error` over the free vertices. It is 0 if details are kept, 1 if they are lost, and
+  /// NaN if the surface has none.
   double detail_error = 0.0;
-  /// `edge_stretch` of the region; and the largest change, with the ends of its edge, or kNoIndex.
+  /// `edge_stretch` of the region, and the largest stretch of a single edge, with the ends of that
+  /// edge. The ends are kNoIndex if every edge keeps its length.
   double edge_stretch = 0.0;
   double largest_edge_stretch = 0.0;
   std::array<Index, 2> largest_edge_stretch_vertices{kNoIndex, kNoIndex};
@@ -70,9 +71,9 @@ inline constexpr double kThinnestTriangle = 1e-3;
 inline constexpr std::size_t kListedTriangles = 8;
 
 /// Measures size, scales, rotations, flips, edge stretch and finiteness from the shapes alone, in
-/// linear time. If the pose is not finite, only that is set. `roi` holds the vertices to measure;
-/// triangles count if they touch it. `asked` is the prescribed rest stretch, as in `detail_error`.
-/// Returns the rotations of the rings, per vertex of the mesh.
+/// linear time. For a pose that is not finite, this function sets only `all_finite`. It measures
+/// the vertices of `roi` and the triangles that touch them. `asked` is the prescribed rest stretch,
+/// as in `detail_error`. Returns the rotations of the rings, per vertex of the mesh.
 std::vector<Eigen::Matrix3d> measure_shape(std::span<const Index> roi, const Topology& topology,
                                            std::span<const Eigen::Vector3d> rest,
                                            std::span<const Eigen::Vector3d> current,

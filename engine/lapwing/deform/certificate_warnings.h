@@ -17,10 +17,10 @@ inline constexpr double kMostInsideOut = 0.01;
 /// `warnings_of` warns of an edge longer than this factor times its prescribed length.
 inline constexpr double kLongEdge = 3.0;
 
-/// Whether the handle error exceeds 1% of the mesh's diagonal, about 8 pixels of a window that
-/// shows the whole mesh, or a quarter of the prescribed motion, which matters in a region that is
-/// small beside its mesh. Soft handles of default weight miss by a hundredth of their motion, on
-/// the coarsest meshes by a tenth.
+/// Whether the handle error exceeds 1% of the mesh's diagonal or a quarter of the prescribed
+/// motion. The first limit is about 8 pixels of a window that shows the whole mesh. The second
+/// limit matters if the region is small compared with the mesh. Handles without a weight miss by
+/// less than a hundredth of their motion (DeformOptions).
 bool misses_handles(const Certificate& certificate);
 
 }  // namespace lapwing

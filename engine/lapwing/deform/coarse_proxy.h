@@ -24,15 +24,17 @@ struct CoarseRegion {
 /// cannot be decimated (CoarseSurfaces), or if the remaining vertices no longer anchor it.
 std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count);
 
-/// In mean edge lengths. After a longer last step of a frame, the surface is far from its minimum:
-/// proxies end with 0.0003 to 0.02 in simple motions, and with up to 3 if limbs cross or twist.
+/// If the last step of a frame is longer than this, the surface is far from its minimum. The unit
+/// is the mean edge length. The last steps of proxies are 0.0003 to 0.02 in simple motions, and up
+/// to 3 if limbs cross or twist.
 inline constexpr double kLongStep = 0.05;
 
-/// The coarse proxy of a drag: the same edit on a few thousand vertices, whose iterations take half
-/// a millisecond at any size of the region. The fine surface is prolongated from it and then
-/// smoothed. The gradient that remains on the fine surface is restricted and acts on the proxy as a
-/// force, so that both share one minimum although their energies differ (defect correction; Brandt,
-/// Dinar, "Multigrid solutions to elliptic flow problems", 1979).
+/// The coarse proxy of a drag is the same edit on a few thousand vertices. One iteration takes half
+/// a millisecond, whatever the size of the region. The drag prolongates the proxy to the fine
+/// surface and smooths the result. It then restricts the remaining gradient of the fine surface,
+/// which acts on the proxy as a force. Both surfaces then have the same minimum although their
+/// energies differ (defect correction; Brandt, Dinar, "Multigrid solutions to elliptic flow
+/// problems", 1979).
 class CoarseProxy {
  public:
   /// Returns null if no proxy is needed, or if the region cannot be decimated. `fine` must outlive
@@ -85,7 +87,7 @@ class CoarseProxy {
   double prolongation_ms_ = 0.0;  ///< time of the last prolongation
 
   CoarseEmbedding::Pose pose_;
-  std::vector<Eigen::Vector3d> prescribed_;  ///< in pose_
+  std::vector<Eigen::Vector3d> prescribed_;  ///< displacements of held vertices in pose_
   Predictor predictor_;
   std::vector<Eigen::Vector3d> forces_;
   // Storage for the spans of the proxy's target.

@@ -48,8 +48,8 @@ struct Deformed : DeformReport {
 
 /// Carries out `request` on a polygon mesh, on the CPU. Coincident seam vertices move together
 /// unless the request says otherwise. The result has the polygons of `mesh`. Use DeformSolver for
-/// repeated edits of one region. Throws InputError for a request that does not fit the mesh, and
-/// what DeformSolver throws.
+/// repeated edits of one region. Throws InputError for a request that does not fit the mesh. Also
+/// throws the errors of DeformSolver.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
@@ -72,9 +72,9 @@ struct DeformWorkspace {
   std::optional<JoinedSurface> joined = {};       ///< set after the search for seams
 };
 
-/// The same on any device. `kernels` must outlive `workspace`, and so must one mesh that shares the
-/// topology of `mesh`, such as the result. Stages: "mirror", "region", those of DeformSolver,
-/// "solve", and "certify" if there are several parts.
+/// The same on any device. `kernels` must outlive `workspace`. So must a mesh that shares the
+/// topology of `mesh`, for example the result. Reports the stages "mirror", "region", those of
+/// DeformSolver, "solve", and "certify" if there are several parts.
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

@@ -55,7 +55,7 @@ struct DeformRequest {
   RegionSpec roi = {};
   BeltSpec belt = BoundaryAnchors{};
   std::vector<MovedHandle> handles = {};
-  TargetSpec targets = {};  ///< at least one handle or target in all
+  TargetSpec targets = {};  ///< required if there are no handles
   DeformParameters parameters = {};
   /// Applies the edit on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};

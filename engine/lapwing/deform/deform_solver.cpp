@@ -95,7 +95,7 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
   return pose;
 }
 
-// Measures how far handles and targets moved, and how far they are from their prescribed positions.
+// Measures the prescribed motion of handles and targets, and how far they miss its end.
 void measure_constraints(const EditSystem& edit, std::span<const Vector3d> u,
                          std::span<const Vector3d> prescribed, const Positions& positions,
                          Certificate& certificate) {

@@ -40,56 +40,58 @@ struct DeformResult {
 ///     DeformSolver solver(mesh.positions, topology, region, {}, kernels);
 ///     mesh.positions = solver.solve(motions).positions;
 ///
-/// Immutable, so several threads may call all members. `topology` and `kernels` must outlive the
-/// solver. Takes about 4 kB a vertex with settling, twice that after the first minimization, and 8
-/// kB without.
+/// The solver is immutable, so several threads may call its members. `topology` and `kernels` must
+/// outlive it. With settling, it takes about 4 kB per vertex, and 8 kB after the first
+/// minimization. Without settling, it takes 8 kB per vertex.
 class DeformSolver {
  public:
-  /// Factors the n x n system and, without settling, the 3n x 3n system (LinearResponse). Stages:
-  /// "pattern", "order", "laplacian"; without settling "assemble", "analyze", "normal_matrix",
-  /// "factor"; at last "shares". Throws InputError for a region that does not fit the mesh,
-  /// SolverError if a component is not anchored or memory is short, GpuError, Cancelled.
+  /// Factors the n x n system and, without settling, the 3n x 3n system (LinearResponse). Reports
+  /// the stages "pattern", "order" and "laplacian". Without settling, "assemble", "analyze",
+  /// "normal_matrix" and "factor" follow. The last stage is "shares". Throws InputError for a
+  /// region that does not fit the mesh. Throws SolverError if a component is not anchored or memory
+  /// is short. Also throws GpuError and Cancelled.
   DeformSolver(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Reuses what `prepared` keeps, with the same bits. The stage "constraints" replaces "pattern"
-  /// and "order", and stages without work are left out.
+  /// Reuses the data in `prepared`; results have the same bits as without reuse. The stage
+  /// "constraints" replaces "pattern" and "order". Stages without work are not reported.
   DeformSolver(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Shares what `preview` has prepared. May run on another thread while `preview` is dragged.
+  /// Shares the prepared edit of `preview`. This constructor may run on another thread while a drag
+  /// uses `preview`.
   DeformSolver(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~DeformSolver();
   DeformSolver(DeformSolver&&) noexcept;
   DeformSolver& operator=(DeformSolver&&) noexcept;
 
-  /// Returns the surface for one motion per handle, with its certificate; stage "settle" if the
-  /// options settle. Identity motions return the rest positions bit for bit. Throws InputError for
-  /// another number of motions and for motions that are too far, SolverError if the certificate
-  /// does not hold, Cancelled.
+  /// Returns the surface for one motion per handle, with its certificate. Reports stage "settle" if
+  /// the options settle. Identity motions return the rest positions bit for bit. Throws InputError
+  /// if the number of motions is wrong or a motion is too far. Throws SolverError if the
+  /// certificate does not hold. Also throws Cancelled.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for accumulated turns: the surface winds as its handles turned, as far as it can hold
-  /// the winding. Free orientations require settling with soft constraints.
+  /// The same for accumulated turns. The surface winds with its handles, as far as it can keep the
+  /// winding. Free orientations require settling with soft constraints.
   DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
 
   /// Minimizes at each motion of `path` in turn and then at `motions`, each from the previous
   /// minimum. Far motions have several minima; the path decides which one is found. Large regions
-  /// follow the path on their coarse proxy. A motion to which a handle turns by more than 90
-  /// degrees starts from rest again.
+  /// follow the path on their coarse proxy. If a handle turns by more than 90 degrees to the next
+  /// motion, that minimization starts from rest again.
   DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
                            const Progress& progress = {}) const;
 
-  /// Starts from a pose of this region (DragSession::state), so that a drag ends in the minimum
-  /// that it has shown. The pose is ignored if it is empty, if the options do not settle, or if a
-  /// handle has since turned by more than 90 degrees.
+  /// Starts from a pose of this region (DragSession::state), so that the result is the minimum near
+  /// the drag's last frame. Ignores the pose if it is empty, if the options do not settle, or if a
+  /// handle has turned by more than 90 degrees since then.
   DeformResult solve_from(const DragState& pose, const HandleMotions& motions,
                           const Progress& progress = {}) const;
 
-  /// Returns the linear response to `handles`, for Drag; stage "response". Solves 12 right-hand
-  /// sides per handle by the 3n x 3n system, which this call factors if the options settle. If they
-  /// settle and the system exceeds the memory limit, the columns are those of a DragPreview
-  /// (DragResponse::why_not_exact).
+  /// Returns the linear response to `handles`, for Drag. Reports stage "response". Solves 12
+  /// right-hand sides per handle with the 3n x 3n system. If the options settle, this call factors
+  /// that system. If the system then exceeds the memory limit, the columns are those of a
+  /// DragPreview (DragResponse::why_not_exact).
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
                                                   const Progress& progress = {}) const;
   /// The same for all handles.

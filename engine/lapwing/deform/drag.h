@@ -44,8 +44,8 @@ class DragResponse {
   /// for another number of motions. Allocates nothing.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
-  /// The required and the allowed memory, if the 3n x 3n system did not fit and these columns
-  /// replace its own. Otherwise empty, also for a DragPreview.
+  /// States the required and the allowed memory if the 3n x 3n system exceeded the limit. The
+  /// columns are then those of the n x n system. Otherwise empty, also for a DragPreview.
   const std::string& why_not_exact() const { return why_not_exact_; }
 
   /// Returns the pose of this region at `positions` of the whole mesh, for handles moved by
@@ -71,12 +71,12 @@ std::vector<std::size_t> in_order(std::span<const std::size_t> handles);
 class Drag {
  public:
   /// Starts at `pose`, or at rest if it is null. The surface is the pose plus the linear response
-  /// to the change of the motions since.
+  /// to the change of the motions since that pose.
   explicit Drag(std::shared_ptr<const DragResponse> response,
                 std::shared_ptr<const DragState> pose = nullptr);
 
   /// Returns the coefficient of each column for `motions`, one map from rest per handle of the
-  /// edit. Valid until the next call. Allocates nothing.
+  /// edit. The span is valid until the next call. Allocates nothing.
   std::span<const double> parameters(std::span<const Eigen::Affine3d> motions);
   /// Writes the new positions of the vertices that can move; `positions` is of the whole mesh.
   /// Allocates nothing.

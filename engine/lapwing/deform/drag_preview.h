@@ -17,26 +17,27 @@ namespace lapwing {
 struct EditSystem;
 
 /// A linear drag that is ready long before the exact response. It needs only the n x n system and
-/// four columns per handle (laplacian_response), not the 3n x 3n system and twelve. Exact for
-/// translations; details do not rotate.
+/// four columns per handle (laplacian_response), instead of the 3n x 3n system and twelve columns.
+/// It is exact for translations, but details do not rotate.
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options);
 ///     Drag drag(preview.response());          // drags while another thread prepares
 ///     DeformSolver solver(preview, kernels);  // the exact one, which then takes over
 class DragPreview {
  public:
-  /// Stages: "pattern", "order", "laplacian", "preview". `topology` must outlive the object. Throws
-  /// what DeformSolver does.
+  /// Reports the stages "pattern", "order", "laplacian" and "preview". `topology` must outlive the
+  /// object. Throws the errors of DeformSolver's constructor.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
-  /// The same, but reuses what `prepared` keeps: the stage "constraints" replaces "pattern" and
-  /// "order". For a drag that moves only `handles`, response() has columns only for these.
+  /// The same, but reuses the data in `prepared`. The stage "constraints" then replaces "pattern"
+  /// and "order". If `handles` is set, response() has columns for these handles only.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options,
               std::optional<std::span<const std::size_t>> handles = {},
               const Progress& progress = {});
 
-  /// As DeformSolver::response. Poses of a preview and of its solver are interchangeable.
+  /// Corresponds to DeformSolver::response. Poses of a preview and of its solver are
+  /// interchangeable.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
   /// The same for `handles`. Solves four right-hand sides per handle.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;

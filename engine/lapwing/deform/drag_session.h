@@ -13,15 +13,15 @@
 
 namespace lapwing {
 
-/// Moves the surface of an edit frame by frame, each frame minimized as far as it has time:
+/// Moves the surface of an edit frame by frame, and minimizes each frame as far as time allows:
 ///
 ///     DragSession drag(solver);
 ///     drag.step(motions, budget);  // every frame
 ///     draw(drag.state());
 ///     solver->solve_from(drag.state(), motions);  // when the hand lets go
 ///
-/// A frame starts at a prediction (Predictor). If that leaves too little time, a region of 6,500
-/// vertices or more follows its coarse proxy (CoarseProxy). Not thread-safe.
+/// A frame starts at a prediction (Predictor). If a frame lacks the time to settle, a region of
+/// 6,500 vertices or more follows its coarse proxy (CoarseProxy). Not thread-safe.
 class DragSession {
  public:
   /// Throws InputError unless the options of the solver settle.
@@ -33,12 +33,12 @@ class DragSession {
   /// Starts another drag, at a pose of the solver's region or at rest.
   void begin(DragState start = {});
 
-  /// Computes the next frame, minimized as far as `budget` allows (EnergyMinimizer::follow). A call
-  /// with the same motions continues the minimization, and changes nothing once the surface has
-  /// settled. The first frame from rest starts at the handle weights, and so does a frame in which
-  /// a handle has turned by more than 90 degrees since the last. Throws InputError for motions that
-  /// do not fit, SolverError if the surface is not finite, and Cancelled. An error leaves the state
-  /// unchanged.
+  /// Computes the next frame and minimizes it as far as `budget` allows (EnergyMinimizer::follow).
+  /// A call with the same motions continues the minimization. It changes nothing once the surface
+  /// has settled. The first frame from rest starts at the handle weights. So does a frame in which
+  /// a handle has turned by more than 90 degrees since the last frame. Throws InputError for
+  /// motions that do not fit, SolverError if the surface is not finite, and Cancelled. An error
+  /// leaves the state unchanged.
   const DragState& step(const HandleMotions& motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
   /// The same, with turns accumulated from frame to frame by TurnTracker.
@@ -51,8 +51,9 @@ class DragSession {
   /// Lends the minimizer's memory to the solver until the next frame.
   void release_memory();
 
-  /// Starts to build the coarse proxy on another thread: a third of a second at 26,000 vertices,
-  /// some seconds at a million. Without this call, the first frame that lacks time starts it.
+  /// Starts to build the coarse proxy on another thread. The build takes a third of a second at
+  /// 26,000 vertices and some seconds at a million. Without this call, the first frame that lacks
+  /// time starts the build.
   void prepare();
   /// The same, and waits for the coarse proxy, so that no frame depends on how long that takes.
   /// Throws Cancelled.

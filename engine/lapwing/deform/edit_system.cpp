@@ -46,8 +46,8 @@ double extent_of(const VertexSet& roi, const Topology& topology, std::span<const
   return require_extent(with_ring_neighbours(attached, topology.rings), rest, "region");
 }
 
-// A ring couples all its vertices in pairs. So the hub of a fan, such as a polygon of very many
-// corners becomes, makes the matrix dense.
+// A ring couples every pair of its vertices, so a vertex with very many neighbours makes the matrix
+// dense. A polygon with many corners becomes a fan around one of these vertices.
 void require_sparse(const VertexSet& roi, const Topology& topology) {
   constexpr std::size_t kFewNeighbours = 1000;
   constexpr double kBytesOfPair = sizeof(double) + sizeof(Index);

@@ -25,8 +25,8 @@ inline constexpr double kFarthestMove = 1e7;
 /// A prepared edit, shared by its preview, its solver and its drags. Does not change after
 /// construction.
 struct EditSystem {
-  /// Stages "pattern" and "order", or "constraints" if `prepared` has both, and "laplacian". Throws
-  /// what DeformSolver does.
+  /// Reports the stages "pattern" and "order", or "constraints" if `prepared` has both, and then
+  /// "laplacian". Throws the errors of DeformSolver's constructor.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
              bool is_previewed = false);
@@ -78,12 +78,12 @@ struct EditSystem {
   /// proxy.
   bool needs_coarse_surface() const;
 
-  /// Returns the displacements prescribed by the handles, over the whole mesh; 0 off the handles
-  /// and the anchors of loose parts. O(handle vertices) if `reused` is the result of an earlier
-  /// call.
+  /// Returns the displacements that the handles prescribe, per vertex of the mesh. They are 0
+  /// except on the handles and the anchors of loose parts. Costs O(handle vertices) if `reused` is
+  /// the result of an earlier call.
   std::vector<Eigen::Vector3d> displacement_of_handles(
       std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
-  /// Returns these and the displacements prescribed by hard targets.
+  /// The same, and also the displacements that hard targets prescribe.
   std::vector<Eigen::Vector3d> prescribed_displacement(
       std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
 

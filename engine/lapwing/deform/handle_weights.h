@@ -28,8 +28,8 @@ class HandleWeights {
   std::vector<double> of_handle(std::size_t handle) const;
 
   /// Returns displacements in which each vertex is stretched by the map of `stretch`, then rotated
-  /// and translated by its weighted share of the motions. Rotations are shares of `turns`, whole
-  /// turns included, so the surface winds the way the handles went.
+  /// and translated by its weighted share of the motions. Rotations are shares of `turns`,
+  /// including whole turns, so the surface winds with the handles.
   std::vector<Eigen::Vector3d> displacement(std::span<const Eigen::Affine3d> motions,
                                             std::span<const Eigen::AngleAxisd> turns,
                                             const RestStretch& stretch) const;

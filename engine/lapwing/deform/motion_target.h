@@ -24,10 +24,10 @@ struct MotionTarget {
   }
 };
 
-/// Returns the target for `motions`. Reuses the memory of `prescribed`, which is empty or the field
-/// of an earlier target of the same edit. The latter makes the cost O(handle vertices). Throws
-/// InputError for another number of motions than handles, for motions that are too far, and for
-/// free handles unless the edit settles with soft constraints.
+/// Returns the target for `motions`. Reuses the memory of `prescribed`, which is empty or comes
+/// from an earlier target of the same edit. If it is not empty, the cost is only O(handle
+/// vertices). Throws InputError for another number of motions than handles, for motions that are
+/// too far, and for free handles unless the edit settles with soft constraints.
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
                            std::vector<Eigen::Vector3d> prescribed = {});
 
@@ -50,8 +50,8 @@ std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
                                                      const HandleWeights& weights,
                                                      const MotionTarget& target);
 
-/// Sets the held vertices in `u`. The belt stays as in `last`; handles move on from there by
-/// `prescribed` - `last_prescribed`.
+/// Sets the displacements of held vertices in `u`. The belt keeps its displacement of `last`.
+/// Handles move on from `last` by `prescribed` - `last_prescribed`.
 void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_prescribed,
                std::span<const Eigen::Vector3d> prescribed, std::span<const Eigen::Vector3d> last,
                std::span<Eigen::Vector3d> u);

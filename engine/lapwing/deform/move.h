@@ -43,8 +43,8 @@ enum class HandleOrientation {
 /// Returns `move` as an affine map; a move that changes nothing gives the identity bit for bit.
 /// `share` interpolates from the identity (0) to the move (1). A similarity takes that share of its
 /// translation and angle, about the same axis and pivot, and scales by scale^share. A matrix is
-/// interpolated by `partial_motion`. Invertible below 1. Throws InputError for a part of a matrix
-/// that mirrors.
+/// interpolated by `partial_motion`. The map is invertible if `share` is below 1. Throws InputError
+/// for a share below 1 of a matrix that mirrors.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid,
                           double share = 1.0);
 

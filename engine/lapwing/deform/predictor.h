@@ -17,8 +17,8 @@ class Predictor {
   /// Clears the history of frames.
   void clear();
 
-  /// Returns the predicted displacement for the prescribed displacements `prescribed`, from the
-  /// pose `u` with the prescribed displacements `last_prescribed`. Costs one solve.
+  /// Returns the predicted displacement for the displacements `prescribed`. The prediction starts
+  /// from the pose `u`, for which `last_prescribed` was prescribed. Costs one solve.
   std::vector<Eigen::Vector3d> predict(const EditSystem& edit,
                                        std::span<const Eigen::Vector3d> last_prescribed,
                                        std::span<const Eigen::Vector3d> prescribed,

@@ -32,41 +32,43 @@ struct SurfaceResponse {
   }
 };
 
-/// Prepares a request once and carries it out for many motions of its handles, on the CPU, such as
-/// for data sets and fits. One object serves one thread at a time.
+/// Prepares a request once and carries it out on the CPU for many motions of its handles, for
+/// example to create data sets or fit parameters. One object serves one thread at a time.
 ///
 ///     PreparedDeform arm(mesh, request);
 ///     const Deformed raised = arm.solve(moves);
 class PreparedDeform {
  public:
-  /// Ignores the moves and paths in `request`. Throws what `deform` throws, so that only moves can
-  /// be wrong afterwards.
+  /// Ignores the moves and paths in `request`. Throws the errors of `deform`, so that afterwards
+  /// only the moves can be invalid.
   PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress = {});
 
   const Mesh& mesh() const { return mesh_; }  ///< at rest
   const DeformRequest& request() const { return request_; }
   const EditRegion& region() const { return region_; }
 
-  /// Returns the result of `deform` for these moves, one per handle, bit for bit.
+  /// Returns the same bits as `deform` for these moves, one per handle.
   Deformed solve(std::span<const Move> moves, const Progress& progress = {});
   /// The same with `orientations`, one per handle, in place of the request's.
   Deformed solve(std::span<const Move> moves, std::span<const HandleOrientation> orientations,
                  const Progress& progress = {});
 
-  /// Returns the linear response to each of `handles`, indices in the request, with the others at
+  /// Returns the linear response to each of `handles`, given by index, while the other handles
   /// rest. Sums of its columns match `solve` without settling to 1e-6 of the mesh's diagonal,
-  /// except for loose parts. Mirror images of the handles move along; targets have no effect. Takes
-  /// 288 bytes per vertex and handle, and up to three times that while it is computed. Throws
-  /// InputError for a handle that does not exist, SolverError if memory is short, Cancelled.
+  /// except for loose parts. Mirror images of the handles also move, and targets have no effect.
+  /// The response takes 288 bytes per vertex and handle, and the computation up to three times as
+  /// much. Throws InputError for a handle that does not exist, SolverError if memory is short, and
+  /// Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
-  /// Called from any of the threads, once per k, in no order.
+  /// Called once for each k, on any of the threads and in any order.
   using MovesOf = std::function<std::vector<Move>(std::size_t k)>;
   using Take = std::function<void(std::size_t k, Deformed&& result)>;
 
-  /// Computes `count` results as `solve` does, on `threads` threads (0: all processors), each with
-  /// its own solver. The first error stops all and is thrown here, with "motion K: " before its
-  /// message. Reports stage "solve_many" on the calling thread; `progress` can cancel all.
+  /// Computes `count` results as `solve` does, on `threads` threads (0: all processors). Each
+  /// thread has its own solver. The first error stops all threads, and this function throws it with
+  /// "motion K: " before its message. Reports stage "solve_many" on the calling thread; `progress`
+  /// can cancel all.
   void solve_many(std::size_t count, const MovesOf& moves_of, const Take& take,
                   unsigned threads = 0, const Progress& progress = {});
 

@@ -23,9 +23,9 @@ struct RestStretch {
 /// a scaling handle widens or narrows the surface around it without pushing it along.
 ///
 /// The smooth map x -> x + u interpolates the handles' stretches, each about the handle's centroid;
-/// u solves the n x n system of `system`. S_i is the stretch of the ring's linear fit to that map
-/// in the tangent plane, and along the normal the geometric mean of the two tangential stretches.
-/// If only handles hold the region and all have the same stretch P, every S_i is P.
+/// u solves the n x n system of `system`. In the tangent plane, S_i is the stretch of a linear fit
+/// to that map over the ring. Along the normal, it is the geometric mean of the two tangential
+/// stretches. If only handles hold the region and all have the same stretch P, every S_i is P.
 RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions);
 
 /// Returns the mean scale of each stretch, the cube root of its determinant.

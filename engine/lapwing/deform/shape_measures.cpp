@@ -19,9 +19,9 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kRowsPerTask = 256;
 
-// Root mean square of the details over that of the edges, below which details are rounding. A flat
-// surface in a file with six digits or 32-bit floats has less; a smooth one of a hundred million
-// triangles has more.
+// Details count as rounding errors if the ratio of their root mean square to that of the edges is
+// below this. The ratio is lower for a flat surface from a file with six digits or 32-bit floats.
+// It is higher for a smooth surface of a hundred million triangles.
 constexpr double kLeastDetail = 1e-4;
 constexpr double kNoDetails = std::numeric_limits<double>::quiet_NaN();
 Vector3d stretched(std::span<const Matrix3d> stretch, Index i, const Vector3d& rest) {
@@ -86,7 +86,7 @@ Laplacians laplacians_of(Index i, const Topology& topology, std::span<const doub
   return of;
 }
 
-// Whether the details are more than rounding. The arguments are sums over the same rings.
+// Whether the details are larger than rounding errors. The arguments are sums over the same rings.
 bool has_details(double squares_of_details, double squares_of_edges) {
   return squares_of_details > kLeastDetail * kLeastDetail * squares_of_edges;
 }

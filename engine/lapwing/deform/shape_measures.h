@@ -16,8 +16,9 @@ namespace lapwing {
 /// the mesh, or is empty for the identity.
 
 /// Returns the distance of details from their rest shapes, rotated with their rings:
-/// sqrt(sum |L(v'_i) - R_i S_i delta_i|^2 / sum |S_i delta_i|^2) over `rows`. 0 for a rigid motion,
-/// 1 for lost details. NaN for a flat surface, whose delta_i are only rounding.
+///     sqrt(sum |L(v'_i) - R_i S_i delta_i|^2 / sum |S_i delta_i|^2) over `rows`.
+/// It is 0 for a rigid motion and 1 for lost details. It is NaN for a flat surface, whose delta_i
+/// are only rounding errors.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current,
@@ -58,7 +59,7 @@ struct VertexMeasures {
   std::vector<Index> vertices;
   std::vector<double> rotation_degrees;  ///< the angle of R_i, 0 to 180
   /// |L(v'_i) - R_i delta_i| over the root mean square of |delta| over `vertices`, so that the root
-  /// mean square of this list is `detail_error`. All NaN for a flat surface.
+  /// mean square of this list is `detail_error`. All values are NaN for a flat surface.
   std::vector<double> detail_error;
   std::vector<double> stretch;  ///< `edge_stretch` of the ring alone; 0 without a ring
   std::vector<Eigen::Vector3d> displacement;

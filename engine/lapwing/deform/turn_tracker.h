@@ -4,19 +4,21 @@
 
 namespace lapwing {
 
-/// If a handle turns farther against the belt, the surface may settle with another winding, since
-/// the energy can be lower the other way round. How much winding it holds depends on its length and
-/// the detail length. A larger turn without a path is split into substeps (modifiers/substeps.h).
+/// If a handle turns by more than this relative to the belt, the surface may settle with another
+/// winding, since the energy can be lower in the other direction. The length of the surface and the
+/// detail length determine how much winding it keeps. A larger turn without a path is split into
+/// substeps (modifiers/substeps.h).
 inline constexpr double kLargestSettledTurnDegrees = 180.0;
 
-/// Whether a turn is larger than that, by more than the rounding of a computed half turn.
+/// Whether a turn exceeds the limit by more than the rounding error of a computed half turn.
 inline bool exceeds_settled_turn(double degrees) {
   constexpr double kRoundingDegrees = 1e-6;
   return degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }
 
-/// Beyond this turn its direction matters: linear responses fail, winding is measured, and surfaces
-/// can be inside out. It is also the default size of substeps.
+/// Beyond this turn, the direction of the turn matters: linear responses fail, surfaces can be
+/// inside out, and `winding_degrees` measures the winding. This is also the default size of
+/// substeps.
 inline constexpr double kFarTurnDegrees = 90.0;
 
 /// Accumulates the turn of one handle over the motions of a drag, also past 180 and 360 degrees.

@@ -56,7 +56,7 @@ struct FixReport {
 ///  - welds boundary edges at exactly the same place (find_seams), keeping the lower vertex;
 ///  - gives each fan of a bow-tie vertex its own vertex;
 ///  - flips faces of inconsistent sheets until neighbours agree (analyze_orientation);
-///  - turns closed parts that are inside out, with what is inside them.
+///  - turns closed parts that are inside out, together with the closed parts inside them.
 /// Attributes stay with their vertices, faces and corners, so UVs and materials survive; stored
 /// normals are not recomputed. Positions do not change. Any repair resets `mesh.source`.
 /// Non-manifold edges, zero-area faces and one-sided surfaces stay. Near-linear. Throws InputError,

@@ -15,8 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Returns whether the ray from `p` along +x passes the segment in the xy plane. Both triangles of
-// an edge get the same answer, so that no ray slips between them.
+// Returns whether the ray from `p` along +x crosses the segment, both projected to the xy plane.
+// The answer does not depend on the direction of the segment, so no ray slips between two triangles
+// at their common edge.
 bool passes(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   if ((a.y() > p.y()) == (b.y() > p.y())) return false;
   const Vector3d& low = a.y() < b.y() ? a : b;
@@ -25,10 +26,10 @@ bool passes(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   return p.x() < x;
 }
 
-// Returns whether the triangle lies on the vertical ray upward from `p`. The ray of a point in a
-// closed surface crosses an odd number of its triangles, whatever their orientation.
+// Returns whether the ray from `p` along +z crosses the triangle. If `p` is inside a closed
+// surface, the ray crosses an odd number of its triangles. Their orientation does not matter.
 bool crosses(const Vector3d& p, const std::array<Vector3d, 3>& triangle) {
-  int turns = 0;  // of the triangle around the ray
+  int turns = 0;  // winding number of the triangle around the ray
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3d& from = triangle[k];
     const Vector3d& to = triangle[(k + 1) % 3];
@@ -84,8 +85,8 @@ class Nesting {
 
   const Mesh& mesh_;
   std::span<const ClosedSheet> sheets_;
-  std::vector<Point> points_;                          // by x
-  std::map<std::pair<Index, Index>, bool> crossings_;  // of the first one's ray with the second
+  std::vector<Point> points_;                          // sorted by x
+  std::map<std::pair<Index, Index>, bool> crossings_;  // (inner, outer): is their number odd?
   CancelCheck cancel_check_;
 };
 

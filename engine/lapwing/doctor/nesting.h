@@ -7,16 +7,18 @@
 
 namespace lapwing {
 
-/// A closed surface, consistently oriented or about to be.
+/// A closed surface that is consistently oriented, or will be after Orientation::faces_to_flip are
+/// flipped.
 struct ClosedSheet {
   std::vector<Index> faces;
-  double volume = 0.0;    ///< enclosed; negative if oriented inward
-  bool may_turn = false;  ///< whether it is consistent, so that it can turn as a whole
+  double volume = 0.0;    ///< enclosed volume; negative if oriented inward
+  bool may_turn = false;  ///< whether it is consistent, so that all its faces can turn
 };
 
-/// Returns for each sheet the others that contain it: those of larger volume around its first
-/// corner, ascending. Where sheets intersect, that corner decides. Usually near-linear; quadratic
-/// if every triangle spans many sheets.
+/// Returns the sheets that contain each sheet, in ascending order. A sheet contains another one if
+/// its volume is larger and it encloses the first corner of the other. If sheets intersect, only
+/// that corner counts. The cost is usually near-linear, but quadratic if every triangle spans many
+/// sheets.
 std::vector<std::vector<Index>> containers_of(const Mesh& mesh,
                                               std::span<const ClosedSheet> sheets);
 

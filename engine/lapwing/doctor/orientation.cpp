@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 struct Sheet {
   std::vector<Index> faces;
   std::vector<Index> inconsistent_edges;
-  std::vector<Index> border;  // sides on edges that do not have two sides
+  std::vector<Index> border;  // sides whose edge does not have exactly two sides
   bool one_sided = false;
 };
 
@@ -79,11 +79,11 @@ class Flood {
   std::vector<unsigned char> state_;
 };
 
-// The integrals of a sheet with its marked faces flipped.
+// Integrals over a sheet after the faces that the flood marked are flipped.
 struct SheetSize {
-  double volume = 0.0;  // relative to the origin; that enclosed, if closed
+  double volume = 0.0;  // enclosed volume, or that of the cone from the origin
   double area = 0.0;
-  Vector3d across = Vector3d::Zero();  // the integral of the normal; 0 if closed
+  Vector3d across = Vector3d::Zero();  // integral of the normal; 0 if closed
 
   void add(const Vector3d& a, const Vector3d& b, const Vector3d& c, double sign = 1.0) {
     volume += sign * a.dot(b.cross(c)) / 6.0;
@@ -91,7 +91,8 @@ struct SheetSize {
   }
 };
 
-// A point of the sheet: far from it the terms of a volume would cancel.
+// Returns a point of the sheet. Relative to a distant origin, the terms of the volume would cancel
+// and lose digits.
 Vector3d origin_of(const Mesh& mesh, const Sheet& sheet) {
   return mesh.positions[mesh.face(sheet.faces[0])[0]];
 }
@@ -113,14 +114,15 @@ SheetSize measure_sheet(const Mesh& mesh, const Sheet& sheet, const Flood& flood
   return size;
 }
 
-// A volume of less than this share of area^1.5 is a rounding error. A ball's share is 0.09.
+// A volume below this fraction of area^1.5 is a rounding error. For a ball, the fraction is 0.09.
 constexpr double kFlat = 1e-9;
 
 bool is_inward(const SheetSize& size) {
   return size.volume < -kFlat * std::pow(size.area, 1.5);
 }
 
-// Closes the holes of a consistent sheet by fans of triangles around the mean of their corners.
+// Adds to `size` the triangles that close the holes of a consistent sheet. Each hole gets a fan
+// around the mean of its corners.
 void close_holes(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize& size) {
   const Vector3d origin = origin_of(mesh, sheet);
   const auto start = [&](Index side) { return mesh.face_vertices()[side]; };
@@ -147,9 +149,9 @@ void close_holes(const Mesh& mesh, const Edges& edges, const Sheet& sheet, Sheet
   }
 }
 
-// Whether a consistent, open sheet encloses a negative volume once its holes are closed. Its
-// projection along the mean normal is `across`: 0.5 of the area of a hemisphere, and at least 0.7
-// of a height field with slopes of at most 45 degrees.
+// Returns whether a consistent, open sheet encloses a negative volume after its holes are closed.
+// The ratio |across| / area tells how flat the sheet is. It is 0.5 for a hemisphere, and at least
+// 0.7 for a height field with slopes up to 45 degrees.
 bool is_inward_open(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize size) {
   constexpr double kMostOpen = 0.6;
   if (!(size.across.norm() <= kMostOpen * size.area)) return false;
@@ -178,8 +180,8 @@ void append(std::vector<Index>& list, const std::vector<Index>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-// Decides which closed sheets turn, from the outside in. A sheet that winds negatively around its
-// inside is inside out, and turns with everything in it.
+// Finds the closed sheets to turn, from the outside in. An inward sheet is inside out if no solid
+// contains it. The sheets inside it turn with it.
 void turn_inside_out_sheets(const Mesh& mesh, std::span<const ClosedSheet> sheets,
                             Orientation& orientation) {
   if (std::ranges::none_of(sheets, [](const ClosedSheet& s) { return s.volume < 0.0; })) return;
@@ -189,7 +191,7 @@ void turn_inside_out_sheets(const Mesh& mesh, std::span<const ClosedSheet> sheet
   std::ranges::stable_sort(outside_in, std::greater<>(),
                            [&](Index s) { return std::abs(sheets[s].volume); });
   std::vector<unsigned char> turns_its_inside(sheets.size(), 0);
-  std::vector<int> winding(sheets.size(), 0);  // that the turned sheet contributes to its inside
+  std::vector<int> winding(sheets.size(), 0);  // that each sheet, once turned, adds to its inside
   for (const Index s : outside_in) {
     int around = 0;
     bool is_turned = false;

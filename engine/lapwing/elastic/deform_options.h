@@ -37,9 +37,9 @@ struct DeformOptions {
   /// As EnergyTerms::detail_length, in its range. Has no effect on the RSI system.
   double detail_length = kDefaultDetailLength;
   LinearResponse response = LinearResponse::tangent;
-  /// Holds handle and belt softly, with this weight: 1 in eq. 5, at most kMaxWeight. Without it
-  /// they are held so firmly (kStiff) that they arrive within a hundredth of the way on every mesh.
-  /// Has no effect on hard constraints.
+  /// Weight of the soft constraints on handles and belt, at most kMaxWeight; eq. 5 has the weight
+  /// 1. If it is empty, the constraints are stiff (kStiff). Then handles miss by less than a
+  /// hundredth of their motion on every mesh. The weight has no effect on hard constraints.
   std::optional<double> constraint_weight = {};
   /// Handle and belt vertices reach their positions exactly, not in the least-squares sense.
   bool hard = false;

@@ -35,19 +35,20 @@ struct MinimizerTarget {
   std::span<const Eigen::Matrix3d> rest_stretch;
   /// f: forces on the unknowns; none if empty.
   std::span<const Eigen::Vector3d> forces = {};
-  /// Their fitted positions replace `prescribed` at their vertices.
+  /// The fitted positions of these handles replace `prescribed` at their vertices.
   std::span<const FreeHandle> free_handles = {};
 };
 
-/// A preconditioner for L-BFGS at a pose: a factored 3n x 3n matrix. With the n x n matrix alone,
-/// which resists every rotation of a ring, long limbs bend slowly.
+/// A preconditioner for L-BFGS at a pose: a factored 3n x 3n matrix. The n x n matrix resists every
+/// rotation of a ring, so with it alone long limbs bend slowly.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Assembles and factors at a pose. `transforms` are T_i per row of the rings, `displacement` has
-  /// one vector per entry of RegionRings::vertices. Returns false if the matrix does not fit in
-  /// memory or is not positive definite; do not solve then.
+  /// Assembles and factors the matrix at a pose. `transforms` holds T_i per row of the rings.
+  /// `displacement` has one vector per entry of RegionRings::vertices. Returns false if the matrix
+  /// does not fit in memory or is not positive definite. In that case, do not call
+  /// `solve_in_place`.
   virtual bool factorize(std::span<const Eigen::Matrix3d> transforms,
                          std::span<const Eigen::Vector3d> displacement) = 0;
 
@@ -71,9 +72,9 @@ class Preconditioner {
 /// usable whenever the budget ends the loop. One object serves one thread at a time.
 class EnergyMinimizer {
  public:
-  /// `system`, assembled with a detail length, and `preconditioner`, of the same region or null,
-  /// must outlive the object. Throws InputError for options out of range, GpuError if the device
-  /// fails.
+  /// `system` must be assembled with a detail length. `preconditioner` is null or belongs to the
+  /// same region. Both must outlive the object. Throws InputError for options out of range, and
+  /// GpuError if the device fails.
   EnergyMinimizer(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
                   Preconditioner* preconditioner = nullptr);
   ~EnergyMinimizer();
@@ -84,29 +85,29 @@ class EnergyMinimizer {
   double energy(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Minimizes `u`, displacements of the whole mesh, in place. The result does not depend on
-  /// earlier calls. Allocates nothing per iteration. Reports stage "settle". Throws Cancelled; `u`
-  /// then holds the last iterate.
+  /// earlier calls. Allocates nothing per iteration. Reports stage "settle". If it throws
+  /// Cancelled, `u` holds the last iterate.
   MinimizerResult settle(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const Progress& progress = {});
 
-  /// Minimizes one frame of a drag from the predicted `u`, for a `target` slightly beyond the last
-  /// one, with the L-BFGS history of the frames before. Ends when `budget` returns false.
+  /// Minimizes one frame of a drag from the predicted `u`. Uses the L-BFGS history of earlier
+  /// frames, since `target` differs little from the last one. Ends when `budget` returns false.
   MinimizerResult follow(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// The same with the preconditioner, factored at `u` first. For surfaces of a few thousand
-  /// vertices, where that fits into a frame.
+  /// The same with the preconditioner, which this call first factors at `u`. This fits into a frame
+  /// for surfaces of a few thousand vertices.
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 
   /// Minimizes a frame with the `target` of the last call, from its result `u`. After three
-  /// iterations of such frames the preconditioner is factored at the pose, at the start of a call;
-  /// `budget` is not asked for that.
+  /// iterations in these frames, the next call first factors the preconditioner at the pose, even
+  /// if that exceeds `budget`.
   MinimizerResult follow_at_rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                  const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Call this if the target moves in a frame without time for `follow`: the state of
-  /// `follow_at_rest` belongs to another pose.
+  /// Call this if the target moves in a frame without time for `follow`, since the state of
+  /// `follow_at_rest` then belongs to another pose.
   void end_rest();
 
   /// Clears the history, so that the next frame is the first of another drag.

@@ -43,7 +43,7 @@ class Buffer {
 
   std::string name_;
   VkDeviceSize bytes_;
-  Owned<VkDeviceMemory> memory_;  ///< freed after the buffer is destroyed
+  Owned<VkDeviceMemory> memory_;  ///< declared before the buffer, so it is freed last
   Owned<VkBuffer> handle_;
   std::byte* mapped_ = nullptr;
 };

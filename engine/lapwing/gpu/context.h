@@ -23,8 +23,8 @@ struct ContextOptions {
   /// `list_devices`, or a part of a device's name in any case.
   std::string device = "auto";
   std::vector<const char*> instance_extensions =
-      {};  ///< besides the context's own, such as a window's
-  std::vector<const char*> device_extensions = {};  ///< besides the context's own
+      {};  ///< in addition to those of the context, such as a window's extensions
+  std::vector<const char*> device_extensions = {};  ///< in addition to the context's own
   /// If false, device memory is never mapped, as on a discrete GPU, so that every copy is staged.
   /// For tests.
   bool map_device_memory = true;
@@ -46,9 +46,9 @@ struct TransferCounts {
 /// be called from several threads. Contexts must be created and destroyed on one thread at a time.
 class Context {
  public:
-  /// LAPWING_VALIDATION=1 in the environment turns on validation and synchronization validation.
-  /// Throws GpuError, saying what was tried and what to install, if no device fits or the layers
-  /// are not installed.
+  /// The environment variable LAPWING_VALIDATION=1 turns on validation and synchronization
+  /// validation. Throws GpuError if no device fits or the validation layers are not installed. The
+  /// message says what was tried and what to install.
   explicit Context(const ContextOptions& options = {});
   ~Context();
   Context(const Context&) = delete;

@@ -9,7 +9,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// Returns the accesses to the buffers of a shader that the device can run as a kernel.
+// Checks that the device can run a shader as a kernel. Returns how the shader accesses each buffer.
 std::vector<BindingAccess> checked_bindings(const Context& context, const std::string& name,
                                             std::span<const std::uint32_t> spirv,
                                             std::uint32_t push_constant_bytes,

@@ -6,7 +6,8 @@
 
 namespace lapwing::gpu {
 
-/// Owns a Vulkan object of a context, which must outlive it. Movable; null at first.
+/// Owns a Vulkan object and destroys it. The context must outlive the owner. A default-constructed
+/// owner is null.
 template <typename Handle>
 class Owned {
  public:
@@ -34,7 +35,8 @@ class Owned {
   Destroy destroy_ = nullptr;
 };
 
-/// Calls `make`, such as vkCreateBuffer. Throws GpuError, naming `call`, if that fails.
+/// Creates an object by calling `make`, such as vkCreateBuffer. If that fails, throws a GpuError
+/// that names `call`.
 template <typename Handle, typename Info>
 Owned<Handle> create(const Context& context,
                      VkResult(VKAPI_PTR* make)(VkDevice, const Info*, const VkAllocationCallbacks*,

@@ -9,19 +9,19 @@
 
 namespace lapwing::gpu {
 
-/// Layout of a pipeline: storage buffers at the bindings 0, 1, ... of one set, which are bound by
-/// push descriptors, and push constants. Movable.
+/// Layout of a pipeline with storage buffers and push constants. The buffers have the bindings 0,
+/// 1, ... of one set, and push descriptors bind them.
 class PipelineLayout {
  public:
-  /// `buffers` is at most kMaxBuffers.
+  /// `buffers` is the number of storage buffers, at most kMaxBuffers.
   PipelineLayout(const Context& context, VkShaderStageFlags stages, std::uint32_t buffers,
                  std::uint32_t push_constant_bytes);
 
-  static constexpr std::size_t kMaxBuffers = 16;  ///< every device takes at least 32
+  static constexpr std::size_t kMaxBuffers = 16;  ///< every device supports at least 32
 
   VkPipelineLayout handle() const { return layout_.get(); }
 
-  /// Records the binding of a pipeline of this layout, its buffers and its push constants.
+  /// Records commands that bind a pipeline of this layout, its buffers and its push constants.
   void bind(VkCommandBuffer commands, VkPipelineBindPoint point, VkPipeline pipeline,
             std::span<const BufferRange> buffers, std::span<const std::byte> push) const;
 
@@ -32,7 +32,7 @@ class PipelineLayout {
   Owned<VkPipelineLayout> layout_;
 };
 
-/// Returns a shader module, which is needed only until its pipeline exists.
+/// Returns a shader module. It can be destroyed as soon as its pipeline exists.
 Owned<VkShaderModule> shader_module(const Context& context, std::span<const std::uint32_t> spirv);
 
 }  // namespace lapwing::gpu

@@ -6,7 +6,7 @@
 
 namespace lapwing::gpu {
 
-/// Prints the messages of the validation layers for one instance to stderr, and counts them.
+/// Counts the messages of the validation layers for one instance, and prints them to stderr.
 class Validation {
  public:
   /// Throws GpuError, saying what to install, if the loader finds no validation layer.

@@ -35,8 +35,8 @@ fs::path folder_of(const fs::path& target) {
   return target.parent_path();
 }
 
-// Returns the permissions of the file at `target`, if there is one. Throws IoError if it cannot be
-// replaced; messages call it `path`.
+// Returns the permissions of the file at `target`, or nullopt if there is no file. Throws IoError
+// if that file cannot be replaced. The message names `path`, which the user knows.
 std::optional<mode_t> old_permissions(const fs::path& target, const fs::path& path) {
   struct stat old {};
   if (::stat(target.c_str(), &old) != 0) {
@@ -86,7 +86,7 @@ bool remove_stale(const fs::path& path) {
 FileReplacement::FileReplacement(const fs::path& path, Unopened /*unused*/)
     : named_(path), target_(real_path(path)), old_permissions_(old_permissions(target_, path)) {}
 
-// Delegates, so that the destructor cleans up if opening throws.
+// Delegates to the other constructor, so that the destructor runs even if opening the file throws.
 FileReplacement::FileReplacement(const fs::path& path) : FileReplacement(path, Unopened{}) {
   if (!open_without_name()) open_with_name();
   make_private();

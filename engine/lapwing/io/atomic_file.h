@@ -58,10 +58,10 @@ class FileReplacement {
 
   std::filesystem::path named_;
   std::filesystem::path target_;
-  std::optional<mode_t> old_permissions_;  // of the old file, if there is one
+  std::optional<mode_t> old_permissions_;  // nullopt if there is no old file
   mode_t permissions_ = 0;
   FileDescriptor file_{-1};
-  std::filesystem::path path_;  // empty while the temporary file has no name
+  std::filesystem::path path_;  // of the temporary file; empty while it has no name
 };
 
 /// Several files that belong together. All are complete on the disk before the first one is put in

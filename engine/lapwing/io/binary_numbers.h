@@ -16,7 +16,7 @@ namespace lapwing {
 
 namespace detail {
 
-/// Calls `act` with a zero of the C++ type of `type`.
+/// Calls `act` with a zero whose C++ type corresponds to `type`.
 template <class Act>
 auto with_type_of(Scalar type, const Act& act) {
   switch (type) {
@@ -40,7 +40,7 @@ auto with_type_of(Scalar type, const Act& act) {
   return act(double{});
 }
 
-/// Converts between the byte order of `encoding` and that of this machine.
+/// Converts a number between the byte order of `encoding` and this machine's byte order.
 template <std::size_t N>
 void reorder(std::array<char, N>& bytes, Encoding encoding) {
   const bool is_big = std::endian::native == std::endian::big;

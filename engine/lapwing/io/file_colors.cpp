@@ -48,7 +48,7 @@ class ImageCache {
     if (path) known->second = add_file({.path = *path});
     return known->second;
   }
-  /// The same for an image that is embedded in the file of the mesh.
+  /// Adds an image that is embedded in the mesh file.
   Index add(const std::string& name, const std::shared_ptr<const std::string>& bytes) {
     return add_file({.path = name, .bytes = bytes});
   }
@@ -74,8 +74,8 @@ class ImageCache {
  private:
   struct File {
     fs::path path;
-    std::shared_ptr<const std::string> bytes = {};  ///< of an embedded image
-    ImageSize size = {};                            ///< after the halvings
+    std::shared_ptr<const std::string> bytes = {};  ///< of an embedded image, else null
+    ImageSize size = {};                            ///< in pixels, after all halvings
     int halvings = 0;
   };
 
@@ -166,7 +166,8 @@ class FileColorReader {
                                          : shelf_.add(from.image, found.file, path_);
   }
 
-  // Images need texture coordinates to be shown.
+  // Returns whether the mesh has texture coordinates, without which no image can be shown. The
+  // first call adds a note if there are none.
   bool has_corners() {
     if (!attributes_.corner_uvs.empty()) return true;
     if (!std::exchange(lacks_corners_, true)) {
@@ -194,8 +195,8 @@ class FileColorReader {
     }
   }
 
-  // Notes the faces that lack texture coordinates for the image of their material, and those that
-  // are beyond an image that the file does not repeat.
+  // Adds notes about faces that have an image but no texture coordinates. Also notes faces that
+  // reach beyond an image that the file does not repeat.
   void check_corners() {
     const std::vector<Index> materials = materials_of_faces(colors_, mesh_);
     std::vector<std::size_t> without(colors_.materials.size(), 0);
@@ -224,7 +225,7 @@ class FileColorReader {
     }
   }
 
-  // Whether the corners are in the image, to rounding.
+  // Returns whether all corners lie inside the image, up to rounding.
   bool are_inside(const FileMaterial& material, std::span<const Index> corners) const {
     constexpr double kRounding = 1e-4;
     return std::ranges::all_of(corners, [&](Index uv) {
@@ -234,7 +235,8 @@ class FileColorReader {
     });
   }
 
-  // Notes colours, and numbers that may be colours, which the reader of the mesh could not use.
+  // Adds notes about colours that the reader of the mesh could not use. Numbers that may be colours
+  // also get a note.
   void note_unread() {
     for (const std::string& what : attributes_.uneditable) {
       const bool are_indices = what.starts_with(kColorMapIndices);

@@ -20,7 +20,7 @@ struct FileMaterial {
   /// The image is looked up at scale * uv + offset; v points upwards, and images repeat.
   Eigen::Vector2d uv_scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
-  bool is_clamped = false;  ///< the file wants no repetition; a note says where it is repeated
+  bool is_clamped = false;  ///< the file says not to repeat the image; notes count faces beyond it
 };
 
 /// The colours that a mesh takes from other files: the materials and images that its file names.

@@ -8,39 +8,39 @@
 
 namespace lapwing {
 
-/// Kinds of defects that a mesh file can be read past.
+/// Kinds of defects in a mesh file that the reader can skip or correct.
 enum class FileDefectKind {
-  short_face,      ///< the face is left out
-  missing_vertex,  ///< the face, or the triangle of a glTF file, is left out
-  wrong_count,     ///< all complete faces are read, and the count in the header is ignored
-  missing_end,     ///< of an ascii STL file, which is read to its last complete facet
+  short_face,      ///< the reader leaves out the face
+  missing_vertex,  ///< the reader leaves out the face, or the triangle of a glTF file
+  wrong_count,     ///< the reader ignores the count in the header and reads all faces
+  missing_end,     ///< the reader reads an ascii STL file up to its last complete facet
 };
 inline constexpr int kFileDefectKindCount = static_cast<int>(FileDefectKind::missing_end) + 1;
 
 /// A kind of defect in words for the user.
 struct FileDefectInfo {
   std::string_view name;    ///< plural: "faces with fewer than three corners"
-  std::string_view repair;  ///< what reading past it did, as text after the count
+  std::string_view repair;  ///< what the reader did, as text after the count
 };
 const FileDefectInfo& describe(FileDefectKind kind);
 
-/// Default limit on the places that a file defect lists.
+/// By default, a FileDefect lists at most this many places.
 inline constexpr std::size_t kMaxListedPlaces = 8;
 
-/// The defects of one kind in a file.
+/// All defects of one kind in a file.
 struct FileDefect {
   FileDefectKind kind = FileDefectKind::short_face;
   std::size_t count = 0;
-  /// The first kMaxListedPlaces, in the order of the file: "line 7: a face needs at least 3
-  /// corners, but this one has 2".
+  /// The first places, in the order of the file, such as "line 7: a face needs at least 3 corners,
+  /// but this one has 2".
   std::vector<std::string> first;
 };
 
-// Text for a terminal, as in doctor/format.h.
+// These functions return text for a terminal, like those in doctor/format.h.
 
-/// Returns the defects with their first places and the next step.
+/// Returns the defects with their first places, and tells the user what to do next.
 std::string format(std::span<const FileDefect> defects);
-/// Returns one line for each kind: what reading past the defects did.
+/// Returns one line for each kind of defect, which says what the reader did.
 std::string format_repairs(std::span<const FileDefect> defects);
 
 }  // namespace lapwing

@@ -25,7 +25,8 @@ std::size_t components_of(const JsonNode& node) {
   return kComponents[node.one_of("type", kTypes)];
 }
 
-// Returns the number that stands for 1 in a normalized accessor.
+// Returns the number by which a normalized accessor divides its integers. Only integers of 8 and 16
+// bits can be normalized.
 double largest(Scalar type) {
   return detail::with_type_of(type, []<class T>(T) {
     return sizeof(T) < 4 ? static_cast<double>(std::numeric_limits<T>::max()) : 1.0;

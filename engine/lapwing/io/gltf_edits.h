@@ -14,12 +14,11 @@
 
 namespace lapwing {
 
-/// Appends data to a glTF document: accessors and buffer views to their lists, so that existing
-/// indices stay valid, and bytes to the first buffer.
+/// Appends data to a glTF document. Accessors and buffer views go to the ends of their lists, so
+/// that existing indices stay valid. Bytes go to the end of the first buffer.
 class GltfAppender {
  public:
-  /// `json` must outlive this object. Bytes are appended to the first buffer, which has `size`
-  /// bytes so far.
+  /// `json` must outlive this object. `size` is the size of the first buffer in bytes.
   GltfAppender(const JsonText& json, std::size_t size);
 
   enum class Target : std::uint16_t { none = 0, vertices = 34962, indices = 34963 };
@@ -55,7 +54,7 @@ class GltfAppender {
 void append_to_list(const JsonText& text, JsonPlace object, std::string_view key,
                     const std::string& elements, TextEdits& edits);
 
-/// Returns materials of these names as JSON objects, separated by commas.
+/// Returns a JSON object for each material name, separated by commas.
 std::string named_materials(std::span<const std::string> names);
 
 /// Returns `text` as a JSON string, with quotes.
@@ -63,7 +62,8 @@ std::string quoted_json(std::string_view text);
 
 /// Changes numbers of a glTF file. Each is written in place, unless several meshes share it, it is
 /// an integer position, or it has no place in a buffer. The mesh then gets a new accessor of 32-bit
-/// floats at the end of the list. An object can get its own copy of the mesh that it shows.
+/// floats at the end of the list. `separate` gives an object its own copy of the mesh that it
+/// shows.
 class GltfNumbers {
  public:
   explicit GltfNumbers(const GltfLayout& layout);
@@ -73,8 +73,8 @@ class GltfNumbers {
   void set(const GltfAccessor& accessor, std::string_view attribute, std::size_t mesh,
            std::size_t element, const Eigen::Vector3d& values);
 
-  /// Gives object `object` a copy of its mesh at the end of the list, and returns the number of the
-  /// copy, for `set`, which must be called for it.
+  /// Appends a copy of the mesh of object `object` to the list of meshes, and makes the object show
+  /// it. Returns the index of the copy. Call `set` with this index at least once.
   std::size_t separate(std::size_t object);
 
   /// Returns the appender for the first buffer. Throws InputError if there is no buffer.
@@ -113,7 +113,7 @@ class GltfNumbers {
   std::optional<GltfAppender> appender_;
   std::vector<std::optional<std::string>> buffers_;
   std::size_t mesh_count_ = 0;
-  std::vector<std::size_t> separate_;  // objects; the first gets mesh mesh_count_
+  std::vector<std::size_t> separate_;  // object k of this list shows mesh mesh_count_ + k
   /// Meshes that use an accessor, by its start.
   std::map<Start, std::vector<std::size_t>> meshes_of_;
   std::map<std::size_t, const GltfAccessor*> changed_;

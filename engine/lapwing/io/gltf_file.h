@@ -37,7 +37,7 @@ class GltfFile {
   const SourceFile& source() const { return source_; }
   bool is_binary() const { return is_binary_; }
   const JsonNode& root() const { return root_; }
-  /// Finds values of `root` in their text, without the padding of its chunk.
+  /// Locates the values of `root` in the JSON text, which excludes the padding of its chunk.
   const JsonText& json() const { return json_text_; }
   const std::vector<GltfBuffer>& buffers() const { return buffers_; }
   /// The binary chunk of a GLB, even if no buffer uses it.
@@ -72,14 +72,14 @@ inline constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeaderSize = 12;
 inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
-/// Returns the names of the materials, "material 3" for one without. They are unique: a name that
-/// an earlier material has becomes "Skin (material 3)".
+/// Returns a unique name for each material. A material without a name is called "material 3". A
+/// name that an earlier material has becomes "Skin (material 3)".
 std::vector<std::string> gltf_material_names(const JsonNode& root);
 
-/// Returns the index of the image of a material's base colour, if it has one. Throws InputError if
-/// the texture is malformed.
+/// Returns the index of the image of a material's base colour, or nullopt if it has none. Throws
+/// InputError if the texture is malformed.
 std::optional<std::size_t> base_color_image(const JsonNode& root, const JsonNode& material);
-/// Returns the images of all base colours that are well-formed.
+/// Returns the indices of the images of all base colours. Ignores malformed textures.
 std::set<std::size_t> base_color_images(const JsonNode& root);
 
 /// Returns a GLB of `json`, the first buffer and `further_chunks`. Throws InputError above 4 GB.

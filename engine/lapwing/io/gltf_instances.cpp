@@ -9,7 +9,8 @@
 namespace lapwing {
 namespace {
 
-// Positions in the mesh that differ by less than this share of its size are equal up to rounding.
+// Two positions are equal up to rounding if they differ by less than this fraction of the mesh's
+// size.
 constexpr double kRounding = 1e-6;
 
 class InstanceComparison {
@@ -28,7 +29,7 @@ class InstanceComparison {
     });
   }
 
-  // Objects of one mesh have the same record sets in the same order.
+  // The objects must show the same mesh, so that their record sets correspond.
   bool are_alike(std::size_t a, std::size_t b) const {
     const Eigen::Affine3d from_a = layout_.objects[a].to_world.inverse();
     const Eigen::Affine3d from_b = layout_.objects[b].to_world.inverse();
@@ -60,7 +61,7 @@ class InstanceComparison {
 }  // namespace
 
 std::vector<MovedInstances> moved_instances(const GltfLayout& layout, const Mesh& mesh) {
-  std::map<std::size_t, std::vector<std::size_t>> objects_of;  // by mesh
+  std::map<std::size_t, std::vector<std::size_t>> objects_of;  // keyed by mesh
   for (std::size_t k = 0; k < layout.objects.size(); ++k) {
     objects_of[layout.objects[k].mesh].push_back(k);
   }

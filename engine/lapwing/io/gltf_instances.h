@@ -8,27 +8,28 @@
 
 namespace lapwing {
 
-/// The objects that show one mesh of a glTF file, after an edit that moved one of them or more.
+/// The objects that show one mesh of a glTF file, after an edit that moved at least one of them.
 struct MovedInstances {
-  std::vector<std::size_t> objects;  ///< into GltfLayout::objects: all that show the mesh
-  std::vector<std::size_t> moved;    ///< those with a moved vertex
-  /// Whether the moved objects have equal positions in the coordinates of the mesh, up to rounding.
+  std::vector<std::size_t> objects;  ///< all that show the mesh, by index in GltfLayout
+  std::vector<std::size_t> moved;    ///< the ones that have a moved vertex
+  /// Whether all moved objects have equal positions in mesh coordinates, up to rounding.
   bool are_alike = true;
 };
 
-/// Returns the moved meshes of `layout`, with the objects that show each.
+/// Returns an entry for each mesh of which at least one object has a moved vertex.
 std::vector<MovedInstances> moved_instances(const GltfLayout& layout, const Mesh& mesh);
 
-/// Returns the names of the objects of the file, read or not, that show the mesh of `edited` and
-/// are not among them.
+/// Returns the names of all other objects that show the mesh of `edited`. They may include objects
+/// that the reader did not read.
 std::vector<std::string> others_showing(const GltfLayout& layout,
                                         const std::vector<std::size_t>& edited);
 
-/// Returns the names of the objects for a message: "'Left', 'Right' and 'Top'", at most five.
+/// Returns the names of the objects for a message, such as "'Left', 'Right' and 'Top'". Lists at
+/// most five.
 std::string names_of(const GltfLayout& layout, const std::vector<std::size_t>& objects);
 
-/// Notes to the user: the edit of some objects appears in others that show their mesh, or objects
-/// that showed one mesh do not any more.
+/// These functions return notes to the user. The first says that the edit also appears in `others`,
+/// which show the same mesh. The second says that the edited objects no longer share one mesh.
 std::string note_of_shared_edit(const GltfLayout& layout, const std::vector<std::size_t>& edited,
                                 const std::vector<std::string>& others);
 std::string note_of_separation(const GltfLayout& layout, const std::vector<std::size_t>& edited);

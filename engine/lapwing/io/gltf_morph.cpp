@@ -93,7 +93,7 @@ class MorphTarget {
   }
 
  private:
-  // Of the objects that show one mesh, the first that moved defines the target.
+  // If several objects show one mesh, the first object that moved defines the morph target.
   void choose_instances() {
     for (const MovedInstances& instances : moved_instances(layout_, mesh_)) {
       if (!instances.are_alike) {
@@ -259,8 +259,8 @@ class MorphTarget {
   const JsonText& text_;
   Positions rest_;
   std::vector<Vector3d> normals_;
-  std::set<std::size_t> left_out_;                  // objects
-  std::map<std::size_t, std::size_t> old_targets_;  // by mesh
+  std::set<std::size_t> left_out_;                  // objects that define no target
+  std::map<std::size_t, std::size_t> old_targets_;  // previous target count of each mesh
   std::map<std::size_t, std::size_t> mesh_of_node_;
 };
 

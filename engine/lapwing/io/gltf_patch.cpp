@@ -29,10 +29,11 @@ using Eigen::Vector3d;
 // Tangents that differ by less are equal up to rounding.
 constexpr double kSameDirection = 1e-6;
 
-// Returns the `tangents` of a set of records in world coordinates, after the vertices of `mesh`
-// moved from `rest`. Each triangle at a record carries the old tangent along like a line drawn on
-// it. The area-weighted mean is made perpendicular to the new normal (`normals`, per entry of
-// MeshAttributes::normals) and normalized. A tangent stays if no triangle defines it.
+// Returns the `tangents` of a record set in world coordinates, after the vertices of `mesh` moved
+// from `rest`. Each triangle at a record deforms the old tangent like a line drawn on it. The new
+// tangent is the area-weighted mean, made perpendicular to the new normal and normalized. `normals`
+// has one entry for each of MeshAttributes::normals. If no triangle defines a tangent, the old one
+// stays.
 std::vector<Vector3d> transport_tangents(const GltfLayout& layout, const GltfRecords& set,
                                          const GltfAccessor& tangents, const Mesh& mesh,
                                          std::span<const Vector3d> rest,
@@ -92,7 +93,7 @@ class GltfPatch {
   }
 
  private:
-  // Decides which mesh stores each object.
+  // Decides which mesh of the new file stores the positions of each object.
   void choose_meshes() {
     for (const GltfObject& object : layout_.objects) mesh_of_object_.emplace_back(object.mesh);
     for (const MovedInstances& instances : moved_instances(layout_, mesh_)) {
@@ -272,7 +273,8 @@ class GltfPatch {
   WriteReport& report_;
   GltfNumbers numbers_;
   TextEdits edits_;
-  // The mesh that stores each object; nothing if another object of the mesh stands for it.
+  // The mesh that stores the positions of each object. Empty if another object that shows the same
+  // mesh provides them.
   std::vector<std::optional<std::size_t>> mesh_of_object_;
 };
 

@@ -26,7 +26,7 @@ struct FileContent {
 ///
 /// If `morph_target` is not empty, nothing moves: see add_morph_target. If `source` does not
 /// describe `mesh`, new primitives replace the triangles of the objects that changed. Throws
-/// InputError if such an object has no triangle left, or has morph targets.
+/// InputError if a changed object has morph targets or has no triangle left.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
                                     const std::filesystem::path& target,
                                     const std::string& morph_target, WriteReport& report);

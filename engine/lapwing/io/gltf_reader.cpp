@@ -53,7 +53,7 @@ class GltfReader {
     std::size_t count = 0;
   };
 
-  // A short file can show a large mesh very often.
+  // Bounds time and memory, because many nodes of a short file can show one large mesh.
   void require_few_copies(const GltfObject& object) {
     const auto known = triangles_of_.find(object.mesh);
     if (known == triangles_of_.end()) return;
@@ -236,7 +236,7 @@ class GltfReader {
       if (const auto range = indices->range()) layout_->indices.push_back(*range);
     }
     const std::size_t count = indices ? indices->count() : place.count;
-    // Returns kNoIndex if the file may be damaged and the corner names a missing vertex.
+    // Returns kNoIndex if the corner names a missing vertex and the reader accepts damaged files.
     const auto record_at = [&](std::size_t k) {
       const double index = indices ? indices->value(k, 0) : static_cast<double>(k);
       if (!(index >= 0.0 && index < static_cast<double>(place.count))) {
@@ -316,7 +316,7 @@ class GltfReader {
   // Linked list of the normals of each vertex.
   std::vector<Index> first_normal_;
   std::vector<Index> next_normal_;
-  std::map<std::size_t, std::size_t> triangles_of_;  // by mesh
+  std::map<std::size_t, std::size_t> triangles_of_;  // keyed by mesh
   std::size_t copied_triangles_ = 0;
   Tally uneditable_;
 };

@@ -151,7 +151,8 @@ class SceneWalk {
     const std::string& name = found.node_name.empty() ? found.mesh_name : found.node_name;
     const std::string numbered = "node " + std::to_string(number);
     found.object.name = name.empty() ? numbered : name;
-    // Objects with one name, such as unnamed nodes that show one mesh, stay apart.
+    // Several objects may have one name, such as unnamed nodes that show the same mesh. Each object
+    // gets a unique name.
     if (!names_.insert(found.object.name).second) {
       found.object.name = name + " (" + numbered + ")";
     }

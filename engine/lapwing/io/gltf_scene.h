@@ -13,7 +13,7 @@ namespace lapwing {
 
 /// A node that shows a mesh. Several objects may show the same mesh.
 struct GltfObject {
-  std::string name;  ///< the node's, else its mesh's, else "node 3"; unique in the file
+  std::string name;  ///< the node's name, else its mesh's, else "node 3"; unique in the file
   std::size_t node = 0;
   std::size_t mesh = 0;
   /// From mesh to world coordinates. The identity for a mesh with a skin, which its joints place:
@@ -22,13 +22,13 @@ struct GltfObject {
   bool has_skin = false;
 };
 
-/// Returns the objects of the scene, or those called `name` if that is not empty, parents before
-/// children. A node's name is looked for before the name of a mesh. Throws InputError if no object
-/// has that name (the message suggests names), if the nodes do not form trees, or if a transform is
-/// not invertible (scale 0).
+/// Returns all objects of the scene, or only those called `name` if it is not empty. Parents come
+/// before children. `name` is the name of a node or, if no node has it, of a mesh. Throws
+/// InputError if no object has that name; the message suggests names. Throws InputError if the
+/// nodes do not form trees, or if a transform is not invertible (scale 0).
 std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name);
 
-/// Returns the names of all objects of the file that show mesh `mesh`, also outside the scene.
+/// Returns the names of all objects that show mesh `mesh`, including those outside the scene.
 std::vector<std::string> objects_showing(const GltfFile& file, std::size_t mesh);
 
 /// The vertices of one or more primitives of an object, as the file stores them: split where

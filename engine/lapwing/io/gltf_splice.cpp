@@ -27,14 +27,15 @@ class Splice {
   void run() {
     const std::vector<std::vector<Index>> faces = faces_of_objects();
     const std::vector<std::vector<Index>> old = records_of_objects();
-    std::map<std::size_t, std::vector<std::size_t>> changed;  // objects, by mesh
+    std::map<std::size_t, std::vector<std::size_t>> changed;  // changed objects of each mesh
     for (std::size_t k = 0; k < faces.size(); ++k) {
       if (!is_as_before(old[k], faces[k])) changed[layout_.objects[k].mesh].push_back(k);
     }
     for (const auto& [mesh, objects] : changed) {
       const std::vector<std::string> others = others_showing(layout_, objects);
       for (const std::size_t k : objects) {
-        // Like moved vertices (GltfPatch), new triangles of one object are those of the mesh.
+        // If only one object changed, its new triangles replace those of the mesh. All other
+        // objects that show the mesh then change, too, as with moved vertices (GltfPatch).
         const bool keeps_mesh = objects.size() == 1 || (others.empty() && k == objects.front());
         replace(layout_.objects[k], faces[k], !keeps_mesh);
       }
@@ -68,7 +69,7 @@ class Splice {
     return faces;
   }
 
-  // Returns the records of the old corners of each object.
+  // Returns, for each object, the records of its corners before the edit.
   std::vector<std::vector<Index>> records_of_objects() const {
     std::vector<std::vector<Index>> records(layout_.objects.size());
     for (const Index record : layout_.record_of_corner) {
@@ -98,7 +99,7 @@ class Splice {
     return *std::prev(after);
   }
 
-  // With `is_separate`, the object gets a mesh of its own.
+  // If `is_separate`, the object gets its own mesh, and the shared mesh stays unchanged.
   void replace(const GltfObject& object, const std::vector<Index>& faces, bool is_separate) {
     const JsonNode mesh = layout_.file.root().at("meshes").at(object.mesh);
     const JsonPlace place = text_.element("meshes", object.mesh);

@@ -6,10 +6,10 @@
 
 namespace lapwing {
 
-/// Replaces the triangles of the objects that an edit has changed. The new primitives, one per
-/// material, go behind all other data. Faces belong to the object of their group's name (see
-/// read_gltf), others to the first. `report` lists what the new triangles do not have. Throws
-/// InputError if an object has morph targets or no triangle left.
+/// Replaces the triangles of the objects that an edit has changed. Appends one new primitive per
+/// material after all other data. Faces belong to the object that has the name of their group (see
+/// read_gltf). All other faces belong to the first object. `report` lists the attributes that the
+/// new triangles lack. Throws InputError if an object has morph targets or no triangle left.
 void replace_triangles(const GltfLayout& layout, const Mesh& mesh, GltfNumbers& numbers,
                        TextEdits& edits, WriteReport& report);
 

@@ -45,7 +45,8 @@ void append_float(std::string& out, double value) {
   append_binary(out, value, Scalar::float32, Encoding::little_endian);
 }
 
-// The normals of the file: the stored ones, then computed ones for corners that have none.
+// The normals that the file stores. The normals of the mesh come first. Computed normals for the
+// corners without one follow.
 class FileNormals {
  public:
   FileNormals(const Mesh& mesh, double feature_angle_degrees)
@@ -76,7 +77,7 @@ class FileNormals {
  private:
   const Mesh& mesh_;
   std::vector<Vector3d> normals_;
-  std::vector<Index> computed_;  // per corner, counted from the first computed normal
+  std::vector<Index> computed_;  // for each corner, an index among the computed normals
   bool by_vertex_ = false;
 };
 
@@ -194,7 +195,7 @@ class Primitive {
   std::array<double, 3> most_{};
 };
 
-// Returns the primitives of some faces as JSON, separated by commas.
+// Returns the JSON of one primitive per material, separated by commas.
 std::string primitives_of(const Mesh& mesh, std::span<const Index> faces,
                           const FileNormals& normals, const Eigen::Affine3d& to_local,
                           GltfAppender& appender) {
@@ -265,8 +266,9 @@ void report_losses(const Mesh& mesh, MeshFormat format, const Vector3d& origin,
   report_extras(report, format, a);
 }
 
-// Returns the translation of the nodes: 0 if the rounding of 32-bit floats is harmless without it.
-// Otherwise its numbers are few multiples of the mesh's size, so that they have few digits.
+// Returns the translation of the nodes. It is 0 if rounding to 32-bit floats is harmless. Otherwise
+// its coordinates are integer multiples of a power of two near the mesh's size. They thus need few
+// digits.
 Vector3d origin_of(const Mesh& mesh) {
   if (rounding_of(mesh, Vector3d::Zero()).mean_edges <= kHarmlessRounding) return Vector3d::Zero();
   const Bounds bounds = bounds_of(mesh.positions);
@@ -274,7 +276,7 @@ Vector3d origin_of(const Mesh& mesh) {
   return step * (bounds.center() / step).array().round().matrix();
 }
 
-// The faces of each group, and of none, as a node with a mesh.
+// Writes a node with a mesh for the faces of each group, and for the faces without a group.
 class GltfNodes {
  public:
   GltfNodes(const Mesh& mesh, const std::string& name) {
@@ -288,7 +290,7 @@ class GltfNodes {
     }
   }
 
-  // Returns "scene", "scenes", "nodes" and "meshes" as JSON, or nothing without faces.
+  // Returns "scene", "scenes", "nodes" and "meshes" as JSON, or "" if there are no faces.
   std::string write(const Mesh& mesh, const Vector3d& origin, GltfAppender& appender,
                     double feature_angle_degrees) const {
     const Eigen::Affine3d to_local(Eigen::Translation3d(-origin));

@@ -15,20 +15,20 @@
 
 namespace lapwing {
 
-/// Writes the faces of each part as primitives, one per material. Returns the JSON of each part,
-/// separated by commas, and adds their data to `appender`. `to_local` maps positions to the
-/// coordinates of the glTF mesh. Vertices are split where texture coordinates or normals differ.
-/// Corners without a normal get a computed one (computed_normals). Polygons are cut into triangles.
-/// Throws InputError if 32-bit floats cannot hold a position.
+/// Writes the faces of each part as primitives, one per material, and adds their data to
+/// `appender`. Returns one string per part: the JSON of its primitives, separated by commas.
+/// `to_local` maps positions to the coordinates of the glTF mesh. Vertices are split where texture
+/// coordinates or normals differ. Corners without a normal get a computed one (computed_normals).
+/// Polygons are cut into triangles. Throws InputError if 32-bit floats cannot hold a position.
 std::vector<std::string> add_primitives(const Mesh& mesh, std::span<const std::vector<Index>> parts,
                                         const Eigen::Affine3d& to_local, GltfAppender& appender,
                                         double feature_angle_degrees = kFeatureAngleDegrees);
 
-/// Returns a new glTF file of `mesh` alone: a node with a mesh for each group. The extension of
-/// `target` selects GLB, or JSON with a ".bin" of the same name and the images of `materials`
-/// beside it. If rounding to 32-bit floats would move vertices visibly, the nodes have a
-/// translation, which prevents it for a mesh far from the origin. Throws InputError if 32-bit
-/// floats cannot hold a position.
+/// Returns a new glTF file that contains only `mesh`, with one node and one mesh for each group.
+/// The extension of `target` selects GLB or JSON. With JSON, a ".bin" file of the same name and the
+/// images of `materials` are stored beside it. If rounding to 32-bit floats would move vertices
+/// visibly, the nodes get a translation. It keeps a mesh precise that is far from the origin.
+/// Throws InputError if 32-bit floats cannot hold a position.
 std::vector<FileContent> write_gltf(const Mesh& mesh, const std::filesystem::path& target,
                                     const MaterialTransfer& materials, double feature_angle_degrees,
                                     WriteReport& report);

@@ -52,9 +52,9 @@ constexpr int kImageChannels = 4;
   throw_image_error(path, reason != nullptr ? reason : "no pixels");
 }
 
-// libjpeg-turbo decodes JPEG files: baseline and progressive, grey, colour, CMYK and YCCK. Inks are
-// assumed to be inverted (255 is no ink), as Adobe's programs and nearly all such files store them:
-// red is the cyan of the file times its black. Colour profiles are not applied.
+// libjpeg-turbo decodes baseline and progressive JPEG files in grey, colour, CMYK and YCCK. The
+// decoder assumes inverted inks (255 is no ink), which is how Adobe's programs store them. Red is
+// then the product of the stored cyan and black. Colour profiles are ignored.
 
 struct JpegDecoderEnd {
   void operator()(void* decoder) const { tjDestroy(decoder); }
@@ -119,8 +119,9 @@ ImageSize jpeg_size(const std::filesystem::path& path, std::string_view bytes) {
   return {static_cast<std::uint32_t>(head.width), static_cast<std::uint32_t>(head.height)};
 }
 
-// Throws for any error, even if the library could guess (a truncated file, bytes between segments).
-// Throws also for more than 500 scans, because each may cost the time of all pixels in a few bytes.
+// Throws for any error, even if the library could continue, for example in a truncated file. Also
+// throws for more than 500 scans, because a scan of a few bytes can take as long as a pass over all
+// pixels.
 Image decode_jpeg(const std::filesystem::path& path, std::string_view bytes) {
   const JpegDecoder decoder = make_jpeg_decoder();
   const JpegHead head = read_head(path, bytes, decoder);
@@ -135,7 +136,7 @@ Image decode_jpeg(const std::filesystem::path& path, std::string_view bytes) {
   return image;
 }
 
-// An image's file in memory. Messages call it `path`.
+// An image file in memory. Error messages call it `path`.
 class ImageFile {
  public:
   ImageFile(std::filesystem::path path, std::string_view bytes)

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the index of the image of a material in `images`, to which new ones are added.
+// Returns the index in `images` of a material's image, or kNoIndex. Adds the image if it is new.
 Index number_of_image(const FoundMaterial& found, const fs::path& mesh,
                       std::vector<MaterialTransfer::ImageFile>& images, WriteReport& report) {
   const Material& material = found.material;
@@ -92,7 +92,7 @@ bool has_content(const fs::path& path, std::string_view bytes) {
 }
 
 // Returns the path of an image relative to the folder of `target`. Adds the image to `files` unless
-// it is there already.
+// that folder already contains it.
 std::string place_image(const MaterialTransfer::ImageFile& image, const fs::path& target,
                         std::vector<FileContent>& files) {
   const fs::path folder = target.parent_path();
@@ -138,7 +138,7 @@ std::vector<FileContent> mtl_files(const MaterialTransfer& materials, const fs::
     const Material& material = entry.material;
     text += "\nnewmtl " + as_line(material.name) + "\n";
     if (material.color) {
-      // Converting to linear light and back changes the last digits.
+      // Six digits hide the rounding errors of converting to linear light and back.
       std::array<char, 64> line{};
       std::snprintf(line.data(), line.size(), "Kd %.6g %.6g %.6g\n", double{material.color->x()},
                     double{material.color->y()}, double{material.color->z()});
@@ -174,7 +174,7 @@ std::string json_pair(double x, double y) {
   return json + "]";
 }
 
-// Writes materials with their textures and images.
+// Writes the materials, textures and images of a glTF document.
 class GltfMaterialWriter {
  public:
   GltfMaterialWriter(const MaterialTransfer& materials, const fs::path& target,
@@ -206,7 +206,7 @@ class GltfMaterialWriter {
     std::string json = R"({"name":)" + quoted_json(from.name);
     const Index texture = entry.image == kNoIndex ? kNoIndex : texture_of(entry.image);
     if (!from.color && from.opacity == 1.0F && texture == kNoIndex) return json + "}";
-    // Some programs write Kd 0 0 0 beside an image, which is shown in its own colours.
+    // Some programs write Kd 0 0 0 beside an image but show the image in its own colours.
     const bool is_black = from.color && from.color->isZero();
     const Eigen::Vector3f color =
         !from.color || (texture != kNoIndex && is_black) ? Eigen::Vector3f(1, 1, 1) : *from.color;
@@ -236,7 +236,7 @@ class GltfMaterialWriter {
            json_pair(scale.x(), scale.y()) + "}}";
   }
 
-  // Returns the texture of an image, or kNoIndex if the image cannot be read.
+  // Returns the index of the texture for an image, or kNoIndex if the image cannot be read.
   Index texture_of(Index image) {
     Index& texture = texture_of_image_[image];
     if (texture != kUnknown) return texture;

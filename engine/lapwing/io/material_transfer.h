@@ -14,39 +14,39 @@
 
 namespace lapwing {
 
-/// The materials of a mesh as its source file defines them, to be written in another format.
+/// Materials of a mesh, read from its source file so that another format can store them.
 struct MaterialTransfer {
   struct ImageFile {
-    std::string name;                                ///< of the file, without a folder
-    std::optional<std::filesystem::path> path = {};  ///< nothing if embedded in the source file
+    std::string name;                                ///< name of the file, without a folder
+    std::optional<std::filesystem::path> path = {};  ///< empty if embedded in the source file
     std::shared_ptr<const std::string> bytes = {};
   };
   struct Entry {
     Material material;
-    Index image = kNoIndex;  ///< into `images`
+    Index image = kNoIndex;  ///< index into `images`
   };
   std::vector<Entry> entries;  ///< one for each of MeshAttributes::materials
   std::vector<ImageFile> images;
 };
 
-/// Reads the materials of `mesh`, whose source file is or was at `path`. Without a `path` they have
-/// only names. What cannot be read goes to `report`.
+/// Reads the materials of `mesh`, whose source file is or was at `path`. If `path` is empty, they
+/// have only names. `report` lists everything that could not be read.
 MaterialTransfer read_materials(const Mesh& mesh, const std::filesystem::path& path,
                                 WriteReport& report);
 
 /// Returns the MTL file for the OBJ file `target`, and the images that are not yet in its folder.
-/// An existing image of other content is not replaced; the new one gets another name.
+/// If the folder contains another image of the same name, the new image gets a different name.
 std::vector<FileContent> mtl_files(const MaterialTransfer& materials,
                                    const std::filesystem::path& target);
 
-/// The lists of a glTF document that materials need, each as JSON with its key, such as
+/// Lists that the materials add to a glTF document. `json` contains each list with its key, such as
 /// `"materials":[...]`, separated by commas.
 struct GltfMaterials {
   std::string json;
-  std::vector<FileContent> files;  ///< images beside a .gltf
+  std::vector<FileContent> files;  ///< images to store beside a .gltf file
 };
-/// Writes images into the buffer of a GLB, or beside a .gltf. Images that are neither PNG nor JPEG
-/// become PNG. Reports images that cannot be read, and what glTF cannot hold.
+/// Writes images into the buffer of a GLB, or beside a .gltf. Converts images that are neither PNG
+/// nor JPEG to PNG. Reports images that cannot be read, and properties that glTF cannot store.
 GltfMaterials gltf_materials(const MaterialTransfer& materials, const std::filesystem::path& target,
                              GltfAppender& appender, WriteReport& report);
 

@@ -49,14 +49,14 @@ std::optional<double> take_number(std::string_view& rest) {
   return value;
 }
 
-// The options of map_Kd that change where its image is.
+// Options of map_Kd that change where the image lies on the surface.
 struct ImageOptions {
   Eigen::Vector2d scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();
   bool is_clamped = false;
 };
 
-// Removes the first word from `rest` if it is one of `words`, and returns its index.
+// If the first word of `rest` is one of `words`, removes it and returns its index in `words`.
 std::optional<std::size_t> take_one_of(std::span<const std::string_view> words,
                                        std::string_view& rest) {
   std::string_view behind = rest;
@@ -66,8 +66,8 @@ std::optional<std::size_t> take_one_of(std::span<const std::string_view> words,
   return static_cast<std::size_t>(at - words.begin());
 }
 
-// Removes an option of map_Kd with its arguments from the beginning of `rest`. Returns whether
-// there is one.
+// Removes an option of map_Kd and its arguments from the beginning of `rest`. Returns false if
+// `rest` does not begin with an option.
 bool take_option(std::string_view& rest, ImageOptions& options) {
   constexpr std::array<std::string_view, 7> kWithNumbers{"-s",  "-o",     "-t",     "-mm",
                                                          "-bm", "-boost", "-texres"};
@@ -93,8 +93,9 @@ bool take_option(std::string_view& rest, ImageOptions& options) {
   return true;
 }
 
-// Some exporters write the options behind the name. Returns the name, which may have blanks and
-// words such as "-s": options are all words up to the end of the line.
+// Returns the file name without options, which some exporters write after it. The name may contain
+// blanks and words such as "-s". Options are therefore recognized only if nothing else follows them
+// on the line.
 std::string_view without_options_behind(std::string_view rest, ImageOptions& options) {
   for (std::size_t at = rest.find('-', 1); at != std::string_view::npos; at = rest.find('-', at)) {
     ImageOptions found = options;
@@ -150,7 +151,7 @@ class MaterialReader {
   void read_other(const std::string& keyword, std::string_view rest) {
     if (keyword == "d" || keyword == "tr") {
       const auto number = take_number(rest);
-      if (!number) return;  // "d -halo 0.5" is no plain opacity
+      if (!number) return;  // "d -halo 0.5" is not a constant opacity
       const auto share = static_cast<float>(std::clamp(*number, 0.0, 1.0));
       current_->opacity = keyword == "d" ? share : 1.0F - share;
       return;
@@ -317,7 +318,7 @@ class GltfMaterialReader {
     return bytes.substr(offset, length);
   }
 
-  // Names in files are untrusted, and may have characters that file names must not have.
+  // Names in files are untrusted and may contain characters that file names must not contain.
   std::string file_name_of(const JsonNode& image, std::size_t number,
                            std::string_view bytes) const {
     const auto node = image.find("name");

@@ -14,15 +14,16 @@ namespace lapwing {
 struct Material {
   std::string name;
   std::optional<Eigen::Vector3f> color;  ///< Kd: sRGB in [0, 1]
-  float opacity = 1.0F;                  ///< d or 1 - Tr, in [0, 1]
+  float opacity = 1.0F;                  ///< d, or 1 - Tr, in [0, 1]
   std::string image;                     ///< map_Kd as written, without its options; empty if none
-  /// The bytes of an image that is embedded in a glTF file; `image` is then a file name for it.
+  /// The bytes of an image that is embedded in a glTF file. `image` then names it.
   std::shared_ptr<const std::string> embedded_image;
-  /// -s and -o of map_Kd, KHR_texture_transform: the image is looked up at scale * uv + offset.
+  /// The image is sampled at scale * uv + offset. The values are those of -s and -o of map_Kd, or
+  /// of KHR_texture_transform.
   Eigen::Vector2d uv_scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
   bool is_clamped = false;         ///< -clamp on: the image is not repeated
-  std::size_t further_images = 0;  ///< of an MTL file: map_Bump, map_Ks, ...
+  std::size_t further_images = 0;  ///< other images in an MTL file: map_Bump, map_Ks, ...
 };
 
 /// Returns the materials of an MTL file in its order; of two with the same name, the first. What
@@ -31,13 +32,14 @@ struct Material {
 std::vector<Material> read_material_library(const std::filesystem::path& path,
                                             std::vector<std::string>& notes);
 
-/// Returns the materials of the glTF file at `path`, with the names that read_gltf gives them and
-/// their base colours. Malformed ones become `notes`. Throws what reading the file throws.
+/// Returns the materials of the glTF file at `path`, with their base colours and the names that
+/// read_gltf gives them. Malformed materials become `notes`. Throws IoError or InputError if the
+/// file cannot be read.
 std::vector<Material> read_gltf_materials(const std::filesystem::path& path,
                                           std::vector<std::string>& notes);
 
-/// Returns the extension for the bytes of an image file: ".png", ".jpg", ".webp", ".ktx2", or
-/// ".image" for any other.
+/// Returns the file extension for the bytes of an image: ".png", ".jpg", ".webp", ".ktx2", or
+/// ".image" for an unknown format.
 std::string_view image_extension(std::string_view bytes);
 
 }  // namespace lapwing

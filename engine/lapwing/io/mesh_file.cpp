@@ -60,7 +60,7 @@ Encoding choose_encoding(MeshFormat format, const SourceFile* source, const Writ
                                                          : Encoding::little_endian;
 }
 
-// An OBJ file of a mesh from a glTF file gets a material library, with the images.
+// If the mesh comes from a glTF file, its OBJ file gets a material library with the images.
 std::vector<FileContent> write_obj_files(const Mesh& mesh, const std::filesystem::path& path,
                                          const SourceFile* origin, WriteReport& report) {
   if (mesh.attributes().materials.empty() || origin == nullptr || !is_gltf(origin->format())) {
@@ -75,7 +75,7 @@ std::vector<FileContent> write_obj_files(const Mesh& mesh, const std::filesystem
   return files;
 }
 
-// `origin` is the file that the mesh was made from, if that is known.
+// `origin` is the file from which the mesh was made, or null if it is unknown.
 std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem::path& path,
                                         Encoding encoding, double feature_angle_degrees,
                                         const SourceFile* origin, WriteReport& report) {

@@ -19,28 +19,28 @@ namespace lapwing {
 /// faces keep the order of the file. Equal positions are welded to one vertex, in order of
 /// appearance, in STL files and in each object of a glTF file.
 ///
-/// Of a glTF file, "FILE.glb#NAME" is the object of that name, or all that show the mesh of that
-/// name. Without a name, all objects of the scene are read in world coordinates, each node as its
-/// own group. Skins, morph targets and
-/// animations stay in the file; a mesh with a skin is read in its bind pose.
+/// For a glTF file, "FILE.glb#NAME" selects the object of that name, or all objects that show the
+/// mesh of that name. Without a name, the function reads all objects of the scene in world
+/// coordinates. Each node becomes a group. Skins, morph targets and animations stay in the file; a
+/// mesh with a skin is read in its bind pose.
 ///
-/// Throws IoError if the file cannot be read, and InputError "path:line: expected ..., found ..."
-/// (binary: "path: byte offset: ...") if it is malformed; the message says if `lapwing check` can
-/// repair it (see read_damaged_mesh). Texture coordinates and normals that an
-/// OBJ face names but the file lacks are left out and counted (MeshAttributes::uneditable). Time
-/// and memory are linear in the file's size, whatever its header says.
+/// Throws IoError if the file cannot be read, and InputError if it is malformed. The message is
+/// "path:line: expected ..., found ..." or, for binary files, "path: byte offset: ...". It says if
+/// `lapwing check` can repair the file (see read_damaged_mesh). Texture coordinates and normals
+/// that an OBJ face names but the file lacks are left out and counted (MeshAttributes::uneditable).
+/// Time and memory are linear in the file's size, whatever its header says.
 Mesh read_mesh(const std::filesystem::path& path);
 
-/// A mesh from a file that may be damaged.
+/// A mesh that was read from a file with possible defects.
 struct DamagedMesh {
   Mesh mesh;
   std::vector<FileDefect> defects;  ///< what the reader left out or corrected, each kind once
-  /// The file, for WriteOptions::original_file.
+  /// The source file, for use as WriteOptions::original_file.
   std::shared_ptr<const SourceFile> file;
 };
 
-/// Reads a file as `read_mesh` does, but also past the defects in FileDefectKind, for which that
-/// throws. With defects the mesh has no source, so that it is written as a new file.
+/// Reads a file like `read_mesh`, but continues after the defects in FileDefectKind instead of
+/// throwing. If there are defects, the mesh has no source, so that write_mesh writes a new file.
 DamagedMesh read_damaged_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {
@@ -55,8 +55,8 @@ struct WriteOptions {
   /// The file that the mesh was made from, if the triangles have changed since. In a glTF file, the
   /// new triangles replace the old ones (see gltf_patch.h).
   std::shared_ptr<const SourceFile> original_file = {};
-  /// For a glTF file of a mesh without normals: edges whose faces meet at more than this angle look
-  /// hard (SplitNormals).
+  /// Applies to a mesh without normals that is written to a glTF file. Edges whose faces meet at
+  /// more than this angle look hard (SplitNormals).
   double feature_angle_degrees = kFeatureAngleDegrees;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Reads the libraries that a mesh names.
+// Finds the materials of a mesh in the libraries that the mesh names.
 class MaterialSearch {
  public:
   MaterialSearch(const MeshAttributes& attributes, const fs::path& path,
@@ -82,7 +82,8 @@ class MaterialSearch {
     notes_.push_back(std::move(note));
   }
 
-  // Calls read(path, notes). Of two materials with one name, the first is used.
+  // Adds the materials that read(path, notes) returns. Of two materials with one name, the first is
+  // used.
   template <class Read>
   void add_materials(const Read& read, const fs::path& path) {
     try {

@@ -10,22 +10,22 @@
 
 namespace lapwing {
 
-/// The definition of a material, and the file that holds it.
+/// A material and the file that defines it.
 struct FoundMaterial {
   Material material;
   std::filesystem::path file;
 };
 
-/// Returns the definition of each of MeshAttributes::materials, from the files that `mesh` names;
-/// nothing for materials that no face uses or that are not defined. `path` is where the file of the
-/// mesh is or was. Problems become `notes`. If a library is missing, reads the .mtl file named like
-/// the mesh.
+/// Returns the definition of each of MeshAttributes::materials, from the files that `mesh` names.
+/// An entry is empty if no face uses the material or no file defines it. `path` is where the file
+/// of the mesh is or was. Problems become `notes`. If a library is missing, the function reads the
+/// .mtl file that has the name of the mesh file.
 std::vector<std::optional<FoundMaterial>> find_materials(const Mesh& mesh,
                                                          const std::filesystem::path& path,
                                                          std::vector<std::string>& notes);
 
-/// Returns the image `name` that the file `namer` refers to: beside `namer`, else beside `mesh`.
-/// Nothing, and a note, if it is in neither folder.
+/// Returns the path of the image `name` that the file `namer` refers to. Searches the folder of
+/// `namer` and then that of `mesh`. If neither contains the image, returns nullopt and adds a note.
 std::optional<std::filesystem::path> find_image(const std::string& name,
                                                 const std::filesystem::path& namer,
                                                 const std::filesystem::path& mesh,

@@ -18,20 +18,20 @@ namespace lapwing {
 
 /// A field of a table that is not a number, such as a name.
 struct TextField {
-  std::size_t field = 0;  ///< its index in NumberTable::numbers
-  std::string_view text;  ///< in the bytes of the file
+  std::size_t field = 0;  ///< index into NumberTable::numbers
+  std::string_view text;  ///< refers to the bytes of the file
 };
 
-/// Fields in rows, which may differ in length.
+/// A table of numbers and texts. Its rows may differ in length.
 struct NumberTable {
-  std::string name;                    ///< of the file, for messages
+  std::string name;                    ///< name of the file, for messages
   std::vector<double> numbers;         ///< one per field; NaN for text
   std::vector<TextField> texts;        ///< the fields that are not numbers, in order
   std::vector<std::size_t> starts{0};  ///< row r is numbers[starts[r], starts[r + 1])
   std::vector<std::size_t> lines;      ///< line of each row in a text file, from 1; empty for .npy
   /// Column names of a text file, in lower case and without quotes; empty without a header.
   std::vector<std::string> header;
-  /// The header is a comment of 3D Slicer, whose rows may have more or fewer fields.
+  /// Whether the header is a comment of 3D Slicer. Rows may then have more or fewer fields.
   bool header_is_comment = false;
 
   std::shared_ptr<const FileBytes> bytes;  ///< the file
@@ -45,41 +45,41 @@ struct NumberTable {
   }
   /// Returns "landmarks.csv:7" or "landmarks.npy, row 6", for messages.
   std::string place(std::size_t row) const;
-  /// Returns the text of a field, or nothing if it is a number.
+  /// Returns the text of a field, or nullopt if the field is a number.
   std::optional<std::string_view> text_at(std::size_t row, std::size_t column) const;
-  /// Throws InputError, naming the place and the text, if a field is not a number.
+  /// If a field is not a number, throws an InputError that names the place and the text.
   void require_number(std::size_t row, std::size_t column) const;
-  /// Ends the row of the numbers that were added. Throws InputError if there are too many rows.
+  /// Ends the current row. Throws InputError if the table then has too many rows.
   void end_row(std::size_t line);
 };
 
-/// The columns of numbers in a table with columns of text (names, labels) beside them.
+/// The range of the columns of numbers in a table that also has columns of names or labels.
 struct NumberColumns {
-  std::size_t first = 0;   ///< number of columns of text before them
-  std::size_t behind = 0;  ///< number of columns of text behind them
+  std::size_t first = 0;   ///< number of text columns before the numbers
+  std::size_t behind = 0;  ///< number of text columns after the numbers
 
   std::span<const double> of_row(const NumberTable& table, std::size_t row) const;
 };
 
-/// Finds the first and last columns that have no number in any row. Throws InputError, with the
-/// line, if another field is text, or if a row has no numbers.
+/// Counts the columns at the start and at the end of the table that contain text in every row.
+/// Throws InputError, with the line, if a row has no numbers or if another field is text.
 NumberColumns number_columns(const NumberTable& table);
 
 /// Largest number of rows.
 inline constexpr std::size_t kMostTableRows = 5'000'000;
 
-/// Reads a table; the extension of `path` selects the format. In .csv, .txt, .tsv and .fcsv files,
-/// fields are separated by semicolons, commas, tabs or blanks, whichever the first line has, and
-/// may be in quotation marks. If the first line has no numbers, it is a header. Empty lines and
-/// lines that begin with # are skipped, but a comment "# columns = ..." of 3D Slicer is a header. A
-/// .mrk.json file of Slicer is a table of its control points. A .npy file holds an array (rows,
-/// columns) of floats or integers of 8 to 64 bits in C order, as from numpy.save. Throws IoError if
-/// the file cannot be read. Throws InputError if it is malformed or has no row or more than
-/// kMostTableRows.
+/// Reads a table. The extension of `path` selects the format. In .csv, .txt, .tsv and .fcsv files,
+/// semicolons, commas, tabs or blanks separate the fields, whichever the first line contains.
+/// Fields may be in quotation marks. If the first line has no numbers, it is a header. Empty lines
+/// and lines that begin with # are skipped, but a comment "# columns = ..." of 3D Slicer is a
+/// header. A .mrk.json file of Slicer is a table of its control points. A .npy file contains an
+/// array (rows, columns) of floats or of integers of 8 to 64 bits, in C order, as numpy.save writes
+/// it. Throws IoError if the file cannot be read. Throws InputError if the file is malformed, has
+/// no rows, or has more than kMostTableRows.
 NumberTable read_number_table(const std::filesystem::path& path);
 
-/// Returns the extension of a table, such as ".csv" or ".mrk.json", in lower case; empty if `path`
-/// does not have one.
+/// Returns the extension of a table in lower case, such as ".csv" or ".mrk.json". Returns "" if
+/// `path` has none of the extensions of tables.
 std::string_view table_extension(const std::filesystem::path& path);
 
 /// Returns the file of `table` with `numbers` in place of its own; equal numbers keep their bytes.

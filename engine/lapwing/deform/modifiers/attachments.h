@@ -39,19 +39,19 @@ struct CarryShares {
 
 /// Finds the vertices of a surface at rest that points around it follow.
 ///
-/// The contacts of a point are the closest points of all triangles in a band: farther than the
-/// nearest one by at most kCarryBand times its distance, and at most kWidestCarryBand of the
-/// surface's diagonal. They are weighted by area and by closeness, which falls to 0 at the edge of
-/// the band.
+/// The contacts of a point are the closest points of all triangles in a band. The band begins at
+/// the distance of the nearest contact. Its width is kCarryBand times that distance, but at most
+/// kWidestCarryBand times the surface's diagonal. Area and closeness determine the weight of a
+/// contact. Closeness falls to 0 at the far edge of the band.
 class SurfaceContacts {
  public:
   /// `rest` and `topology` must outlive the object. O(n log n). Throws InputError for a mesh
   /// without triangles.
   SurfaceContacts(std::span<const Eigen::Vector3d> rest, const Topology& topology);
 
-  /// Replaces `shares` by those of one finite point, ascending by vertex. O(log n) near the
-  /// surface. `hint` speeds up the search: pass kNoIndex first, then the value of the last search
-  /// nearby.
+  /// Replaces `shares` by those of one finite point, in ascending order of vertices. Costs O(log n)
+  /// near the surface. `hint` speeds up the search. Pass kNoIndex at first, and then the value from
+  /// the last search nearby.
   void find(const Eigen::Vector3d& point, Index& hint, std::vector<CarryShare>& shares) const;
 
   /// Returns the shares of all points, on all processors. Returns nothing if there are more than
@@ -80,7 +80,8 @@ class AttachmentDeformer {
   /// `rest` are the positions before `deformed`; both must outlive the object. O(n log n). Throws
   /// InputError for a mesh without triangles.
   AttachmentDeformer(std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
-  /// The same with contacts that serve several deformations of one surface, as in a drag.
+  /// The same with `contacts` that several deformations of one surface share, for example in a
+  /// drag.
   AttachmentDeformer(std::shared_ptr<const SurfaceContacts> contacts, const Deformed& deformed);
 
   /// Runs on all processors. Positions must be finite.

@@ -10,11 +10,12 @@
 
 namespace lapwing {
 
-/// Moves the loose parts of a region along, each rigidly by the best fit to the surface at its
-/// contacts (weighted least squares; Kabsch 1976), and scaled with the prescribed stretch there.
-/// Contacts are the points of the rest of the mesh that are closest to the part's vertices. Their
-/// weight decreases with distance, to 0 at kContactBand of the part's size beyond the nearest.
-/// Vertices of the part on belt or handles count much more.
+/// Moves the loose parts of a region with the surface. Each part moves rigidly by the best fit to
+/// its contacts (weighted least squares; Kabsch 1976). It also scales with the prescribed stretch
+/// at the contacts. Contacts are the points of the rest of the mesh that are closest to the part's
+/// vertices. Their weight decreases with distance. It is 0 for contacts farther than the nearest
+/// one by kContactBand times the part's size. Vertices of the part on belt or handles have a much
+/// larger weight.
 class LooseParts {
  public:
   LooseParts() = default;  ///< no parts
@@ -25,8 +26,8 @@ class LooseParts {
   bool empty() const { return parts_.empty(); }
 
   /// Sets the displacements `u` of the loose parts, per vertex of the mesh, so that they follow the
-  /// surface. `prescribed` has those of their anchors, `scales` the mean scales of the S_i per
-  /// vertex of the mesh; empty for 1. Parts that do not move keep their bits.
+  /// surface. `prescribed` holds the displacements of their anchors. `scales` holds the mean scale
+  /// of S_i per vertex of the mesh; empty if all are 1. Parts that do not move keep their bits.
   void carry(std::span<const Eigen::Vector3d> prescribed, std::span<const double> scales,
              std::span<Eigen::Vector3d> u) const;
 

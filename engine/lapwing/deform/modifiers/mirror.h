@@ -56,8 +56,8 @@ FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where);
 double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::string& where);
 
 /// Returns for each vertex the vertex at its mirror image: the nearest corner of the triangle that
-/// is closest to the image. A vertex without a triangle is its own image. O(n log n). Throws what
-/// `require_through` throws.
+/// is closest to the image. A vertex without a triangle is its own image. O(n log n). Throws the
+/// errors of `require_through`.
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where);
 

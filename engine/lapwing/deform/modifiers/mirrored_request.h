@@ -29,10 +29,10 @@ struct MirroredRequest {
 
 /// Adds the images of ROI, belt, handles and targets, by `mirror_images` of the vertices. A handle
 /// that shares a vertex with its image is merged with it and moves `along_mirror`; so does a target
-/// that is its own image. Regions become lists and falloffs become fields, exactly symmetric on a
-/// symmetric mesh. Vertices in the plane between a falloff and its image are free. Throws what
-/// `mirror_images` and `resolve_edit_region` throw, and InputError if the image of a handle
-/// contains vertices of another handle.
+/// that is its own image. Regions become vertex lists and falloffs become fields. Both are exactly
+/// symmetric on a symmetric mesh. Vertices in the plane between a falloff and its image are free.
+/// Throws the errors of `mirror_images` and `resolve_edit_region`. Also throws InputError if the
+/// image of a handle contains vertices of another handle.
 MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -22,10 +22,9 @@ struct ResolvedRequest {
   /// The handles' centroids before the request is carried out.
   std::span<const Eigen::Vector3d> centroids;
 
-  /// Returns the motion of each handle from its place after share `from` of the request to its
-  /// place after share `to`.
+  /// Returns the motion of each handle between the shares `from` and `to` of the request.
   std::vector<Eigen::Affine3d> motions(double from, double to) const;
-  /// Returns `motions` with the turns, whole turns included, and the free handles.
+  /// Returns the same motions with their turns, including whole turns, and with the free handles.
   HandleMotions handle_motions(double from, double to) const;
   /// Returns the waypoints of the request's paths, in order. Empty without paths.
   std::vector<HandleMotions> path() const;
@@ -41,9 +40,10 @@ LargestTurn largest_turn(const DeformRequest& request);
 /// More commits than this count as a mistake, since each repeats the preparation.
 inline constexpr std::size_t kMostCommits = 1000;
 
-/// Returns the largest turn of one part: `commit_every` if that is set. Without it, 90 degrees if a
-/// handle turns by more than kLargestSettledTurnDegrees, since the energy may then be less in the
-/// other direction, and the surface does not settle along a path. Otherwise nothing.
+/// Returns the largest turn of one part, which is `commit_every` if that is set. Otherwise returns
+/// 90 degrees if `turn_degrees` exceeds kLargestSettledTurnDegrees and the surface does not settle
+/// along a path. Beyond that turn, the energy may be lower in the other direction. Returns nothing
+/// in all other cases.
 std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
                                       bool has_path);
 
