@@ -10,8 +10,8 @@
 #include "lapwing/json/parse_json.h"
 #include "lapwing/recipe/step.h"
 
-// The commands that edit: run takes a recipe, and the command of each operation makes one from
-// flags.
+// Adds the commands that edit. `run` reads a recipe. The command of each operation builds a recipe
+// from its flags.
 namespace lapwing::cli {
 namespace {
 

@@ -27,7 +27,7 @@
 namespace lapwing::cli {
 namespace {
 
-// Returns a ratio with the digits that matter: "0.126", "1.234e+05".
+// Returns a ratio as text with at most four digits, such as "0.126" or "1.234e+05".
 std::string measured(double ratio) {
   if (!std::isfinite(ratio)) return "not measurable";
   std::array<char, 32> text{};
@@ -62,7 +62,7 @@ void print_certificate(const Certificate& c, double diagonal) {
               c.settle_last_step);
 }
 
-// Returns the warnings for which --strict fails.
+// Returns the warnings that make --strict fail: those of the certificates of deform steps.
 std::vector<std::string> strict_warnings(const RunReport& report) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < report.steps.size(); ++i) {

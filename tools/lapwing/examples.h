@@ -4,8 +4,8 @@
 
 namespace lapwing::cli {
 
-/// Adds examples to the help of `app` and of all its commands: shell lines that run in an empty
-/// folder, at least two of them with the command.
+/// Adds examples to the help of `app` and of all its commands. The examples are shell lines that
+/// run in an empty folder. At least two lines use the command.
 void add_examples(CLI::App& app);
 
 }  // namespace lapwing::cli

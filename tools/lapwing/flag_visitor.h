@@ -14,12 +14,12 @@
 
 namespace lapwing::cli {
 
-/// The files of a command that runs one step.
+/// Paths that a command with one step reads or writes.
 struct StepFiles {
   std::string mesh;
-  std::string recipe;  ///< the file for the recipe of the edit; empty: none
+  std::string recipe;  ///< file to which the recipe is written; empty: none
 
-  /// Returns the folder of the recipe's relative paths.
+  /// Returns the folder to which relative paths in the recipe refer.
   std::filesystem::path recipe_folder() const;
   /// Converts `path` from relative to the current folder to relative to the recipe's folder.
   std::string from_recipe(const std::string& path) const;
@@ -85,9 +85,9 @@ class FlagVisitor final : public KeyVisitor {
 
   std::string flag(const StepKey& key) const;
   Place place_of(const StepKey& key) const { return path_ / std::string(key.name); }
-  // Returns a function that gives the key a value.
+  // Returns a function that stores a value for the key.
   std::function<void(Json)> setter(const StepKey& key) const;
-  // Calls `value` after all flags are read. Gives the key its result, unless that is null.
+  // Calls `value` after all flags are parsed, and stores its result for the key unless it is null.
   void set_at_end(const StepKey& key, std::function<Json(const Json&, const StepFiles&)> value);
   // Sets the properties that all options share; `fallback` is the default shown in help.
   CLI::Option* finish(const StepKey& key, CLI::Option* option, const std::string& fallback = "");

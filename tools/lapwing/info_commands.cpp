@@ -17,7 +17,7 @@
 #include "messages.h"
 #include "output_files.h"
 
-// The commands that report: info, check and keys.
+// Adds the commands that print information: info, check and keys.
 namespace lapwing::cli {
 namespace {
 
@@ -56,7 +56,7 @@ CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
   return report;
 }
 
-// Repairs the mesh and writes it, in the file's encoding if its format stays.
+// Repairs the mesh and writes it. Keeps the encoding of the file if the format does not change.
 void write_repaired(DamagedMesh& damaged, const std::string& path) {
   WriteOptions options{.original_file = damaged.file};
   const bool keeps_format = format_of(path) == damaged.file->format();

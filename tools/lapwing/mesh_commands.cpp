@@ -14,7 +14,7 @@
 #include "progress_display.h"
 #include "region_text.h"
 
-// The commands that make a whole mesh: shape, convert, subdivide and remesh.
+// Adds the commands that write a whole mesh: shape, convert, subdivide and remesh.
 namespace lapwing::cli {
 namespace {
 

@@ -10,22 +10,21 @@
 
 namespace lapwing::cli {
 
-/// Adds the flags of a move, which set the keys of a recipe's move as they are parsed. `move`
-/// returns the move that they belong to. `what` names what moves, and `default_pivot` its pivot:
-/// "the handle", "its centroid".
+/// Adds the flags of a move. When the parser reads a flag, it sets a key of the object that `move`
+/// returns. The help texts contain `what`, the moved object, and `default_pivot`. Examples are "the
+/// handle" and "the handle's centroid".
 void add_move_flags(CLI::App& command, const std::string& what, const std::string& default_pivot,
                     const std::function<nlohmann::ordered_json&()>& move);
 
-/// Flags for handles: their regions, moves, and how much the vertices follow. Each --handle begins
-/// one, and the flags after it belong to it. Flags before the first --handle belong to the first.
+/// Flags for the regions, moves and weights of handles. Each --handle begins a handle. The flags
+/// after it belong to this handle. Flags before the first --handle belong to the first handle.
 class HandleFlags {
  public:
-  /// Adds --handle and its move, and the other flags if handles are `graded`. Returns --handle. The
-  /// flags refer to this object.
+  /// Adds --handle and the flags of its move. If handles are `graded`, also adds the flags for
+  /// weights and orientation. Returns --handle. The flags refer to this object.
   CLI::Option* add_to(CLI::App& command, bool graded);
-  /// Returns the handles, or null if there are none. `mesh` is the file with the vertex properties
-  /// of
-  /// --handle-field. Throws CLI::ParseError if the flags of a handle do not fit each other.
+  /// Returns the handles, or null if there are none. `mesh` is the file that contains the vertex
+  /// properties of --handle-field. Throws CLI::ParseError if the flags of a handle do not fit each other.
   nlohmann::ordered_json json(const std::string& mesh) const;
 
  private:
@@ -39,7 +38,7 @@ class HandleFlags {
   std::vector<Json> handles_;
 };
 
-/// Flags for the place of a part: fitted to the hole, or moved.
+/// Flags for the place of a part, which is fitted to the hole or moved by the user.
 struct PlaceFlags {
   nlohmann::ordered_json move = nlohmann::ordered_json::object();
   std::optional<double> degrees;

@@ -21,7 +21,7 @@
 #include "output_files.h"
 #include "region_text.h"
 
-// The commands for transplanting: cut makes parts, and parts manages a folder of them.
+// Adds the commands for transplants. `cut` writes parts, and `parts` manages a folder of parts.
 namespace lapwing::cli {
 namespace {
 
@@ -76,7 +76,7 @@ void describe_piece(const CutPiece& piece, const std::string& path, bool quiet) 
   try {
     print_loops(boundary_loops(piece.mesh.topology().triangles, path), piece.mesh.positions);
   } catch (const InputError&) {
-    // note_obstacles has reported it.
+    // note_obstacles has already reported this error.
   }
 }
 

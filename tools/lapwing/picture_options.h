@@ -30,7 +30,7 @@ struct PictureOptions {
   PictureRequest request() const;
 };
 
-// Values of --color, in addition to pose_colors().
+// --color accepts these values in addition to those of pose_colors().
 inline const std::string kFileColor = "file";    ///< the colours of the mesh's file
 inline const std::string kPlainColor = "plain";  ///< clay
 

@@ -38,7 +38,7 @@ class BatchDisplay {
   explicit BatchDisplay(bool quiet);
 
   void show(const BatchCount& count);
-  /// Prints the last line.
+  /// Removes the bar and prints the final counts.
   void finish(const BatchCount& count);
 
  private:

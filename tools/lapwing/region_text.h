@@ -27,8 +27,8 @@ nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& t
 
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";
 
-/// Returns the values of a vertex property of the file `mesh`, which `lapwing peel` and other
-/// programs write. Throws InputError naming `flag` if there is none.
+/// Returns the values of the vertex property `name` of the file `mesh`. `lapwing peel` and other
+/// programs write such properties. Throws InputError, naming `flag`, if the file does not have it.
 std::vector<double> vertex_property(const std::string& flag, const std::string& mesh,
                                     const std::string& name);
 

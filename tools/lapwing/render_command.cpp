@@ -21,14 +21,14 @@
 namespace lapwing::cli {
 namespace {
 
-// The options of a turntable.
+// Options of a series of pictures for which the camera circles around the mesh.
 struct TurntableOptions {
   int count = 0;  ///< number of pictures; 0: a single picture
   double per_second = 30.0;
 
   void add_to(CLI::App& command);
-  // Call before reading. Throws as check_frames_name does, and CLI::ValidationError if a single
-  // picture has the name of a video.
+  // Call this before reading the mesh. Throws CLI::ValidationError if a single picture has the name
+  // of a video. Also throws what check_frames_name throws.
   void check(const std::string& output) const;
 };
 
@@ -55,8 +55,8 @@ void TurntableOptions::check(const std::string& output) const {
   }
 }
 
-// Writes the pictures of `surface` along `way` to `output` (open_frames), and shows the progress.
-// An interrupt leaves the finished numbered pictures, and no video.
+// Draws `surface` from the cameras of `way` and shows the progress. Writes the pictures to `output`
+// (open_frames). An interrupt keeps the numbered pictures that are finished, but no video.
 void write_turntable(const std::string& output, const TurntableOptions& turntable,
                      const Turntable& way, Surface& surface, const SurfacePaint& paint,
                      const RenderOptions& options) {

@@ -8,7 +8,8 @@
 namespace lapwing::cli {
 namespace {
 
-// Returns the innermost command that was recognized, and adds its name to `words`.
+// Returns the innermost command that was recognized, and appends the names of the commands to
+// `words`.
 const CLI::App& command_of(const CLI::App& app, std::string& words) {
   words += (words.empty() ? "" : " ") + app.get_name();
   const std::vector<CLI::App*> parsed = app.get_subcommands();
@@ -41,7 +42,7 @@ bool is_option(std::string_view argument) {
   return argument.size() > 1 && argument.front() == '-';
 }
 
-// Returns a sentence on the first argument that is not known, or an empty string.
+// Returns a sentence about the first unknown argument, or an empty string if all are known.
 std::string unknown_argument(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) return {};

@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// This tolerance is in radians. If the sides of a regular prism meet at exactly the feature angle, all
-// its edges are smooth in spite of rounding errors.
+// This tolerance is in radians. If the sides of a regular prism meet at exactly the feature angle,
+// all its edges are smooth in spite of rounding errors.
 constexpr double kAngleRounding = 1e-6;
 
 // A spoke is one edge at a vertex, as a side of one triangle around the vertex. An interior edge

@@ -63,7 +63,7 @@ Positions read_positions(const py::object& vertices) {
   return positions;
 }
 
-// Corners of a triangle or quad, the faces of tables.
+// Tables of faces usually contain triangles or quads, which have at most this many corners.
 constexpr std::size_t kMostCornersInRows = 4;
 
 // Collects polygons and checks that all their vertices exist.
@@ -78,7 +78,7 @@ class FaceReader {
                        shape_of(table));
     }
     const auto count = static_cast<std::size_t>(table.shape(0));
-    // Each row of a transposed table has a corner of every face.
+    // A transposed table has few rows, and each row has one corner of every face.
     if (count <= kMostCornersInRows && corners > 2 * kMostCornersInRows && 2 * corners > count_) {
       throw InputError("faces: " + std::to_string(count) + " faces of " + std::to_string(corners) +
                        " corners have too many for the " + std::to_string(count_) +

@@ -29,12 +29,12 @@ py::array_t<Index> array_of(std::span<const Index> numbers);
 /// Returns an array of shape (m, k) if all polygons have k corners, and otherwise a list of arrays.
 py::object faces_of(const Mesh& mesh);
 
-/// Returns an iterator over the vertices and the faces, for `V, F = mesh`. The caller may write to
-/// both arrays.
+/// Returns an iterator over two new arrays, the vertices and the faces, so that Python can unpack
+/// `V, F = mesh`. The caller may change both arrays.
 py::iterator arrays_of(const Mesh& mesh);
 
-/// Makes an array, or the arrays of a list, read-only, and returns it. For arrays that are made
-/// each time they are asked for: a number written to them would be lost.
+/// Makes an array, or the arrays of a list, read-only, and returns it. Use it for attributes that
+/// return a new array on each access, because a number written to this array would be lost.
 py::object read_only(py::object arrays);
 
 /// Returns the value of the choice named `chosen`. Throws InputError, naming `place` and all

@@ -14,7 +14,7 @@ void replace_all(std::string& text, const std::string& old, const std::string& b
   }
 }
 
-// Longer phrases come before those that they contain.
+// A longer phrase comes before the phrases that it contains, so that it is replaced first.
 constexpr std::array<std::pair<const char*, const char*>, 11> kPhrases{{
     {"`lapwing check MESH --fix OUT`", "`lapwing.fix`"},
     {"`lapwing check --fix`", "`lapwing.fix`"},
@@ -29,7 +29,8 @@ constexpr std::array<std::pair<const char*, const char*>, 11> kPhrases{{
     {"transplant: part.mesh", "transplant: part"},
 }};
 
-// Writes the JSON pointer after the name of a function as Python would: "/a/0/b" becomes "a[0].b".
+// Replaces the JSON pointer after the name of a function by a Python expression: "/a/0/b" becomes
+// "a[0].b".
 std::string without_pointer(const std::string& message) {
   static const std::regex place(
       "^((?:deform|Deformer|coat|mix|transplant|peel|remesh|parameterize): (?:\\w+: )?)"
@@ -41,7 +42,7 @@ std::string without_pointer(const std::string& message) {
   replace_all(path, "/", ".");
   const bool is_inside = std::count(prefix.begin(), prefix.end(), ':') == 2;
   if (is_inside) {
-    prefix.resize(prefix.size() - 2);  // "peel: region: /disk" is "peel: region.disk"
+    prefix.resize(prefix.size() - 2);  // "peel: region: /disk" becomes "peel: region.disk"
   } else {
     path.erase(0, 1);
   }

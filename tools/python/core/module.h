@@ -2,14 +2,14 @@
 
 #include <pybind11/pybind11.h>
 
-// Each function adds its part of the extension `_core`.
+// Each function adds some classes or functions to the extension module `_core`.
 namespace lapwing::python {
 
 /// Adds `run_step`, `run` and `Edit`: the operations of recipes.
 void add_edits(pybind11::module_& module);
 
 /// Adds the exceptions, each with an attribute `vertices`, and translates the engine's errors to
-/// them.
+/// these exceptions.
 void add_errors(pybind11::module_& module);
 
 /// Adds `Mesh`, `read` and `write`.
@@ -21,7 +21,7 @@ void add_mesh_operations(pybind11::module_& module);
 /// Adds `render`.
 void add_render(pybind11::module_& module);
 
-/// Adds `Result` and `Certificate`.
+/// Adds the classes `Result` and `Certificate`.
 void add_result(pybind11::module_& module);
 
 }  // namespace lapwing::python
