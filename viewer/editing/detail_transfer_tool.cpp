@@ -154,8 +154,8 @@ void DetailTransferTool::pick(Picking what, Editor& editor) {
   }
 }
 
-// Returns the surface for the step, settled if there is a result. Stays the same mesh until
-// something is edited, because views and preview start again on another.
+// Returns the surface on which the step works, settled if there is a result. Returns the same mesh
+// until something is edited, because a new mesh restarts the views and the preview.
 std::shared_ptr<const Mesh> DetailTransferTool::target_of(const Editor& editor) {
   if (start_) return start_->rest;
   const AppState& now = editor.state();

@@ -30,8 +30,8 @@ class DetailTransferTool {
   DetailTransferTool(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
                      std::function<void()> wake);
 
-  /// Begins a new one, or edits the `index`th step of the recipe again, in place of what was open.
-  /// `take_up` returns whether that step is a coat or mix.
+  /// `begin` starts a new coat or mix. `take_up` edits the `index`th step of the recipe again, and
+  /// returns whether that step is a coat or mix. Both replace the draft that was open.
   void begin(Editor& editor, LayerDraft::Operation operation);
   bool take_up(Editor& editor, std::size_t index);
   /// Drops what was not applied.

@@ -32,13 +32,13 @@ class EditSurface {
   /// Moves the surface to `positions`. Uploads the vertices that change.
   void place(std::span<const Eigen::Vector3d> positions);
 
-  /// Sets the pose from which the next drag starts, null for the rest shape, until `place`.
+  /// Sets the pose from which the next drag starts. Null is the rest shape, which `place` restores.
   void drag_from(std::shared_ptr<const DragState> pose) { pose_ = std::move(pose); }
   const std::shared_ptr<const DragState>& pose() const { return pose_; }
 
   /// Moves the surface from its pose with the handles' motions: by the exact response once that is
   /// ready, until then by the preview. Returns false, without any change, while neither is. Uploads
-  /// the vertices that move once per pose.
+  /// the moving vertices only once per pose.
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
   /// Returns whether `drag` would use the same response and pose as the last time.
   bool drags_by(const Preparation& preparation) const;

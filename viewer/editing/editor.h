@@ -19,18 +19,18 @@ namespace lapwing::viewer {
 /// The edit with which an Editor starts.
 struct EditStart {
   History history;
-  std::shared_ptr<const Mesh> opened;            ///< before any step, to compare with
+  std::shared_ptr<const Mesh> opened;            ///< the mesh before any step, for comparison
   std::optional<MeshStamp> file;                 ///< as in EditSession
-  std::optional<InterruptedEdit> restored;       ///< what the history continues
+  std::optional<InterruptedEdit> restored;       ///< the edit that `history` continues, or none
   std::filesystem::path journals;                ///< as in EditSession
-  std::shared_ptr<const FilePaint> colors = {};  ///< of the file of `opened`; null for none
+  std::shared_ptr<const FilePaint> colors = {};  ///< colours in the file of `opened`, or null
 };
 
 /// Returns whether the command makes the settled surface the rest shape first (`apply`).
 bool commits(const Command& command);
 
-/// One mesh being edited in a window: its session, the active tool, and what is shown of it.
-/// Reports errors to `say`, without any change.
+/// Edits one mesh in a window. Holds the session, the active tool and the shown surface. An action
+/// that fails reports its error to `say` and changes nothing.
 class Editor {
  public:
   /// The worker makes its kernels on `context` and calls `wake` when it has news.
@@ -52,19 +52,19 @@ class Editor {
   /// Makes it again on `context`. Nothing else may be called in between.
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
-  /// Takes the worker's results and moves the surface with the hand. Call this once per frame,
+  /// Takes the worker's results and updates the surface during a drag. Call this once per frame,
   /// before drawing and after the device has finished the last frame.
   void update();
 
-  /// Returns whether the last edit still settles, or an earlier action waits for that.
+  /// Returns whether the last edit is still settling, or actions wait until it has settled.
   bool waits() const;
   bool has_postponed() const { return !postponed_.empty(); }
-  /// Runs `act` once the edit has settled, after the actions that wait already. Undo drops them and
-  /// does nothing else. Other moves through the history drop them, too.
+  /// Runs `act` once the edit has settled, after the actions that already wait. If actions wait,
+  /// undo only drops them. Redo and `go_to` drop them, too, and then change the state.
   void postpone(std::function<void()> act);
 
-  /// Returns whether the command was carried out. One that `commits` waits until the last edit has
-  /// settled.
+  /// Returns whether the command was carried out. A command that `commits` waits until the last
+  /// edit has settled.
   bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
@@ -76,14 +76,14 @@ class Editor {
   void replace_step(std::size_t index, const Step& step);
   /// Does the same with files that follow the surface from the open step on.
   void carry_along(const std::vector<std::filesystem::path>& files);
-  /// Runs a change of the session and updates what is shown. Returns whether it succeeded.
+  /// Runs `change`, which changes the session, and updates the view. Returns whether it succeeded.
   bool attempt(const std::function<void()>& change);
   /// Keeps the result and clears the selection, once the last edit has settled.
   void new_edit();
-  /// Performs the command that `change` returns for the active part, such as `grow`.
+  /// Performs the command that `change`, such as `grow`, returns for the active part.
   using PartChange = std::function<std::optional<Command>(const AppState&, const Part&)>;
   void change_part(const PartChange& change);
-  /// Mirrors in the symmetry plane of the shape and reports how symmetric that is.
+  /// Turns mirroring on in the symmetry plane of the shape. Reports how symmetric the shape is.
   void mirror_by_shape();
   /// Returns whether handles have vertices outside the ROI. `enlarge_roi` adds them to it, with
   /// some rings around for the surface to follow.
@@ -102,7 +102,7 @@ class Editor {
   void take(const ToolRow& row);
   /// Activates the action's tool. Returns whether it has one.
   bool take(Action action);
-  /// Activates a panel's tool, which must live until it is given back.
+  /// Activates a panel's tool, which must stay alive until `give_back`.
   void lend(SceneTool& tool);
   void give_back(const SceneTool& tool);
   /// The part that the tools choose.
@@ -133,8 +133,8 @@ class Editor {
   /// The problems of the result that is shown.
   const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
-  /// Whether a drag shows its settled result, as far as time allows. Requires settling in the
-  /// parameters; the preference alone is `wants_to_settle_while_dragging`.
+  /// Returns whether a drag shows its settled result as far as time allows. This needs the user's
+  /// preference (`wants_to_settle_while_dragging`) and settling in the parameters.
   bool settles_while_dragging() const { return continuous_ && state().parameters.settle; }
   bool wants_to_settle_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
@@ -144,7 +144,7 @@ class Editor {
   const ShownSurface& shown() const { return shown_; }
   ShownSurface& shown() { return shown_; }
   void show_before(bool before);
-  void set_feature_angle(double degrees);  ///< not during a drag
+  void set_feature_angle(double degrees);  ///< must not be called during a drag
   /// Highlights vertices, until something is edited.
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }

@@ -10,7 +10,7 @@ namespace {
 
 using Role = Part::Role;
 
-// Removes the handle; does nothing for another part.
+// Returns the command that removes `part` if it is a handle; nullopt for other parts.
 std::optional<Command> remove_handle(const AppState& state, const Part& part) {
   return part.role == Role::handle ? clear(state, part) : std::nullopt;
 }

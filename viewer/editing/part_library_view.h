@@ -42,7 +42,7 @@ class PartLibraryView {
   void open(const std::filesystem::path& folder);
   const std::filesystem::path& folder() const { return folder_; }
   std::span<const Item> items() const { return items_; }
-  /// A number that changes whenever an item does, and that no other view has.
+  /// Returns a number that changes whenever an item changes. No other view has the same number.
   std::uint64_t version() const { return version_; }
   /// Says why the folder or an added part could not be read; empty otherwise.
   const std::string& message() const { return message_; }

@@ -43,7 +43,7 @@ class SurfacePicker {
   /// Returns the triangle at `pixel` of the last picture; nothing beside the surface.
   std::optional<Index> triangle_at(const Eigen::Vector2d& pixel) const;
 
-  /// Returns the whole picture, valid until the next call. Waits for the device to draw it.
+  /// Returns the whole picture, which stays valid until the next call. Waits until it is drawn.
   TrianglePicture picture(const EditSurface& surface, const ViewFrame& view);
 
  private:
@@ -60,7 +60,7 @@ struct FileColoring {
 };
 
 /// An edit on the screen: the surface on the device, its positions and colours, and what is under a
-/// pixel. When it changes, the device must have finished drawing it.
+/// pixel. Change it only after the device has finished drawing it.
 ///
 /// Shows the first of these that applies: a preview; the opened mesh, after `show_before`; a drag;
 /// the surface of the state.
@@ -79,9 +79,10 @@ class ShownSurface {
   /// Shows the surface without a drag.
   void show_still();
 
-  /// Follows the handles' motions by the response that the worker has, if any.
+  /// Moves the surface with the handles by the response of `preparation`, if it has one.
   void follow(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
-  /// Sets the pose from which it follows, null for the rest shape, until the surface is placed.
+  /// Sets the pose from which `follow` starts. Null is the rest shape. The pose holds until the
+  /// surface is placed.
   void follow_from(std::shared_ptr<const DragState> pose);
   const std::shared_ptr<const DragState>& pose() const { return device_->surface.pose(); }
   bool follows() const { return follows_; }
@@ -89,7 +90,8 @@ class ShownSurface {
   const std::vector<Eigen::Affine3d>& followed() const { return followed_; }
 
   /// Shows the result of an operation until `end_preview` or the next `take`. `classes`, one per
-  /// vertex, determine its colours; without them the selection does, if the triangles are the same.
+  /// vertex, determine its colours. Without classes, the selection is coloured if the triangles are
+  /// the same.
   void show_preview(std::shared_ptr<const Mesh> preview, std::vector<VertexClass> classes = {});
   /// The same with other positions only: one upload.
   void show_preview(const Positions& positions);
@@ -104,8 +106,8 @@ class ShownSurface {
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
   const Topology& topology() const { return *device_->topology; }
 
-  /// The angle between faces above which edges look hard (SplitNormals). A change makes the
-  /// surface on the device again.
+  /// An edge looks hard if its faces meet at a larger angle than this (SplitNormals). Setting
+  /// another angle rebuilds the surface on the device.
   double feature_angle() const { return feature_angle_; }
   void set_feature_angle(double degrees);
 
@@ -126,16 +128,17 @@ class ShownSurface {
   void renew_measure();
   const ScalarRange& measure_range() const { return measure_range_; }
 
-  /// Returns what is visible at `pixel`, also in a drag; nothing beside the surface. Neither draws
-  /// nor waits for the device.
+  /// Returns what is visible at `pixel`, also in a drag; nothing beside the surface. Casts a ray,
+  /// so it neither draws nor waits for the device.
   std::optional<SurfacePoint> pick(const ViewFrame& view, const Eigen::Vector2d& pixel);
   /// Returns the positions on the screen, including a drag under way. Valid until anything changes.
   const Positions& positions_on_screen();
-  /// As in SurfacePicker.
+  /// Returns the number of the triangle at each pixel (SurfacePicker).
   TrianglePicture picture(const ViewFrame& view);
 
   const EditSurface& device() const { return device_->surface; }
-  /// The positions of the state, or of a preview with the same triangles, without a drag.
+  /// Returns the positions of the state, or of a preview with the same triangles. A drag does not
+  /// change them.
   const Positions& positions() const {
     return previews() && has_triangles_of_state() ? preview_positions_ : positions_;
   }

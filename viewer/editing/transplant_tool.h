@@ -24,7 +24,7 @@ class TransplantTool {
 
   /// Reads a part in the background and takes it in hand, in place of the last one.
   void take_part(const std::filesystem::path& file);
-  /// Takes the first part of the library, or the one after that in hand.
+  /// Takes the part after the current one in the library, or the first part if there is none.
   void take_next_part();
   /// Edits the `index`th step of the recipe again. Reports an error.
   void take_up(const Editor& editor, std::size_t index);

@@ -36,7 +36,8 @@ struct ListingFilter {
 /// case.
 bool comes_before(std::string_view a, std::string_view b);
 
-/// Reads `folder`. Follows links and leaves out broken ones. Can be cancelled (check_cancelled).
+/// Lists `folder`. Follows links and leaves out broken ones. Calls check_cancelled, so a Job can
+/// cancel it.
 FolderListing list_folder(const std::filesystem::path& folder, const ListingFilter& filter);
 
 }  // namespace lapwing::viewer

@@ -19,7 +19,7 @@ std::string with_tilde(const std::filesystem::path& path);
 /// Does not access the disk.
 std::filesystem::path path_of(std::string_view typed, const std::filesystem::path& folder);
 
-/// Returns `typed`, continued as far as the names on the disk agree: "a" becomes "arm-" for
+/// Completes `typed` as far as all matching names on the disk agree: "a" becomes "arm-" for
 /// "arm-1.ply" and "arm-2.ply". Corrects the case if no name matches as typed. Skips hidden names
 /// unless their dot is typed. Returns `typed` unchanged if nothing matches. Reads one folder.
 std::string completed(std::string_view typed, const std::filesystem::path& folder);

@@ -10,7 +10,7 @@ namespace lapwing::viewer {
 /// and far planes to `fit_depth`. Pixels are from the upper left corner of a picture of `size`
 /// pixels.
 
-/// Returns the axes of the view through the camera.
+/// Returns the up direction of the camera and the direction from its target to its eye.
 ViewAxes axes_of(const Camera& camera);
 
 /// Turns the camera around its target after the cursor moved by `pixels`. Sideways motion turns

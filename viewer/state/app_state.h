@@ -55,7 +55,7 @@ struct MovedVertices {
 /// Returns the vertices whose bits differ between `before` and `after`, two poses of one mesh, with
 /// their positions in `after`.
 MovedVertices moved_vertices(const Positions& before, const Positions& after);
-/// Sets `positions` to those of `moved` where it moves a vertex.
+/// Copies the positions of the moved vertices to `positions`. Leaves the other vertices in place.
 void place(const MovedVertices& moved, Positions& positions);
 
 /// The result of a whole step: moved vertices, or a mesh with other triangles.
@@ -88,12 +88,13 @@ struct MirroredEdit {
   std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, which turn about them
 };
 
-/// Everything that a user edits, as a value. Large data is shared, so a copy costs as much as the
-/// selection.
+/// Everything that a user edits, as a value. Copies share large data, so copying a state costs as
+/// much as copying its selection.
 ///
 /// The user chooses parts on the mesh `rest` and moves the handles (`moves`). The result arrives as
-/// `settled`. When something else is chosen, it becomes the rest shape of the next edit and a step
-/// of `steps`. Other operations are whole steps (`Apply`), which may change the triangles.
+/// `settled`. When the user chooses another part, the settled surface becomes the rest shape of the
+/// next edit. The edit becomes one of the `steps`. Other operations are whole steps (`Apply`),
+/// which may change the triangles.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
   std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null if it has no seam
@@ -101,8 +102,8 @@ struct AppState {
   EditParameters parameters;
   std::vector<HandleMove> moves;       ///< one per handle, from the rest shape
   std::vector<CarriedObject> carried;  ///< carried by the open step or an earlier one
-  /// The selection on both sides of the mirror (`renew_mirror`). Null without a mirror, and while
-  /// something is missing.
+  /// The selection on both sides of the mirror (`renew_mirror`). Null if mirroring is off or the
+  /// edit is incomplete.
   std::shared_ptr<const MirroredEdit> mirrored;
   /// The result of `moves`. Null while nothing is moved, and until it is computed.
   std::shared_ptr<const MovedVertices> settled;
@@ -115,14 +116,15 @@ struct AppState {
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
 
-/// Sets the rest shape and joins its seams. They stay joined as they were if the faces are the same
-/// and the seams are still closed.
+/// Sets the rest shape and joins its seams. Joins the same vertices as before if the faces are the
+/// same and the seams are still closed.
 void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
 
 /// Returns null if seams are left as they are, or if there is none.
 const JoinedSurface* joined_seams(const AppState& state);
 /// Returns what is shown, chosen on and edited: the rest shape, with its seams joined if the
-/// parameters say so. Vertices keep their numbers; followers are in no triangle.
+/// parameters say so. Joining keeps the numbers of the vertices. A vertex that follows another one
+/// is in no triangle.
 std::shared_ptr<const Mesh> surface_of(const AppState& state);
 
 /// Computes `mirrored` from the selection. Takes up to a second.
@@ -143,8 +145,8 @@ CarriedFiles carried_of(const AppState& state);
 /// is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// Returns the motions for `DeformSolver::solve`, with a mirror on both sides. A handle with free
-/// orientation has the rotation of the result.
+/// Returns the motions for `DeformSolver::solve`. If mirroring is on, they include the handles of
+/// both sides. A handle with free orientation has the rotation of the result.
 HandleMotions motions_of(const AppState& state);
 /// Returns the path to these motions, for `DeformSolver::solve_along`.
 std::vector<HandleMotions> path_of(const AppState& state);
@@ -152,11 +154,12 @@ std::vector<HandleMotions> path_of(const AppState& state);
 /// nothing once `maps` has one entry per handle.
 void maps_of(const AppState& state, std::size_t handle, const Move& move,
              std::vector<Eigen::Affine3d>& maps);
-/// Returns the handle's move on the surface of `positions_of`, with the rotation of the result if
-/// its orientation is free.
+/// Returns the handle's move on the surface of `positions_of`. If the orientation of the handle is
+/// free, the move has the rotation of the result.
 Move shown_move(const AppState& state, std::size_t handle);
-/// Sets `dragged` to the handles that a frame moves while `handle` is dragged, ascending. If frames
-/// start `from_rest`, these include handles that are moved already. Allocates only to grow.
+/// Sets `dragged` to the handles that a frame moves while `handle` is dragged, in ascending order.
+/// If frames start `from_rest`, this includes handles that have already been moved. Allocates only
+/// if `dragged` must grow.
 void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
                      std::vector<std::size_t>& dragged);
 /// Returns the centroid of the handle's vertices at rest. A move without a pivot turns about it.

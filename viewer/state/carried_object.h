@@ -14,7 +14,7 @@ namespace lapwing::viewer {
 struct CarriedObject {
   std::shared_ptr<const AttachmentFile> opened;  ///< as it was read
   std::shared_ptr<const AttachmentFile> rest;    ///< where the open step finds it
-  bool follows = true;                           ///< the open step takes it along; else it stays
+  bool follows = true;                           ///< whether the open step carries it along
 
   const std::filesystem::path& file() const { return rest->file(); }
   bool operator==(const CarriedObject&) const = default;
@@ -37,8 +37,9 @@ std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects);
 std::vector<AttachmentFile> carried_at_rest(std::span<const CarriedObject> objects);
 CarriedFiles share(std::vector<AttachmentFile> files);
 
-/// Returns what an AttachmentDeformer needs of an edit of `region` that moved `rest` to
-/// `positions`. With `joined`, region and stretches refer to `rest` with its seams joined.
+/// Returns the input of an AttachmentDeformer for an edit of `region` that moved `rest` to
+/// `positions`. If `joined` is given, `region` and `rest_stretch` refer to `rest` with its seams
+/// joined.
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
                      Positions positions, std::vector<Eigen::Matrix3d> rest_stretch);
 

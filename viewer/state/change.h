@@ -8,7 +8,7 @@
 namespace lapwing::viewer {
 
 /// The changes of the state by one step, enough to go in either direction: differences of sets, and
-/// positions of moved vertices. If the triangles change, it keeps both meshes.
+/// positions of moved vertices. Holds both meshes if the triangles change.
 class Change {
  public:
   Change() = default;

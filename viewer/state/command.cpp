@@ -347,7 +347,7 @@ struct Applier {
 };
 
 // Returns whether a command may change what the mirrored edit depends on: surface, selection or
-// parameters. A revised state has its own.
+// parameters. `Revise` is not among them, because a revised state comes with its mirrored edit.
 bool changes_choice(const Command& command) {
   return !is_one_of<MoveHandle, MoveHandles, Settle, CarryAlong, StopCarrying, Revise>(command);
 }

@@ -51,8 +51,8 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
-/// Moves the handle from its rest position. The path of `to` holds the waypoints since its last
-/// move and extends the state's path (`extend_path`).
+/// Moves the handle from its rest position. The path of `to` holds the waypoints since the last
+/// move of the handle. They extend its path in the state (`extend_path`).
 struct MoveHandle {
   std::size_t handle = 0;
   HandleMove to;
@@ -116,9 +116,9 @@ bool is_one_of(const Command& command) {
 /// Returns the state after `command`. Choosing, painting and applying first commit what is settled,
 /// so that parts are chosen on the visible surface. When the ROI changes, handles, and a belt
 /// chosen by hand, lose the vertices outside it. Moves, parameters, the belt's width and carried
-/// files require a new result from the same rest shape. Throws what `resolve` throws, and
-/// InputError if the command does not fit the state, such as a choice while a drag waits for its
-/// result.
+/// files require a new result from the same rest shape. Throws what `resolve` throws. Throws
+/// InputError if the command does not fit the state, for example a choice while a drag waits for
+/// its result.
 AppState apply(AppState state, const Command& command);
 
 /// Returns the command's name in the history panel: "ROI: disk", "move handle 1", "settle".

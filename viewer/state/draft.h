@@ -27,15 +27,15 @@ Draft draft_of(const AppState& state);
 bool is_selection(const DeformRequest& step);
 
 /// Returns the recipe of the current surface: the steps so far, and the open one if it is settled.
-/// Steps name files relative to `base_directory`, as `mesh` already does.
+/// Steps name files relative to `base_directory`, to which `mesh` must already be relative.
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
                  const std::filesystem::path& base_directory);
 
 /// Computes the result of a state's moves.
 using Solve = std::function<std::shared_ptr<const MovedVertices>(const AppState&)>;
 
-/// Solves the open step as `run_recipe` does, in substeps if it has them. Throws what `run_recipe`
-/// throws.
+/// Solves the open step as `run_recipe` does, with substeps if the step uses them. Throws what
+/// `run_recipe` throws.
 std::shared_ptr<const MovedVertices> solve_open_step(const AppState& state, Kernels& kernels,
                                                      const Progress& progress = {});
 
@@ -52,17 +52,18 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 /// that are new; throws what `open_carried` throws.
 void carry_along(History& history, const std::vector<CarrySpec>& files);
 
-/// Carries out a step: a deform that is a selection with the commands of a user, so that each can
-/// be undone, any other step with one command. Without `solve`, the handles of a deform are left
-/// moved and not settled.
+/// Carries out a step. A deform that `is_selection` becomes the commands that a user would give, so
+/// that each can be undone. Any other step is one command. Without `solve`, the handles of a deform
+/// move, but the deform does not settle.
 void perform(History& history, const DeformRequest& step, const Solve& solve);
 void perform(History& history, const Step& step, const CarryOut& carry_out);
-/// Carries out the steps of a recipe. A deform at the end stays open. Looks for files in the
-/// recipe's base directory.
+/// Carries out the steps of a recipe. A deform at the end stays the open step. Looks for files in
+/// the recipe's base directory.
 void perform(History& history, const Recipe& recipe, const CarryOut& carry_out);
 
-/// Return the history from `start` to a draft or through the steps of a recipe. The mesh of `start`
-/// need not be the recipe's. Throw what `apply` and `carry_out` throw.
+/// Return the history that leads from `start` to the draft, or through the steps of the recipe. The
+/// mesh of `start` may differ from the mesh of the recipe. Throw what `apply` and `carry_out`
+/// throw.
 History from_draft(AppState start, const Draft& draft, const CarryOut& carry_out);
 History from_recipe(AppState start, const Recipe& recipe, const CarryOut& carry_out);
 

@@ -24,9 +24,9 @@ class History {
 
   const AppState& state() const { return state_; }
 
-  /// Carries out `command` and drops undone steps. A command that changes nothing adds no step. A
-  /// result that the state waits for joins the step that asked for it, and undone steps stay.
-  /// Throws what `apply` throws, without any change.
+  /// Carries out `command` and drops undone steps. A command that changes nothing adds no step. If
+  /// the state waits for a result, this result joins the step that requested it, and undone steps
+  /// stay. Throws what `apply` throws, and then changes nothing.
   void perform(const Command& command, Joining joining = Joining::own_step);
 
   bool can_undo() const { return done_ > 0; }

@@ -35,8 +35,8 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-// Appends `bytes` and flushes them to the disk. On failure returns false, with errno set, and
-// restores the file's length, because a partial line would spoil those after it.
+// Appends `bytes` and flushes them to the disk. On failure, sets errno, restores the file's length
+// and returns false. A partial line would corrupt the lines after it.
 bool append_to(FileDescriptor& file, std::string_view bytes) {
   const off_t before = ::lseek(file.get(), 0, SEEK_END);
   if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return true;
@@ -46,7 +46,7 @@ bool append_to(FileDescriptor& file, std::string_view bytes) {
   return false;
 }
 
-// Without this a power cut may lose a new file of the folder.
+// Flushes the entries of the folder, because a power failure may otherwise lose a new file.
 void flush_folder(const fs::path& folder) {
   const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (file.is_open()) ::fsync(file.get());

@@ -34,8 +34,8 @@ struct InterruptedEdit;
 /// file (kept_results.h). When `record` returns, the step is on the disk.
 class Journal {
  public:
-  /// Starts a journal in `folder`, which is created if it is missing, and locks the journal while
-  /// it is open. Throws IoError, and InputError if the mesh's name is not UTF-8.
+  /// Starts a journal in `folder`, and creates the folder if it is missing. Locks the journal while
+  /// it is open. Throws IoError. Throws InputError if the mesh's name is not UTF-8.
   Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -49,9 +49,9 @@ class Journal {
   void keep_results_of(const InterruptedEdit& edit);
 
   /// Copies the mesh file beside the journal, because the steps start from it. Call this before the
-  /// result replaces the file. Does nothing after the first time. Throws IoError.
+  /// result replaces the file. Later calls do nothing. Throws IoError.
   void keep_mesh() { keep_mesh(mesh_.path); }
-  /// The same if the file was replaced before and the steps start from `mesh`.
+  /// Copies `mesh`, from which the steps start, if the opened file was already replaced.
   void keep_mesh(const std::filesystem::path& mesh);
 
   /// Ends the edit, saved or given up: deletes the journal and the files beside it.
@@ -78,14 +78,14 @@ struct InterruptedEdit {
   std::filesystem::path opened;               ///< the mesh file that was opened
   MeshStamp mesh;                             ///< where the steps start: that file, or a copy of it
   bool mesh_is_unchanged = false;             ///< whether the file still matches `mesh`
-  Draft draft;                                ///< for `restore_after_crash`
+  Draft draft;                                ///< the steps that `restore_after_crash` carries out
   KeptResults results;                        ///< in the results file
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
   /// Returns whether the file was saved over, so that `mesh` is a copy of the original.
   bool has_copy() const { return mesh.path != opened; }
-  /// Returns the number of committed edits, plus the open one if a handle is moved.
+  /// Returns the number of committed edits. Counts the open edit, too, if a handle has moved.
   std::size_t step_count() const;
 };
 
@@ -100,7 +100,8 @@ std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
 /// have ended.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
-/// Deletes the files of an edit that was given up, or that was restored and has a new journal.
+/// Deletes the journal files of an edit that the user gave up, or that was restored and has a new
+/// journal.
 void discard(const InterruptedEdit& edit);
 
 }  // namespace lapwing::viewer

@@ -10,8 +10,8 @@
 
 namespace lapwing::viewer {
 
-// Beside a journal, a results file holds the surfaces that its deforms settled to, because carrying
-// out a drag again does not end in the same bits.
+// A results file beside each journal holds the settled surfaces of its deforms. Repeating a drag
+// need not give the same bits, so they cannot be computed again.
 
 /// The place of one result in the results file.
 struct KeptResult {

@@ -32,7 +32,7 @@ struct Message {
 /// Shows a message to the user. An empty one clears the last.
 using Say = std::function<void(Message)>;
 
-/// Runs `act` and shows the Error that it throws. Returns whether it succeeded.
+/// Runs `act`. If it throws an Error, reports that to `say`. Returns whether `act` succeeded.
 template <class Act>
 bool say_errors(const Say& say, const Act& act) {
   try {

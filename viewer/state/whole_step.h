@@ -29,9 +29,10 @@ struct CarriedOut {
   std::vector<std::string> warnings;
 };
 
-/// Carries out `step` on the surface of `state`, settled if it has a result, with the same bits as
-/// `run_recipe`. `Apply` makes the result a step. Looks for sources in `base_directory`. Throws
-/// what `run_recipe` throws, and InputError while a drag waits for its result.
+/// Carries out `step` on the surface of `state`, which is settled if the state has a result. Gives
+/// the same bits as `run_recipe`. `Apply` makes the result a step. Looks for sources in
+/// `base_directory`. Throws what `run_recipe` throws. Throws InputError while a drag waits for its
+/// result.
 CarriedOut apply_step(const AppState& state, const Step& step,
                       const std::filesystem::path& base_directory, Kernels& kernels,
                       const Progress& progress = {});

@@ -63,7 +63,7 @@ std::array<Vector3d, 2> directions_at(Index vertex, const Topology& topology,
   return {across, normal.cross(across).normalized()};
 }
 
-// Returns the index of the nearest grip that faces the eye within a few points of `pixel`.
+// Returns the index of the grip nearest to `pixel` among those within reach that face the eye.
 std::optional<std::size_t> grip_at(std::span<const RimGrip> grips, const Vector2d& pixel,
                                    const Projection& projection) {
   std::optional<std::size_t> nearest;

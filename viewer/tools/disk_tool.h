@@ -8,12 +8,13 @@
 namespace lapwing::viewer {
 
 /// Returns at most eight grips where `distances` from vertex `center` reach `radius`, in evenly
-/// spaced directions. `distances` has one entry per vertex, infinity if it cannot be reached.
+/// spaced directions. `distances` has one entry per vertex, which is infinite if the vertex cannot
+/// be reached.
 std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                                std::span<const double> distances, Index center, double radius);
 
 /// Chooses a geodesic disk: press on its centre and drag to its rim, or click. [ and ], Control +
-/// wheel, and the grips on its rim resize the last disk, even while another part is chosen next.
+/// wheel, and the grips on its rim resize the last disk, even while the user chooses the next part.
 /// Escape cancels a drag.
 class DiskTool final : public SceneTool {
  public:
@@ -24,7 +25,7 @@ class DiskTool final : public SceneTool {
   std::size_t count_with(const VertexSet& chosen) const override {
     return dragging_ ? live().size() : chosen.size();
   }
-  /// Returns whether the last disk was clicked, so that its radius is still to be chosen.
+  /// Returns whether a click made the last disk. The user may then still choose its radius.
   bool may_change_choice() const override {
     return center_ != kNoIndex && !dragging_ && !has_moved_;
   }

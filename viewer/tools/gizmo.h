@@ -18,9 +18,9 @@ enum class GizmoPart { none, x, y, z, without_x, without_y, without_z, view };
 /// Returns the axis of an arm, ring or plane, 0 to 2; -1 for `view` and `none`.
 int axis_of(GizmoPart part);
 bool is_plane(GizmoPart part);
-/// Returns the arm or ring of an axis, or the plane across it.
+/// Returns the arm or ring of the axis or, for a `plane`, the plane across the axis.
 GizmoPart part_of_axis(int axis, bool plane);
-/// Returns the gizmo that W, E or Q chooses.
+/// Returns the mode that the key W, E or Q chooses; nullopt for other keys.
 std::optional<GizmoMode> mode_of_key(int key);
 
 /// Three axes at a handle.
@@ -41,8 +41,8 @@ struct GizmoLine {
 };
 
 /// The lines of a gizmo: arms with the planes between them, or the halves of rings that face the
-/// eye, without arms along the line of sight and planes seen from the edge. Empty if the gizmo is
-/// behind the eye. Reuses its memory from frame to frame.
+/// eye. Leaves out arms along the line of sight and planes seen from the edge. Empty if the gizmo
+/// is behind the eye. Reuses its memory from frame to frame.
 class GizmoLines {
  public:
   GizmoLines() = default;

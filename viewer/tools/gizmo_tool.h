@@ -10,11 +10,11 @@
 
 namespace lapwing::viewer {
 
-/// Moves a handle. Drag a part of the gizmo, or press G, R or S and move the mouse. X, Y or Z keeps
-/// to an axis of the gizmo, with Shift to a plane; the same key again uses the other axes (local in
-/// place of the world's, else the world's), and once more frees the drag. Numbers can be typed.
-/// Control snaps. W, E and Q (R in Maya) choose the gizmo. Enter or a click ends a drag, Escape or
-/// the right button cancels it.
+/// Moves a handle. Drag a part of the gizmo, or press G, R or S and move the mouse. X, Y or Z
+/// restricts the drag to an axis of the gizmo, and with Shift to a plane. The same key again
+/// switches to local axes if the gizmo has the world's axes, and otherwise to the world's. A third
+/// press frees the drag. The user can type a number. Control snaps. W, E and Q (R in Maya) choose
+/// the gizmo. Enter or a click ends a drag. Escape or the right button cancels it.
 class GizmoTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -25,8 +25,8 @@ class GizmoTool final : public SceneTool {
   void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
   /// The handle's move during a drag.
   const std::optional<Move>& move() const { return move_; }
-  /// The handle's orientation after the drag. A pull of the handle itself leaves it free, unless
-  /// the user has turned it before.
+  /// Returns the handle's orientation after the drag. If the user drags the handle itself, its
+  /// orientation is free unless the user has turned it before.
   HandleOrientation orientation() const {
     return pulls_ ? HandleOrientation::free : HandleOrientation::kept;
   }
@@ -44,8 +44,8 @@ class GizmoTool final : public SceneTool {
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
   /// Returns the gizmo as drawn. It follows its handle.
   Gizmo gizmo(const AppState& state, std::size_t handle) const;
-  /// Writes the status line of a drag, as in "turn 45 degrees about x", and what to do if it turns
-  /// farther than the surface is sure to follow (kLargestSettledTurnDegrees).
+  /// Writes the status line of a drag, as in "turn 45 degrees about x", and a warning if the handle
+  /// turns by more than kLargestSettledTurnDegrees. The surface may not follow a larger turn.
   void read_out(std::string& text) const;
 
  private:

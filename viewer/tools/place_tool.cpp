@@ -140,8 +140,8 @@ ToolAnswer PlaceTool::handle_scroll(const InputEvent& event) {
   return ToolAnswer::only_taken();
 }
 
-// Changes a carried part before snapping, too, so that the next move of the cursor keeps the
-// change.
+// Changes the draft. For a carried part, also changes `way_`, so that the next move of the cursor
+// keeps the change.
 template <class Change>
 void PlaceTool::change(const Change& change) {
   if (drag_) return;

@@ -20,7 +20,7 @@ struct TransplantHost {
 /// Places a part on a surface. At first the part follows the cursor on the surface. [ and ], or
 /// Control + wheel, scale it; Shift + wheel turns it. A click sets it down. Then a gizmo along the
 /// part's axes adjusts it (W, E, Q; Control snaps), and G picks it up again. Enter applies it.
-/// Escape cancels the drag, or else the placement.
+/// Escape cancels the drag or, without a drag, the placement.
 class PlaceTool final : public SceneTool {
  public:
   enum class Stage { empty, carried, set_down };

@@ -12,7 +12,7 @@
 
 namespace lapwing::viewer {
 
-/// Decides what R does: it turns in Blender and scales in Maya.
+/// Decides what the key R does. It rotates in Blender and scales in Maya.
 enum class GizmoKeys { blender, maya };
 
 /// The scene that a tool works on.
@@ -30,8 +30,8 @@ struct ToolScene {
   std::function<std::optional<SurfacePoint>(const Eigen::Vector2d& pixel)> pick_still = {};
 };
 
-/// Returns whether the surface hides `place`, a point on it that shows at `pixel`: whether it is
-/// nearer to the eye by more than the tip that a pin pulls out.
+/// Returns whether the surface hides `place`, a point on the surface that projects to `pixel`. The
+/// surface must be nearer to the eye by more than the tip that a pin pulls out.
 bool is_hidden(const Eigen::Vector3d& place, const Eigen::Vector2d& pixel, const ToolScene& scene);
 
 /// The response of a tool to one event.
@@ -60,11 +60,11 @@ struct RimGrip {
 
 /// The marks that a tool draws over the surface.
 struct ToolMarks {
-  std::vector<Index> line = {};  ///< through these vertices
+  std::vector<Index> line = {};  ///< the vertices of a drawn line
   bool line_is_done = false;
   std::vector<Index> dots = {};
-  std::vector<RimGrip> grips = {};            ///< can be dragged
-  std::optional<std::size_t> grip = {};       ///< index of the one under the cursor
+  std::vector<RimGrip> grips = {};            ///< points that the user can drag
+  std::optional<std::size_t> grip = {};       ///< index of the grip under the cursor
   std::vector<Eigen::Vector2d> outline = {};  ///< a closed line, in pixels
   double brush_pt = 0.0;                      ///< radius of a circle around the cursor
 };

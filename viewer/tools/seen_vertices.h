@@ -15,9 +15,9 @@ struct TrianglePicture {
   Index height = 0;
 };
 
-/// Tells which vertices are visible in a picture: those in the window with no triangle in front of
-/// them, at their pixel or one beside it, by more than the rounding to pixels explains. The
-/// arguments of the constructor must outlive this.
+/// Tells which vertices are visible in a picture. A vertex is visible if, at its pixel or a
+/// neighbour, the drawn triangle is not in front of the vertex. A tolerance allows for the rounding
+/// to pixels. The arguments of the constructor must outlive this object.
 class SeenVertices {
  public:
   SeenVertices(const TrianglePicture& picture, const Topology& topology,

@@ -6,7 +6,8 @@
 
 namespace lapwing::viewer {
 
-/// Return the region and the vertices of `part`; empty for a handle that does not exist yet.
+/// Return the region and the vertices of `part`. Both are empty for a handle that does not exist
+/// yet.
 const ChosenRegion& region_of(const EditSelection& selection, const Part& part);
 const VertexSet& vertices_of(const EditSelection& selection, const Part& part);
 

@@ -61,8 +61,9 @@ TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double di
 /// state before it. Throws what `cut_hole` and `place_part` throw.
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host);
 
-/// Returns the mean outward normal of the triangles within `radius` along the surface, weighted by
-/// nearness, so that small detail does not tilt a part; else the normal of the point's triangle.
+/// Returns the mean outward normal of the triangles within `radius` along the surface, so that
+/// small detail does not tilt a part. Nearer triangles weigh more. Returns the normal of the
+/// point's triangle if the mean is zero.
 Eigen::Vector3d normal_around(const SurfacePoint& point, double radius, const Topology& topology,
                               const Positions& positions);
 

@@ -25,8 +25,8 @@ enum class BannerWish {
 };
 
 /// A banner over the picture with what the doctor found in the opened mesh. It marks the faulty
-/// vertices and previews a repair. A repair that is kept becomes a new file, because a recipe
-/// begins with a file.
+/// vertices and previews a repair. If the user keeps a repair, it is saved to a new file, because a
+/// recipe begins with a file.
 class DoctorBanner {
  public:
   /// `report` lists all places in `mesh`. `wake` is called on another thread when a repair is
@@ -34,7 +34,7 @@ class DoctorBanner {
   DoctorBanner(std::string name, std::shared_ptr<const Mesh> mesh, CheckReport report,
                std::function<void()> wake);
 
-  /// Whether the mesh has no faces. Then the banner says that there is nothing to see.
+  /// Returns whether the mesh has no faces. The banner then says that there is nothing to see.
   bool is_empty() const { return report_.find(DefectKind::no_faces) != nullptr; }
 
   /// Call this once a frame, before `draw`. Takes a finished repair, and gives up its picture if an

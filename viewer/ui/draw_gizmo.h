@@ -7,10 +7,10 @@
 
 namespace lapwing::viewer {
 
-/// Draws `gizmo` over the picture. `taken_part` is under the cursor, or dragged. `lines` holds
-/// memory that is reused.
+/// Draws `gizmo` over the picture. Highlights `taken_part`, which is under the cursor or dragged.
+/// Reuses the memory of `lines`.
 void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& lines);
-/// Draws the gizmo of the current handle, and in words how far it is dragged.
+/// Draws the gizmo of the current handle. Writes beside it how far the user has dragged.
 void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout);
 
 /// Draws the mode, axes and pivot of the gizmo, and whether the handle sticks to the surface. These

@@ -1,4 +1,4 @@
-// The help: the guide over the picture, the list of controls, the device and its timings.
+// Draws the guide over the picture, the list of controls, and the device with its timings.
 
 #include <imgui.h>
 

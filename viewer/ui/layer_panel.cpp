@@ -1,4 +1,4 @@
-// The tabs of coats and mixes.
+// Draws the Coat and Mix tabs.
 
 #include <imgui.h>
 #include <utility>

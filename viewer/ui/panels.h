@@ -51,7 +51,7 @@ float status_height();
 /// Draws name, sizes and the findings of the mesh doctor. Lengths have `unit`, unless it is empty.
 void draw_mesh_panel(const Document& document, const std::string& unit);
 
-/// A part of the window, in ImGui's units unless stated otherwise.
+/// A rectangle of the window, in ImGui's units unless stated otherwise.
 struct PictureArea {
   Eigen::Vector2d corner;  ///< upper left
   Eigen::Vector2d size;

@@ -40,14 +40,14 @@ class TurntableRecording {
   Order order_;
   Turntable way_;
   ImageRenderer renderer_;
-  std::unique_ptr<FrameWriter> writer_;  // used by the job
+  std::unique_ptr<FrameWriter> writer_;  // the job uses it
   int drawn_ = 0;
-  std::shared_ptr<const Image> waiting_;  // drawn, but not given to the job
+  std::shared_ptr<const Image> waiting_;  // the drawn picture that the job has not yet taken
   int written_ = 0;
   bool is_writing_ = false;
   bool done_ = false;
   bool failed_ = false;
-  Job<bool> job_;  // last: it uses the writer. Its result tells whether that was the end.
+  Job<bool> job_;  // declared last, because it uses the writer; returns whether it is at the end
 };
 
 }  // namespace lapwing::viewer

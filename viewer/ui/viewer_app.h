@@ -39,7 +39,7 @@ struct KeptFiles {
   std::filesystem::path recent;
 };
 
-/// The viewer: the open document, its view, and the panels around it. There is a source file per
+/// The viewer: the open document, its view, and the panels around it. Each source file handles one
 /// concern: viewer_app (the document), viewer_files (reading and writing), viewer_pictures,
 /// viewer_input (mouse and keys), viewer_menus, viewer_sidebar, viewer_dialogs (over the picture),
 /// and viewer_frame (the rest of a frame).
@@ -147,7 +147,7 @@ class ViewerApp final : public App {
   bool is_inside(const Bounds& bounds) const;
   double covered_share() const;
   double sidebar_pixels() const;
-  /// The part of the window that shows the source of a coat or mix, in pixels.
+  /// Returns the part of the window that shows the source of a coat or mix, in pixels.
   std::optional<PictureArea> source_area() const;
   std::optional<bool> handle_source(const InputEvent& event);
 

@@ -1,4 +1,4 @@
-// Which dialogs are open, what their answers do, and the banner over the picture.
+// Opens the dialogs, handles their answers, and draws the banner over the picture.
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-// Saving pictures and turntables: the dialogs, and the pictures that are drawn meanwhile.
+// Saves pictures and turntables. Draws their dialogs and the pictures of a recording.
 
 #include <utility>
 

@@ -19,7 +19,7 @@ inline constexpr ImGuiWindowFlags kFixed =
 /// Flags of a window that does not scroll.
 inline constexpr ImGuiWindowFlags kWithoutScrolling =
     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-/// Flags of a window that asks a question.
+/// Flags of a dialog, which adapts its size to its contents.
 inline constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_AlwaysAutoResize |
                                             ImGuiWindowFlags_NoCollapse |
                                             ImGuiWindowFlags_NoSavedSettings;
@@ -58,7 +58,7 @@ float button_width(const char* label);
 
 /// Stays on the line if an item of `width` still fits there, up to `right` on the screen.
 void stay_on_line(float width, float right);
-/// Returns the right end of the line on the screen, where the next item begins a new one.
+/// Returns the right end of the line on the screen. Call this only at the start of a line.
 float right_end();
 
 /// Draws wrapped text in the colour of `tone`.
@@ -71,7 +71,8 @@ void explain(Action action);
 
 /// Places the next window in the middle of the viewer.
 void center_next_window(ImGuiCond when = ImGuiCond_Always);
-/// Whether `key` was pressed in the current window. The key that opened the window does not count.
+/// Returns whether `key` was pressed in the current window. The key that opened the window does not
+/// count.
 bool is_pressed(ImGuiKey key);
 
 ImVec2 to_imgui(const Eigen::Vector2d& vector);

@@ -29,8 +29,9 @@ struct PictureNeed {
   bool fine_is_slow = false;       ///< a fine picture takes longer than a frame may
 };
 
-/// Returns how to get the picture. Changed contents are drawn quickly while something moves, or if
-/// the view jumps (as by the wheel) and antialiasing is slow. At rest they are drawn finely.
+/// Returns how to get the picture. Changed contents are drawn quickly while something moves. They
+/// are also drawn quickly if the view jumps, as by the wheel, and antialiasing is slow. At rest,
+/// they are drawn finely.
 PictureSource picture_way(const PictureNeed& need);
 
 /// Chooses the resolution while something moves: coarser if frames take too long, and finer again
@@ -57,9 +58,9 @@ class MovingResolution {
   int patience_ = 4;
 };
 
-/// What a picture of a scene depends on, as a value: surfaces, carried objects and their colours
-/// (by revision), cameras, styles, background. It does not depend on quality (`Scene::moving`,
-/// `SurfaceStyle::sides`), nor on the panels and marks over it.
+/// Identifies the contents of a picture: surfaces, carried objects and their colours (by revision),
+/// cameras, styles and background. Includes neither the quality (`Scene::moving`,
+/// `SurfaceStyle::sides`) nor the panels and marks over the picture.
 class SceneContents {
  public:
   /// Takes the contents of `scene`. Allocates nothing if as much is carried as before.

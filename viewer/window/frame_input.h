@@ -19,9 +19,9 @@ struct DesktopEvent {
   Eigen::Vector2d scroll = Eigen::Vector2d::Zero();
 };
 
-/// The input that the panels get for one frame. They see mouse and keys only as these are at each
-/// frame, so they would miss a click within a frame or take two for one. An event that does not fit
-/// waits until the panels have been laid out.
+/// The input that the panels get for one frame. The panels read the state of mouse and keys once
+/// per frame. So they would miss a click within one frame, or count two clicks as one. An event
+/// that does not fit waits until the panels have been laid out.
 class FrameInput {
  public:
   /// Whether the panels can tell `event` from the events since the last layout, in this order. The

@@ -35,9 +35,9 @@ class WindowGraphics final : public Graphics {
 };
 
 /// Shows `app` in `window` until the user or the app quits. Draws only after events, so an idle
-/// window takes no time. `context` is from `graphics`; `app` uses it too.
-/// Reopens a lost screen, and a device that is lost or out of memory (`App::use_device`). Throws
-/// GpuError if the device cannot draw into the window, or if screen or device fail repeatedly.
+/// window takes no time. `context` is from `graphics`; `app` uses it too. Reopens a lost screen,
+/// and a device that is lost or out of memory (`App::use_device`). Throws GpuError if the device
+/// cannot draw into the window, or if the screen or the device fails repeatedly.
 void run_main_loop(Window& window, Graphics& graphics, std::shared_ptr<gpu::Context> context,
                    App& app);
 

@@ -29,7 +29,7 @@ ImVec4 gray(float level, float opacity = 1.0F) {
   return {level, level, std::min(1.02F * level, 1.0F), opacity};
 }
 
-// Gray levels in which the themes differ.
+// The themes differ in these gray levels.
 struct Grays {
   float text;
   float quiet_text;

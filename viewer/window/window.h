@@ -38,8 +38,8 @@ class Window {
   /// Creates a surface, which the caller must destroy. Throws GpuError.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// From now on, the loss of the display ends the program at once, with `code` and a message on
-  /// standard error. An orderly shutdown would wait for the display, too.
+  /// Makes the loss of the display end the program at once, with exit code `code` and a message on
+  /// standard error. A normal shutdown would wait for the lost display.
   static void exit_when_display_goes(int code);
 
   /// Waits for an event, at most `seconds`.

@@ -10,8 +10,8 @@
 
 namespace lapwing::viewer {
 
-/// Carries objects along with successive deforms of a surface, with the bits of a run. Finds once
-/// per object what it follows on the rest surface. Threads may share one.
+/// Carries objects along with successive deforms of a surface, with the same bits as a run of the
+/// recipe. Attaches each object to the rest surface only once. Threads may share a cache.
 class AttachmentCache {
  public:
   /// Returns where `objects`, at rest with the surface of `rest`, are after it moved to `deformed`,
@@ -22,8 +22,8 @@ class AttachmentCache {
                                                   const Deformed& deformed,
                                                   const Progress& progress);
 
-  /// Limit per object, 128 MB. If the points of an object follow more, what they follow is found
-  /// again for each deform.
+  /// The cache keeps at most this many attachment shares per object, which are 128 MB. An object
+  /// that needs more is attached again for each deform.
   static constexpr std::size_t kMostShares = 8'000'000;
 
  private:

@@ -20,20 +20,20 @@ struct DraggedFrame {
   bool is_same_as(const DraggedFrame& other) const;
 };
 
-/// Computes in the background where the carried objects go while their surface is dragged
-/// (AttachmentCache), one frame at a time, skipping those in between. Call all members from one
-/// thread, the window's. They return at once, except the destructor, which waits until the current
-/// object is done.
+/// Computes the positions of carried objects during a drag on a background thread
+/// (AttachmentCache). Computes one frame at a time and skips the frames that arrive meanwhile. Call
+/// all members from the window's thread. They return at once, except the destructor, which waits
+/// until the current object is done.
 class AttachmentFollower {
  public:
   /// `wake` is called on the worker when a frame is done.
   explicit AttachmentFollower(std::function<void()> wake = {});
 
-  /// Asks for the objects of `state` in `frame`. Does nothing if this was asked for last, or if a
-  /// frame is under way.
+  /// Requests the positions of the objects of `state` in `frame`. Does nothing if the last request
+  /// was the same, or if a frame is under way.
   void follow(const AppState& state, const Preparation& preparation, const DraggedFrame& frame);
-  /// Returns their places, in the order of AppState::carried, once; nothing until they are
-  /// computed. Throws the exception of the computation, once.
+  /// Returns the computed positions once, in the order of AppState::carried. Returns nullopt until
+  /// they are computed. Throws the exception of the computation, once.
   std::optional<std::vector<Positions>> take() { return job_.take(); }
   /// Cancels the frame under way and drops one that was not taken.
   void cancel();

@@ -7,9 +7,9 @@
 namespace lapwing::viewer {
 namespace {
 
-// Beyond this factor of growth or shrinkage of a ring, details are crowded or pulled apart.
+// If a one-ring grows or shrinks by more than this factor, details are crowded or pulled apart.
 constexpr double kMostRingScale = 2.0;
-// Above this share of lost details, the difference from the rest shape is visible.
+// If more than this share of the detail is lost, the difference from the rest shape is visible.
 constexpr double kMostDetailLost = 0.25;
 
 std::string formatted(const char* format, double a) {

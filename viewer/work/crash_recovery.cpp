@@ -7,7 +7,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Returns the pose in which the surface is at `positions`, the result of the state's moves.
+// Returns the pose of a drag whose surface is at `positions`, the result of the state's moves.
 DragState pose_at(AppState state, const MovedVertices& moved, const Positions& positions) {
   state.settled = std::make_shared<const MovedVertices>(moved);
   DragState pose;

@@ -23,14 +23,15 @@ struct StepTaken {
   std::vector<std::string> warnings;
 };
 
-/// One mesh being edited: its history, its journal, the worker that prepares and settles, and the
-/// one that carries out whole steps. Everything except drawing.
+/// Edits one mesh without drawing it. Holds its history, its journal and two workers. One worker
+/// prepares and settles, and the other carries out whole steps.
 class EditSession {
  public:
   /// `file` is what was opened. Without it, for a generated mesh, there is no journal. `journals`
-  /// is a folder. Continues an interrupted edit if it was `restored` to `history`
-  /// (`restore_after_crash`), and copies its results and its copy of the mesh. `discard` may follow
-  /// unless there is a `warning`. The other arguments are those of Preparation.
+  /// is a folder. If `restored` is given, `history` must be the history that `restore_after_crash`
+  /// returned for this edit. The session then copies the results and the mesh of this edit. Its
+  /// files may be deleted by `discard` afterwards, unless there is a `warning`. The other arguments
+  /// are those of Preparation.
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
               Preparation::Upload upload = {}, const InterruptedEdit* restored = nullptr);
@@ -38,12 +39,12 @@ class EditSession {
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
   const Preparation& preparation() const { return preparation_; }
-  /// Returns the opened file, where saving goes. Empty for a generated mesh.
+  /// Returns the path of the opened file, to which the user saves. Empty for a generated mesh.
   std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
   /// Performs a command. Throws what `apply` throws. If the state then waits for a result, as it
-  /// may after undo and redo, the result is under way on return. It starts from the pose `shown`,
-  /// the surface on the screen, if that is given.
+  /// may after undo and redo, requests the result. The computation starts from the pose `shown`,
+  /// the surface on the screen, if it is given.
   void perform(const Command& command, Joining joining = Joining::own_step,
                std::shared_ptr<const DragState> shown = nullptr);
   void undo();
@@ -75,32 +76,32 @@ class EditSession {
   /// Sets the handles that the next drag moves (Preparation::drag_by).
   void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
 
-  /// Asks for the result of `moves`, one per handle, of a drag under way
-  /// (Preparation::settle_live). Does nothing while something else settles, so call this whenever
-  /// the moves change. Steps, undo, redo and `cancel_settling` cancel it.
+  /// Requests the result of a drag under way (Preparation::settle_live). `moves` has one entry per
+  /// handle. Does nothing while something else settles, so call this whenever the moves change.
+  /// Steps, undo, redo and `cancel_settling` cancel the request.
   void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const DragState> from,
                    bool rests = false);
   /// Returns that result, once. It is never a step of the history.
   std::optional<LiveResult> take_live_result() { return preparation_.take_live_result(); }
 
-  /// Carries out `step` in the background, on the present surface, in place of a step under way.
+  /// Carries out `step` on the present surface in the background. Cancels a step that is under way.
   /// `take_step` makes the result one step of the history. Looks for files in `folder()`. Throws
   /// InputError while a drag waits for its result.
   void carry_out(const Step& step);
-  /// The same for `step` in place of the `index`th step of the recipe, and the steps after it.
-  /// Throws what `revision_of` throws, too.
+  /// Replaces the `index`th step of the recipe by `step`, and carries out the steps from there on
+  /// in the same way. Also throws what `revision_of` throws.
   void replace_step(std::size_t index, const Step& step);
-  /// Reads `files` from `folder()` in the background, to carry them from the open step on; each is
-  /// one step of the history. Throws InputError while a step is under way.
+  /// Reads `files` from `folder()` in the background, to carry them from the open step on. Each
+  /// file is one step of the history. Throws InputError while a step is under way.
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// Cancels the step under way, without any change.
   void cancel_step();
   /// Returns whether a step is under way, until it is taken or cancelled.
   bool is_carrying_out() const { return carried_out_on_.has_value(); }
   WorkStatus step_status() const { return carrying_out_.status(); }
-  /// Performs a step that has been carried out, if there is one, or throws its exception, once. A
-  /// step is cancelled if the surface changes meanwhile or, for `replace_step`, the selection. Call
-  /// this when woken.
+  /// Adds a step that has been carried out to the history, or throws its exception once. A step is
+  /// cancelled if the surface changes meanwhile. `replace_step` is also cancelled if the selection
+  /// changes. Call this after `wake`.
   std::optional<StepTaken> take_step();
 
   /// Returns the folder for the files of steps: the mesh file's folder, or the current one.
@@ -110,20 +111,20 @@ class EditSession {
   const Certificate* certificate() const;
 
   /// Writes the surface to `path`, and the carried files beside it as a run does. Throws what
-  /// `write_mesh` and `require_targets` throw, and InputError while a drag waits for its result, if
-  /// a step reads `path`, or if `path` is the opened file and a .gltf with numbers in other files,
-  /// which no copy would keep.
+  /// `write_mesh` and `require_targets` throw. Throws InputError while a drag waits for its result,
+  /// or if a step reads `path`. Also throws InputError if `path` is the opened file and a .gltf
+  /// with numbers in other files, because a copy would not keep those.
   WriteReport save(const std::filesystem::path& path);
   /// The same without the surface.
   WriteReport save_carried(const std::filesystem::path& path) const;
   /// Writes the recipe, which names the opened mesh relative to `path`. If `save` has replaced the
-  /// opened mesh, the recipe starts from a copy of the original beside it, so that a run does not
-  /// apply the edit twice. Returns the copy's path, or an empty path. Throws IoError, and
-  /// InputError without a file or while a drag waits for its result.
+  /// opened mesh, the recipe starts from a copy of the original beside it. Otherwise a run would
+  /// apply the edit twice. Returns the path of the copy, or an empty path without one. Throws
+  /// IoError. Throws InputError without a file or while a drag waits for its result.
   std::filesystem::path save_recipe(const std::filesystem::path& path);
-  /// Returns, once, how far the surface is from a run of the recipe saved last, as a share of the
-  /// mesh's diagonal. The recipe runs in the background, and only if a handle has a path. Throws
-  /// the exception of the run, once. Call this when woken.
+  /// Returns, once, the distance of the surface from a run of the last saved recipe, relative to
+  /// the mesh's diagonal. The recipe runs in the background, and only if a handle has a path.
+  /// Throws the exception of the run, once. Call this after `wake`.
   std::optional<double> take_recipe_check();
 
   /// Ends the edit, saved or given up. Nothing is left to restore.

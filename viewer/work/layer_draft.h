@@ -33,7 +33,7 @@ struct LayerDraft {
   static FileSource nothing();
 };
 
-/// Returns whether a patch is chosen: whether it is not an empty list.
+/// Returns whether a patch is chosen. An empty list of vertices means that none is chosen.
 bool is_chosen(const RegionSpec& patch);
 
 /// Returns the step of the draft. Throws InputError, which says what is still missing.
@@ -42,11 +42,11 @@ Step step_of(const LayerDraft& draft);
 /// Returns the draft of a recipe's step, to change it; nothing for other operations.
 std::optional<LayerDraft> layer_draft_of(const Step& step);
 
-/// Returns whether the drafts differ only in what needs no new preparation: detail sizes and, for a
-/// coat, the amplitude.
+/// Returns whether the drafts differ only in the detail sizes and, for a coat, the amplitude. A
+/// change of these needs no new preparation.
 bool same_but_for_sliders(const LayerDraft& a, const LayerDraft& b);
 
-/// Returns a detail size to begin with: a few edges of the patch.
+/// Returns the initial detail size, a few times the mean edge length of the patch.
 double usual_detail_size(const VertexSet& patch, const Mesh& mesh);
 
 /// Returns the vertex on the border of the patch nearest to `vertex`. Throws what `disk_patch`

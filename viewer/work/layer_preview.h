@@ -12,8 +12,8 @@
 namespace lapwing::viewer {
 
 /// The result of a coat or mix while the user still changes it. The preparation runs in the
-/// background. After it, a coat's amplitude takes effect at once. Another detail size first costs
-/// one back-substitution, which keeps the old transition; the exact result follows.
+/// background. After it, a coat's amplitude takes effect at once. For another detail size, the
+/// first result takes one back-substitution and keeps the old transition. The exact result follows.
 class LayerPreview {
  public:
   /// Takes the arguments of JobThread.
@@ -77,7 +77,7 @@ class LayerPreview {
   std::optional<Wanted> asked_;  // the request under way
   bool changes_sizes_ = false;   // it changes sizes of `prepared_` instead of preparing
   std::optional<Wanted> shown_;  // the request of `prepared_` and `positions_`
-  bool is_exact_ = false;        // not by `change_sizes`
+  bool is_exact_ = false;        // false after `change_sizes`
   std::optional<Wanted> failed_;
   Result prepared_;
   Positions positions_;

@@ -16,14 +16,14 @@ constexpr std::array<std::string_view, 11> kStages{
     "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
     "analyze", "normal_matrix", "factor", "shares",    "response"};
 
-// Counts stages, because their times depend on the mesh and the device.
+// Counts all stages alike, because their times depend on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
   const auto found = std::ranges::find(kStages, stage);
   if (found == kStages.end()) return 1.0;
   return (static_cast<double>(found - kStages.begin()) + fraction) / kStages.size();
 }
 
-// Returns whether drags settle frame by frame.
+// Returns whether drags settle frame by frame, which substeps rule out.
 bool settles_frames(const AppState& state) {
   return state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
@@ -56,8 +56,8 @@ Preparation::~Preparation() {
   ++settle_ticket_;
 }
 
-// Cancels everything. Returns what was ready, for the caller to destroy without the lock, because
-// factors are large.
+// Cancels everything and returns what was ready. The caller destroys it without the lock, because
+// freeing large factors takes time.
 Preparation::Ready Preparation::let_go() {
   ++ticket_;
   ++settle_ticket_;
@@ -94,7 +94,8 @@ void Preparation::drag_by(std::span<const std::size_t> handles) {
   worker_.notify();
 }
 
-// Returns the handles of the next drags that the edit has.
+// Returns the handles of the next drags, without those that the edit does not have. Returns the
+// first handle if none is left.
 std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const {
   std::vector<std::size_t> handles = dragged_;
   std::erase_if(handles, [&](std::size_t h) { return h >= handle_count; });
@@ -102,7 +103,8 @@ std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const
   return handles;
 }
 
-// Returns whether the ready response has columns for the next drags. Call with the lock held.
+// Returns whether the ready response has columns for all handles of the next drags. Call with the
+// lock held.
 bool Preparation::has_columns() const {
   const std::vector<std::size_t>& there = ready_.drag_by.response->handles();
   const std::size_t handle_count = ready_.exact->region().handles.size();
@@ -124,7 +126,7 @@ void Preparation::settle(const AppState& state, std::shared_ptr<const DragState>
 
 bool Preparation::will_settle() const {
   const std::lock_guard lock(worker_.mutex());
-  // A cancelled request stays under way until the worker notices.
+  // A cancelled request stays under way until the worker notices the cancellation.
   const bool is_wanted = wanted_ticket_ == settle_ticket_;
   const bool is_under_way = to_settle_ || result_ || status_.phase == Phase::settling;
   return is_wanted && is_under_way && status_.phase != Phase::failed &&
@@ -158,7 +160,7 @@ void Preparation::cancel_settling() {
   ++settle_ticket_;
   result_.reset();
   live_result_.reset();
-  // If the worker already has the request, it skips it and updates the status.
+  // If the worker already has the request, it drops the request and updates the status.
   if (status_.phase != Phase::settling) to_settle_.reset();
 }
 
@@ -261,10 +263,10 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
       ready.drag_by = response_of(ready, dragged(), progress);
     }
     if (!publish(ticket, ready, Phase::ready)) return;
-    // The first drag must not wait for this.
+    // Prepares the session now, so that the first drag need not wait for it.
     if (ready.drag) ready.drag->prepare();
   } catch (const Cancelled&) {
-    // The call that cancelled has set the status.
+    // The call that cancelled the work has already set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
   }
@@ -281,7 +283,7 @@ Preparation::ToDragBy Preparation::response_of(const Ready& ready,
   return {std::move(response), std::move(on_device), is_exact};
 }
 
-// Computes columns for the handles that are dragged now.
+// Computes the columns of the response for the handles of the next drags.
 void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
   const Progress progress = worker_.progress(
       ticket_, ticket, [](std::string_view, double) {}, false);
@@ -295,7 +297,7 @@ void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ == ticket) ready_.drag_by = std::move(drag_by);
   } catch (const Cancelled&) {
-    // The call that cancelled has set the status.
+    // The call that cancelled the work has already set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
     // Another request would fail again.
@@ -304,7 +306,7 @@ void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
   }
 }
 
-// Throws Cancelled for a state that is no longer followed.
+// Throws Cancelled if `state` is no longer followed.
 std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
                                                          std::uint64_t ticket) {
   std::shared_ptr<Kept> before;
@@ -322,7 +324,7 @@ bool Preparation::publish(std::uint64_t ticket, Ready ready, Phase phase) {
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ != ticket) return false;
     ready_ = std::move(ready);
-    // If a result is requested, it comes next without a moment in which the phase is `ready`.
+    // If a result is requested, the phase becomes `settling` directly, without `ready` in between.
     status_.phase = phase == Phase::ready && to_settle_ ? Phase::settling : phase;
     if (phase == Phase::ready) status_.fraction = 1.0;
   }
@@ -338,7 +340,7 @@ void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& mes
 }
 
 void Preparation::settle_now(const Request& request, const Ready& ready) {
-  // A live result is too fast for a progress bar.
+  // A live result takes too little time for a progress bar.
   const Progress progress = worker_.progress(
       settle_ticket_, request.ticket,
       [this](std::string_view stage, double fraction) {
@@ -359,7 +361,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
                               *attachment_cache_, progress);
     }
   } catch (const Cancelled&) {
-    // Nobody waits for the result.
+    // The result is no longer wanted.
   } catch (const std::exception& error) {
     message = error.what();
     // Another request would fail again.
@@ -381,7 +383,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
 LiveResult Preparation::live_result(const Request& request, const Ready& ready,
                                     const Progress& progress) {
   AppState state = request.state;
-  // AttachmentFollower computes where carried objects are.
+  // AttachmentFollower moves the carried objects during a drag.
   state.carried.clear();
   if (ready.drag && settles_frames(state)) return follow_drag(request, *ready.drag, progress);
   state.settled = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,

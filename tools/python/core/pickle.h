@@ -12,13 +12,13 @@ namespace lapwing::python {
 
 namespace py = pybind11;
 
-/// Returns the bytes of numbers, for a pickle.
+/// Returns the numbers as bytes in the machine's byte order.
 template <class Number>
 py::bytes pack(const std::vector<Number>& numbers) {
   return py::bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
 }
 
-/// Reverses `pack`. Throws InputError if the length does not fit.
+/// Reverses `pack`. Throws InputError if the length is not a multiple of a number's size.
 template <class Number>
 void unpack(const py::handle& packed, std::vector<Number>& numbers) {
   const auto bytes = packed.cast<std::string>();
@@ -27,13 +27,13 @@ void unpack(const py::handle& packed, std::vector<Number>& numbers) {
   bytes.copy(reinterpret_cast<char*>(numbers.data()), bytes.size());
 }
 
-/// Returns the positions, polygons and attributes of a mesh for a pickle, without the file that it
-/// was read from.
+/// Packs the positions, polygons and attributes of a mesh. Leaves out the file that it was read
+/// from.
 py::tuple pack(const Mesh& mesh);
-/// Reverses `pack`. Throws InputError if the data do not fit together.
+/// Reverses `pack`. Throws InputError if the data are inconsistent.
 Mesh unpack_mesh(const py::tuple& packed);
 
-/// Adds `copy` and `deepcopy` to a class that cannot change: both return the same object.
+/// Adds `__copy__` and `__deepcopy__` to an immutable class. Both return the same object.
 template <class Class>
 void add_copies(Class& of) {
   of.def("__copy__", [](const py::object& self) { return self; });

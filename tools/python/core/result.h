@@ -11,11 +11,11 @@
 
 namespace lapwing::python {
 
-/// The result of an edit, as Python sees it. Arrays are computed when they are read.
+/// Holds the result of an edit for Python. An array is computed when Python reads it.
 struct Result {
   Result() = default;
-  /// `rest` are the positions before the edit, per vertex of `mesh`; `region` is that of the last
-  /// step.
+  /// `rest` holds the positions before the edit, one per vertex of `mesh`. `region` is the region
+  /// of the last step.
   Result(Mesh mesh, Positions rest, EditRegion region, RunReport report);
 
   Mesh mesh;
