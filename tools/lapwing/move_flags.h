@@ -24,7 +24,8 @@ class HandleFlags {
   /// weights and orientation. Returns --handle. The flags refer to this object.
   CLI::Option* add_to(CLI::App& command, bool graded);
   /// Returns the handles, or null if there are none. `mesh` is the file that contains the vertex
-  /// properties of --handle-field. Throws CLI::ParseError if the flags of a handle do not fit each other.
+  /// properties of --handle-field. Throws CLI::ParseError if the flags of a handle do not fit each
+  /// other.
   nlohmann::ordered_json json(const std::string& mesh) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace lapwing::viewer {
 
-// A results file beside each journal holds the settled surfaces of its deforms. Repeating a drag
-// need not give the same bits, so they cannot be computed again.
+// A results file beside each journal holds the settled surfaces of its deforms. They are kept
+// because repeating a drag need not give the same bits.
 
 /// The place of one result in the results file.
 struct KeptResult {

@@ -93,9 +93,10 @@ class Preparation {
 
   /// Requests the live result of `state`, which holds the moves of a drag under way. Continues from
   /// the pose `from`, which is the last live pose or that of a settled state. Without a pose,
-  /// starts as `settle` does. Takes at most kLiveBudgetMs, or kRestBudgetMs if the hand `rests`. If
-  /// repeated until `is_done`, the result equals that of `settle` within the tolerance. Returns
-  /// false, without a request, while anything settles or a result waits to be taken.
+  /// starts as `settle` does. Continuing has the time budget kLiveBudgetMs, or kRestBudgetMs if the
+  /// hand `rests`. If repeated until `is_done`, the result equals that of `settle` within the
+  /// tolerance. Returns false, without a request, while anything settles or a result waits to be
+  /// taken.
   bool settle_live(const AppState& state, std::shared_ptr<const DragState> from,
                    bool rests = false);
   /// Returns the live result, once.
