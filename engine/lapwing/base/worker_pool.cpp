@@ -83,8 +83,8 @@ WorkerPool::WorkerPool(unsigned threads) {
 WorkerPool::~WorkerPool() {
   if (is_of_parent()) {
     // The threads do not exist in this process. Joining them, or destroying the condition variables
-    // on which they sleep, would block forever.
-    for (std::thread& helper : helpers_) helper.detach();
+    // on which they sleep, would block forever, so both are left to the end of the process.
+    static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
     static_cast<void>(sleep_.release());
     return;
   }
