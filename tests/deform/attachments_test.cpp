@@ -26,7 +26,7 @@ RegionSpec between(double low, double high) {
 
 class Attachments : public ::testing::Test {
  protected:
-  // The tube is held below 0.4, or moved there too, and moved above 2.6.
+  // The handle is above z = 2.6. Below z = 0.4 the tube is fixed, or moves too if `moves_whole`.
   static DeformRequest request(const Move& move, bool moves_whole = false) {
     DeformRequest request;
     request.roi = {AllVertices{}};

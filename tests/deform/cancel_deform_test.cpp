@@ -43,7 +43,7 @@ TEST_F(CancelDeform, AtEveryPointLeavesTheMeshAsItWas) {
   EXPECT_EQ(done, whole);
 }
 
-// The next edit reuses or repeats what a cancelled edit has prepared.
+// An edit that follows a cancelled one reuses what was prepared, or prepares it again.
 TEST_F(CancelDeform, AtEveryPointLeavesAWorkspaceThatGoesOnRight) {
   const Positions whole = deform(mesh_, request_).mesh.positions;
   DeformWorkspace workspace;

@@ -68,7 +68,7 @@ TEST_F(CoarseCylinder, CarriesEveryVertexRigidlyWhereItMovesRigidly) {
   for (const Vector3d& back : u) EXPECT_LT(back.norm(), 1e-12);
 }
 
-// The sum and the moment of the forces are kept.
+// Restriction to the coarse proxy preserves the sum and the moment of the forces.
 TEST_F(CoarseCylinder, GathersForcesWithTheirSumAndMoment) {
   const CoarseEmbedding& embedding = coarse_->level->embedding;
   std::vector<Vector3d> forces;
@@ -141,7 +141,7 @@ TEST_F(CoarseCylinder, IsMadeAnewOfOtherPositions) {
   EXPECT_EQ(coarse->level->surface.rest[0], moved[coarse->level->surface.kept[0]]);
 }
 
-// Vertices that were kept for landmarks may merge again.
+// After landmarks are removed, the proxy may merge the vertices that it kept for them.
 TEST_F(CoarseCylinder, IsMadeAnewWhereManyVerticesAreReleased) {
   PreparedRegion prepared(mesh_.topology());
   EditRegion region = test::ends_of_cylinder(mesh_);

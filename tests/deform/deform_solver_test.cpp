@@ -35,7 +35,7 @@ class DeformSolverTest : public ::testing::Test {
   DeformResult solved(const DeformOptions& options, const Affine3d& motion = bend()) {
     return solver(options).solve(std::vector(region_.handles.size(), motion));
   }
-  // All that is held, on two handles and no belt.
+  // Turns the belt into a second handle, so that the region has no belt.
   void make_belt_a_handle() {
     region_.handles.push_back(std::move(region_.belt));
     region_.belt.clear();

@@ -55,7 +55,7 @@ TEST_F(DeformInMemory, IsWhatADeformerSolvesFor) {
   EXPECT_THAT(deformed.warnings, IsEmpty());
 }
 
-// The motions include some for which the Hessian is of no use.
+// For some of these motions, the Hessian is a poor model of the energy.
 TEST_F(DeformInMemory, WhatAWorkspaceSolvedBeforeMakesNoDifferenceToTheBits) {
   CpuKernels kernels;
   DeformWorkspace workspace;
@@ -88,7 +88,7 @@ struct Arrival {
   HandleOrientation orientation = HandleOrientation::kept;
 };
 
-// Columns that are up to a thousand times as narrow as others.
+// Returns a grid in which some columns are up to a thousand times as narrow as others.
 Mesh uneven_grid() {
   Mesh mesh = grid(16, 16);
   for (Vector3d& p : mesh.positions) p.x() = 0.5 + 4.0 * std::pow(p.x() - 0.5, 3.0);
@@ -200,7 +200,7 @@ TEST_F(DeformInMemory, SaysWhatToChangeWithoutAFile) {
 
 TEST_F(DeformInMemory, TheRequestsPlaceIsInMessagesAndNoPartOfItsValue) {
   DeformRequest first = request(Vector3d::Zero(), 200.0);
-  first.parameters.constraint_weight = 1e-3;  // the handle misses its place
+  first.parameters.constraint_weight = 1e-3;  // too soft for the handle to reach its target
   DeformRequest second = first;
   second.where = "step 2";
   EXPECT_EQ(first, second);

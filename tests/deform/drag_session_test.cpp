@@ -30,7 +30,7 @@ std::array<Affine3d, 1> twist(double degrees) {
   return {test::turn_and_move(degrees, Vector3d::UnitZ(), Vector3d::Zero())};
 }
 
-// Turns may exceed half a turn.
+// Returns a rotation of the handle by `degrees`, which may exceed 180.
 HandleMotions turned(double degrees) {
   return {{twist(degrees)[0]}, {AngleAxisd(degrees * std::numbers::pi / 180.0, Vector3d::UnitZ())}};
 }
@@ -43,10 +43,10 @@ bool same(const DragState& a, const DragState& b) {
          a.displacement == b.displacement;
 }
 
-// Each frame of the fine cylinder has time for the coarse proxy alone.
+// With this budget, a frame of the fine cylinder iterates on the coarse proxy only.
 const TimeBudget kNoTime = [](double ms) { return ms == 0.0; };
 
-// A frame has time for `count` iterations.
+// Returns a budget that lets a frame run `count` iterations.
 TimeBudget iterations(int count) {
   return [left = std::make_shared<int>(count)](double) { return (*left)-- > 0; };
 }
@@ -55,7 +55,7 @@ void twist_without_time(DragSession& drag, int from, int to) {
   for (int degrees = from; degrees <= to; degrees += 3) drag.step(twist(degrees), kNoTime);
 }
 
-// A rippled cylinder that is twisted at its end.
+// A rippled cylinder whose handle, at one end, twists it.
 class TwistedCylinder : public ::testing::Test {
  protected:
   explicit TwistedCylinder(Mesh mesh) : mesh_(std::move(mesh)) {}
@@ -72,7 +72,7 @@ class TwistedCylinder : public ::testing::Test {
   double distance_from_solution(const DragState& pose, double degrees) const {
     return largest_distance(positions(pose), solver_->solve(turned(degrees)).positions);
   }
-  // Drags by `degrees` a frame, anew.
+  // Begins a new drag that rotates the handle by `degrees` per frame.
   DragState dragged_by(DragSession& drag, double degrees) const {
     drag.begin();
     for (int frame = 1; frame <= 4; ++frame) drag.step(twist(degrees * frame), iterations(2));
@@ -170,7 +170,7 @@ TEST_F(DraggedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) {
   DragSession alone(solver_);  // without the frames before
   alone.begin(pose);
   const double by_response = moved_from(alone, 42.0);
-  // The surface moves back by the linear response alone.
+  // The next frame uses only the linear response.
   alone.begin(pose);
   EXPECT_LT(moved_from(alone, 38.0), 1.5 * by_response);
   EXPECT_LT(3.0 * moved_from(drag, 42.0), by_response);
@@ -236,13 +236,13 @@ class DraggedFineCylinder : public TwistedCylinder {
     }
     EXPECT_TRUE(pose.last_result.settled);
   }
-  // As a share of the diagonal.
+  // Returns the distance from the solution as a fraction of the diagonal.
   double off(const DragState& pose, double degrees) const {
     return distance_from_solution(pose, degrees) / 6.2;
   }
 };
 
-// The first frame, at rest, measures how long an iteration takes.
+// The first frame does not move the handle; it measures the time of an iteration.
 TEST_F(DraggedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
   DragSession drag = prepared_drag();
   const DragState& pose = drag.state();
@@ -253,8 +253,9 @@ TEST_F(DraggedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
   EXPECT_LT(off(pose, 60.0), 2e-3);
 }
 
-// A frame without time asks before the fine surface, one further iteration of the proxy, and the
-// smoothing. A frame with time asks before each further iteration of the proxy and the smoothing.
+// A frame without time queries the budget before it works on the fine surface, before one further
+// iteration of the proxy, and before smoothing. A frame with time queries the budget before each
+// further iteration of the proxy and before smoothing.
 TEST_F(DraggedFineCylinder, AsksForTimeBeforeWhatAFrameCanDoWithout) {
   DragSession drag = prepared_drag();
   twist_without_time(drag, 0, 12);
@@ -318,7 +319,7 @@ TEST_F(DraggedFineCylinder, LendsItsMemoryToTheSolverAndGoesOn) {
   EXPECT_LT(off(drag.state(), 30.0), 1e-3);
 }
 
-// With the L-BFGS history alone it takes 17 iterations.
+// Without the Hessian, L-BFGS needs 17 iterations here.
 TEST_F(DraggedFineCylinder, SettlesAtRestByTheHessianOfItsPose) {
   DragSession drag = prepared_drag();
   const DragState& pose = drag.state();
@@ -342,7 +343,7 @@ TEST_F(DraggedFineCylinder, MovesOnWhereItWasSettlingAtRest) {
   EXPECT_FALSE(pose.last_result.settled);
   twist_without_time(drag, 33, 45);
   EXPECT_LT(off(pose, 45.0), 2e-3);
-  // The Hessian of the previous resting pose would be of little use here.
+  // The Hessian at the previous resting pose would be a poor preconditioner here.
   int frames = 0;
   for (; frames < 100 && !pose.last_result.settled; ++frames) {
     drag.step(twist(45.0), kNoTime);

@@ -1,4 +1,4 @@
-// Linear drags: responses to some of the handles, and drags before the solver is ready.
+// Tests linear drags: responses to a subset of the handles, and drags before the solver is ready.
 #include "lapwing/deform/drag.h"
 
 #include <array>

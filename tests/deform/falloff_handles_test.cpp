@@ -1,4 +1,4 @@
-// Handles whose weight decreases around them.
+// Tests handles whose weight decreases with the distance from the handle.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -100,7 +100,7 @@ TEST_F(AHandleWithFalloff, PaintedWithOnesIsTheRegionOfThose) {
   }
 }
 
-// The wider the falloff, the more of the surface follows, and the less it bends at the rim.
+// With a wider falloff, a larger area follows the handle, and the surface bends less at its rim.
 TEST_F(AHandleWithFalloff, GoesOverIntoTheSurfaceTheMoreGentlyTheWiderItFalls) {
   const auto height_at = [&](const Positions& positions, double distance) {
     const auto column = static_cast<Index>(std::lround((0.5 + distance) * (kColumns - 1)));
@@ -149,7 +149,7 @@ TEST_F(AHandleWithFalloff, HoldsTheMoreTheMoreItWeighs) {
 TEST_F(AHandleWithFalloff, MovesWithTheSpaceItIsIn) {
   falloff() = {2.0, Transition{0.2}};
   request_.handles[0].move = SimilarityMove{{0.05, 0.02, 0.15}, {{1, 0, 0}, 30.0}};
-  // On a regular sheet many paths are equally short, and rounding would choose between them.
+  // On a regular sheet, many paths have the same length, and rounding would select one of them.
   for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
     const auto number = static_cast<double>(v);
     mesh_.positions[v] += 0.003 * Vector3d(std::sin(3.0 * number), std::cos(5.0 * number), 0.0);
@@ -244,7 +244,7 @@ TEST_F(AHandleWithFalloff, SolvesTheLinearSystemAsADenseSolutionDoes) {
   }
 }
 
-// Edits of one region share everything but the weights.
+// Two edits of one region share all prepared data except the weights.
 TEST_F(AHandleWithFalloff, IsTheSameAfterAnotherOnTheSameRegion) {
   CpuKernels kernels;
   DeformWorkspace workspace;

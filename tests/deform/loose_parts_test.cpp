@@ -1,4 +1,4 @@
-// Components that nothing holds follow the nearest surface.
+// Tests that components without constraints follow the nearest surface.
 #include <array>
 
 #include <gmock/gmock.h>
@@ -178,7 +178,7 @@ TEST(ASurfaceHeldOnOneLine, TurnsAsLittleAsItCan) {
   const Deformed deformed = deform(sheet, request);
   EXPECT_THAT(deformed.notes, ::testing::Contains(HasSubstr("belt and handles lie on one line")));
   EXPECT_TRUE(deformed.certificate.settled);
-  // A sheet that is stretched in its plane stays there.
+  // Stretching the sheet in its plane does not move it out of the plane.
   for (const Vector3d& p : deformed.mesh.positions) EXPECT_NEAR(p.z(), 0.0, 1e-6);
   request.parameters.loose = LoosePolicy::refuse;
   EXPECT_THAT(error_message<InputError>([&] { deform(sheet, request); }),

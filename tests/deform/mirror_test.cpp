@@ -1,4 +1,4 @@
-// Edits on both sides of a plane give symmetric results.
+// Tests that mirrored edits give symmetric results.
 #include <cmath>
 #include <limits>
 
@@ -152,7 +152,7 @@ TEST_P(MirroredEdit, IsSymmetric) {
     moved = std::max(moved, (deformed.mesh.positions[v] - scene.mesh.positions[v]).norm());
   }
   EXPECT_GT(moved, 0.02 * scene.diagonal());
-  // Settling ends a ten-thousandth of an edge before the minimum.
+  // Settling ends when the remaining motion is about 1e-4 edge lengths.
   EXPECT_LT(test::asymmetry(scene, deformed.mesh.positions), settle ? 3e-6 : 1e-9);
 }
 
@@ -357,7 +357,7 @@ TEST(MirrorImageOfAMove, IsTheMoveOfTheImage) {
     const Affine3d image = to_affine(mirror_image(move, plane), mirror * centroid);
     const Affine3d expected = mirror * to_affine(move, centroid) * mirror;
     EXPECT_LT((image.matrix() - expected.matrix()).norm(), 1e-12);
-    // A move along the plane is its own image.
+    // The component of a move along the plane equals its mirror image.
     const Vector3d in_plane = 0.5 * (centroid + mirror * centroid);
     const Affine3d along = to_affine(along_mirror(move, plane), in_plane);
     EXPECT_LT((along.matrix() - (mirror * along * mirror).matrix()).norm(), 1e-12);

@@ -1,4 +1,4 @@
-// The minimum that a surface reaches depends on its path.
+// The energy has several minima. Tests which minimum the minimizer reaches along a path.
 #include <algorithm>
 #include <vector>
 
@@ -81,7 +81,7 @@ TEST_P(APushedTube, ThatWasDraggedEndsWhereTheDragWas) {
     }
     const DeformResult kept = solver_->solve_from(drag.state(), end);
     const DeformResult replayed = solver_->solve_along(path, end);
-    // The minimum on the other side is 0.4 away.
+    // The distance to the minimum on the other side is 0.4.
     EXPECT_LT(largest_distance(kept.positions, replayed.positions), 5e-2) << side;
   }
 }

@@ -61,8 +61,8 @@ Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
   return finer;
 }
 
-// A finer mesh of the same surface bends alike, and so does one that is finer on one half. The
-// detail length spans an edge of the coarse mesh.
+// A surface bends in the same way if all its triangles, or those of one half, are refined. The
+// detail length is at least an edge of the coarse mesh.
 TEST(RefinedMesh, IsBentAsTheCoarseOne) {
   const auto result_at = [](const Mesh& mesh, std::size_t count) {
     const EditRegion region = test::ends_of_cylinder(mesh, 0.31, 2.69);

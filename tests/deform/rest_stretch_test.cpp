@@ -1,4 +1,4 @@
-// The rest stretch of scaling handles, and its effect on the surface.
+// Tests the rest stretch of handles that scale, and its effect on the surface.
 #include "lapwing/deform/rest_stretch.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class ScaledTube : public ::testing::Test {
     const Vector3d centroid = handle_frame(region_.handles[0], mesh_.positions).centroid;
     return Eigen::Translation3d(centroid) * Eigen::Scaling(by) * Eigen::Translation3d(-centroid);
   }
-  // Returns how far the centre of any cross-section leaves the axis of the tube.
+  // Returns the largest distance of a cross-section's centre from the axis of the tube.
   double bend_of_axis(const Positions& positions) const {
     double largest = 0.0;
     for (double z = 0.25; z < 6.0; z += 0.25) {
@@ -77,7 +77,7 @@ TEST_F(ScaledTube, StretchesAreSymmetricPositiveAndDoNotDependOnWhereTheHandleGo
   for (std::size_t v = 0; v < all.size(); ++v) EXPECT_LT((all[v] - same[v]).norm(), 1e-9);
 }
 
-// The surface has room to widen between belt and handle, but not to become longer.
+// Between belt and handle, the tube can become wider but not longer.
 TEST_F(ScaledTube, IsAskedToWidenAndNotToGrowAlong) {
   const std::vector<Matrix3d> all = stretch(scaled(Vector3d::Constant(2.0)));
   for (std::size_t v = 0; v < all.size(); ++v) {

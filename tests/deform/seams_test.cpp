@@ -1,4 +1,4 @@
-// Meshes whose polygons do not share vertices along seams deform like closed surfaces.
+// Tests that a mesh with duplicate vertices along seams deforms like the mesh without them.
 #include <array>
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Tolerance for a settled edit of vertices in another order.
+// The order of the vertices changes the rounding of a settled edit by less than this.
 constexpr double kRounding = 1e-8;
 
 // The first vertex that is a copy of `source`, or the last.

@@ -111,7 +111,7 @@ TEST_F(ShapeMeasures, FlatVerticesAreMeasuredAgainstTheDetailAroundThem) {
       << "alone it has no detail around it";
 }
 
-// Only the rounding of these coordinates gives the sheet a Laplacian.
+// The Laplacian of the sheet is nonzero only because its coordinates are rounded.
 TEST_F(ShapeMeasures, DetailOfAFlatSheetIsNotMeasurable) {
   for (const double digits : {1e6, 1e7, 1e16}) {
     mesh_ = grid(10, 10);
@@ -127,7 +127,7 @@ TEST_F(ShapeMeasures, DetailOfAFlatSheetIsNotMeasurable) {
     raised[60] += turn * Vector3d(0, 0, 0.3);
     EXPECT_TRUE(std::isnan(detail(raised))) << digits;
     for (const double error : measure(raised).detail_error) EXPECT_TRUE(std::isnan(error));
-    // One bump of a hundredth of an edge is detail.
+    // A bump with a height of 0.01 edge lengths counts as detail.
     rest_[60] += turn * Vector3d(0, 0, 0.01 * (rest_[59] - rest_[60]).norm());
     EXPECT_TRUE(std::isfinite(detail(raised))) << digits;
   }

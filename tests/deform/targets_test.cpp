@@ -1,9 +1,12 @@
 // Landmarks: points of the surface that are drawn to places.
 #include "lapwing/region/targets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,6 +23,12 @@ namespace {
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+
+std::vector<Index> below(Index end) {
+  std::vector<Index> list(end);
+  std::iota(list.begin(), list.end(), Index{0});
+  return list;
+}
 
 class ATarget : public ::testing::Test {
  protected:
@@ -91,6 +100,19 @@ TEST_F(ATarget, MayLieWithinATriangle) {
     EXPECT_NEAR((now - there).norm(), deformed.certificate.target_error, 1e-12);
     EXPECT_LT((now - there).norm(), hard ? 1e-6 : 0.02);
     EXPECT_TRUE(deformed.certificate.settled);
+  }
+}
+
+TEST_F(ATarget, IsReachedWithinATriangleOfTheBeltIfItIsHard) {
+  const auto& [a, b, c] = mesh_.topology().triangles[10];
+  ASSERT_LT(std::max({a, b, c}), 48U);
+  request_.belt = RegionSpec{ListedVertices{below(48)}};
+  const Vector3d point = (mesh_.positions[a] + mesh_.positions[b] + 2.0 * mesh_.positions[c]) / 4.0;
+  const Vector3d there = point + Vector3d(0.05, 0.0, 0.02);
+  request_.targets = {.rows = {{point, there}}, .hard = true};
+  for (const bool hard_belt : {false, true}) {
+    request_.parameters.hard = hard_belt;
+    EXPECT_LT(done().certificate.target_error, 1e-6) << hard_belt;
   }
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lapwing/mesh/mesh.h"
 
 namespace lapwing::test {
 
@@ -69,5 +72,63 @@ class GltfSample {
   std::size_t views_ = 0;
   std::size_t accessors_ = 0;
 };
+
+/// A square of two triangles that share no vertex of the file, as at a seam of the texture.
+struct Square {
+  GltfSample sample;
+  std::string primitive;
+
+  Square() {
+    const std::vector<float> points{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0};
+    std::vector<float> normals;
+    std::vector<float> tangents;
+    for (int k = 0; k < 6; ++k) {
+      normals.insert(normals.end(), {0, 0, 1});
+      tangents.insert(tangents.end(), {1, 0, 0, -1});
+    }
+    const auto p = sample.add(points, 5126, "VEC3", 6, R"(,"min":[0,0,0],"max":[1,1,0])");
+    const auto n = sample.add(normals, 5126, "VEC3", 6);
+    const auto t = sample.add(tangents, 5126, "VEC4", 6);
+    const auto uv =
+        sample.add(std::vector<float>{0, 1, 1, 1, 1, 0, .5F, 1, .5F, 0, 0, 0}, 5126, "VEC2", 6);
+    primitive = R"({"attributes":{"POSITION":)" + std::to_string(p) + R"(,"NORMAL":)" +
+                std::to_string(n) + R"(,"TANGENT":)" + std::to_string(t) + R"(,"TEXCOORD_0":)" +
+                std::to_string(uv) + R"(},"material":0})";
+  }
+
+  std::string rest(const std::string& node = "") const {
+    return R"("scenes":[{"nodes":[0]}],"nodes":[{"name":"Flag","mesh":0)" + node +
+           R"(}],"materials":[{"name":"cloth"}],"meshes":[{"primitives":[)" + primitive + "]}]";
+  }
+};
+
+/// Two objects. The second has a skin, and other accessors.
+inline std::string two_objects(GltfSample& sample) {
+  std::string primitives[2];
+  for (std::string& primitive : primitives) {
+    const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 5126, "VEC3",
+                              4, R"(,"min":[0,0,0],"max":[1,1,0])");
+    const auto i = sample.add(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 6);
+    primitive = R"({"attributes":{"POSITION":)" + std::to_string(p) + R"(},"indices":)" +
+                std::to_string(i) + R"(,"material":1})";
+  }
+  return R"("scenes":[{"nodes":[0,1]}],"nodes":[{"name":"Left","mesh":0,"scale":[2,2,2]},)"
+         R"({"name":"Right","mesh":1,"skin":0,"weights":[]}],"skins":[{"joints":[0]}],)"
+         R"("materials":[{"name":"wool"},{"name":"wax"}],"meshes":[{"primitives":[)" +
+         primitives[0] + R"(]},{"primitives":[)" + primitives[1] + "]}]";
+}
+
+/// Removes the last face, as a step does that changes the triangles.
+inline Mesh without_last_face(const Mesh& mesh) {
+  Mesh cut = mesh;
+  cut.source.reset();
+  Faces& faces = cut.edit_faces();
+  faces.starts.pop_back();
+  faces.vertices.resize(faces.starts.back());
+  MeshAttributes& attributes = cut.edit_attributes();
+  attributes.face_groups.pop_back();
+  attributes.face_materials.pop_back();
+  return cut;
+}
 
 }  // namespace lapwing::test

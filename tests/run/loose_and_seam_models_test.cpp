@@ -141,6 +141,7 @@ TEST(SliversOfModels, CarryLandmarks) {
     DeformRequest request;
     request.roi = {AllVertices{}};
     request.belt = bend(mesh).belt;
+    // A belt that does not give way at all leaves up to 8 triangles flipped (regr01.obj).
     request.parameters.constraint_weight = 1.0;
     std::vector<TargetRow> rows;
     Vector3d within = Vector3d::Zero();

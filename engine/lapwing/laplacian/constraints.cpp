@@ -37,7 +37,11 @@ Constraints constraints_of(const EditRegion& region, const Topology& topology,
   std::vector<char> is_given(topology.vertex_count(), 0);
   std::vector<char> is_drawn(topology.vertex_count(), 0);
   for (const Target& target : region.targets) {
-    if (region.hard_targets && target.is_vertex()) is_given[target.corners[0]] = 1;
+    if (region.hard_targets) {
+      if (target.is_vertex()) is_given[target.corners[0]] = 1;
+      // Belt and handles would hold the target back.
+      for (const Index corner : target.corners) anchored[corner] = 0.0;
+    }
     is_drawn[target.corners[0]] = 1;
   }
   std::vector<double> graded(topology.vertex_count(), 0.0);
