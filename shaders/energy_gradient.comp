@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Half of the energy's gradient by each unknown, a gather over its ring (twin:
-// kernels/ring_loops.inl). Each invocation computes one row of a range.
+// Computes half of the energy's gradient with respect to each unknown, gathered over its ring. CPU
+// twin: kernels/ring_loops.inl. Each invocation computes one row of a range.
 
 #include "invocation.glsl"
 #include "place.glsl"

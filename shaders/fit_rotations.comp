@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Fits T_i of each row from rest to rest + displacement, and computes the energy that remains
-// (twin: kernels/ring_loops.inl). Each invocation computes one row of a range.
+// Fits T_i of each row from rest to rest + displacement, and computes the remaining energy. CPU
+// twin: kernels/ring_loops.inl. Each invocation computes one row of a range.
 
 #include "invocation.glsl"
 #include "place.glsl"

@@ -23,7 +23,8 @@ bool is_nowhere(uint v) {
 // Returns a place near the point of v.
 Place anchor_of(uint v) { return place_of(corners[3 * v]); }
 
-// Returns the value at the point of v, minus `anchor`. Twin: kernels/kernels.h.
+// Returns the interpolated position of the point to which v is mapped, minus `anchor`. CPU twin:
+// kernels/kernels.h.
 real3 offset_from(Place anchor, uint v) {
   real3 offset = real3(0);
   for (uint c = 3 * v; c < 3 * v + 3; ++c) {

@@ -8,11 +8,11 @@
 #define real4x4 dmat4
 // As kCollinearShare of laplacian/ring_fit.h.
 const real kCollinearShare = 1e-12LF;
-// The next three are as in laplacian/rotation.cpp and kernels/ring_loops.inl.
+// The next three constants must equal those in laplacian/rotation.cpp and kernels/ring_loops.inl.
 const real kRankOneShare = 1e-12LF;
 const real kSmallestGap = 1e-6LF;
 const real kConverged = 1e-14LF;
-// As in kernels/rotate_frames.cpp.
+// Must equal the constant in kernels/rotate_frames.cpp.
 const real kRoundingShare = 1e-12LF;
 #else
 #define real float

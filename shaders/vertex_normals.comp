@@ -1,9 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Computes unit area-weighted normals of the vertices `which` (twin: kernels/vertex_normals.cpp). A
-// normal is zero if no triangle around the vertex has area. Each invocation computes all normals of
-// one vertex (mesh/split_normals.h).
+// Computes area-weighted unit normals at the vertices in `which`. CPU twin:
+// kernels/vertex_normals.cpp. A normal is zero if all triangles around the vertex have zero area.
+// Each invocation computes all normals of one vertex (mesh/split_normals.h).
 
 #include "invocation.glsl"
 
@@ -13,7 +13,7 @@ layout(std430, binding = 0) readonly buffer Which { uint which[]; };
 layout(std430, binding = 1) readonly buffer FanStarts { uint fan_starts[]; };
 layout(std430, binding = 2) readonly buffer FanCorners { uint fan_corners[]; };
 layout(std430, binding = 3) readonly buffer Positions { vec4 positions[]; };
-// Each normal is a vec4 whose w stays unchanged.
+// Each normal is a vec4 whose component w is not written.
 layout(std430, binding = 4) writeonly buffer Normals { float normals[]; };
 
 layout(push_constant) uniform Push { uint vertex_count; };

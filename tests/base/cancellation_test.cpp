@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 const Progress kNo = [](std::string_view, double) { return false; };
 const Progress kYes = [](std::string_view, double) { return true; };
 
-// Loops until it is cancelled.
+// Loops until `check_cancelled` throws.
 void work_without_end() {
   for (;;) check_cancelled();
 }

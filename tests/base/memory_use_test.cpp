@@ -20,8 +20,8 @@ constexpr std::size_t kMiB = 1024 * 1024;
 
 struct System {
   std::string name;
-  std::vector<std::pair<fs::path, std::string>> files;  ///< beside /proc/meminfo
-  std::size_t available;                                ///< expected bytes
+  std::vector<std::pair<fs::path, std::string>> files;  ///< path and text, without /proc/meminfo
+  std::size_t available;                                ///< expected result in bytes
 
   friend void PrintTo(const System& system, std::ostream* out) { *out << system.name; }
 };
@@ -30,8 +30,8 @@ std::string mib(std::size_t count) {
   return std::to_string(count * kMiB) + "\n";
 }
 
-// The files that Linux shows of a machine with 4 GiB available. The last system is in a container,
-// which mounts its own group but sees the path that the group has outside.
+// The system files of machines on which 4 GiB are available. The last system is a container: it
+// mounts its own control group, but /proc shows the path of that group on the host.
 const std::vector<System> kSystems{
     {"NoGroups", {}, 4096 * kMiB},
     {"GroupOfAContainer",

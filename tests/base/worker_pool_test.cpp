@@ -37,7 +37,7 @@ TEST(WorkerPool, HelpersTakePart) {
   EXPECT_TRUE(helped);
 }
 
-// Helpers spin for a tenth of a millisecond before they sleep.
+// Helper threads spin for a tenth of a millisecond before they sleep.
 TEST(WorkerPool, HelpersThatSleepAreWoken) {
   WorkerPool pool(3);
   for (int round = 0; round < 5; ++round) {
@@ -51,8 +51,8 @@ TEST(WorkerPool, HelpersThatSleepAreWoken) {
   }
 }
 
-// Some virtual machines would wake helpers on the processor of the caller, where they would wait
-// until it has finished.
+// Some virtual machines would wake a helper thread on the CPU of the caller. The helper would then
+// wait until the caller has finished.
 TEST(WorkerPool, HelpersThatSleepAreWokenOnOtherProcessorsThanTheCallers) {
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
@@ -122,7 +122,8 @@ TEST(WorkerPool, OfOneThreadIsTheCaller) {
   EXPECT_EQ(calls, 1);
 }
 
-// Python's multiprocessing and os.fork() end children while the pools of their parents exist.
+// With Python's multiprocessing or os.fork(), a child process ends while its copy of the parent's
+// pool still exists.
 TEST(WorkerPool, ChildOfAForkWorksAloneAndEnds) {
 #ifdef LAPWING_THREAD_SANITIZER
   GTEST_SKIP()
@@ -149,7 +150,7 @@ TEST(WorkerPool, ChildOfAForkWorksAloneAndEnds) {
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 0);
-  // The parent's helpers are still there.
+  // The parent's helpers still work.
   std::atomic<bool> helped{false};
   pool->run([&](int thread) {
     if (thread != 0) helped = true;

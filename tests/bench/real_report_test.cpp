@@ -31,7 +31,7 @@ RealOutcome failed(const std::string& why) {
   return made;
 }
 
-// A run in which all is well.
+// Returns a run that meets all targets of the report.
 RealRun good_run(const std::string& mesh) {
   return {mesh,
           "lift",

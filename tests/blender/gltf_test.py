@@ -15,7 +15,7 @@ import samples
 import scene
 from scene import WORK, SceneTest, coordinates, in_world
 
-# The importer of Blender 3.4 uses a name that numpy has removed.
+# The glTF importer of Blender 3.4 uses `np.bool`, which numpy has removed.
 np.bool = bool
 
 #: Files that nobody reads, that have no triangles or numbers, or that Blender does not import even

@@ -197,7 +197,7 @@ class Surfaces(SceneTest):
 class Engines(SceneTest):
     def setUp(self):
         super().setUp()
-        # Blender has not loaded an engine yet and finds none by itself.
+        # Simulate a Blender that has not loaded the engine and cannot find it.
         modules = mock.patch.dict(sys.modules)
         modules.start()
         self.addCleanup(modules.stop)

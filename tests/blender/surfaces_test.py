@@ -181,7 +181,7 @@ class Transplant(SceneTest):
             for key in (target.data.loops[i].edge_index for i in polygon.loop_indices):
                 uses[key] += 1
         self.assertEqual(uses.max(), 2)
-        # The borders are that of the sheet and that of the tube's open end.
+        # The boundary edges are those of the sheet and of the tube's open end.
         self.assertEqual((uses == 1).sum(), 4 * 40 + 24)
 
 

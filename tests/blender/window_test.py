@@ -88,7 +88,7 @@ def story():
     yield from until("there is a shape key", lambda: bpy.data.objects[name].data.shape_keys)
     assert not bpy.data.objects[name].lapwing.is_live
 
-    # Esc cancels a long operation and leaves the mesh.
+    # Esc cancels a long operation and leaves the mesh unchanged.
     with window.context():
         source = scene.add_mesh("Source", *scene.grid(150, lambda x, y: 0.02 * np.sin(40 * x)))
         target = scene.add_mesh("Target", *scene.grid(150, lambda x, y: 0.1 * y * y))

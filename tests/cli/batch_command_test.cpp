@@ -33,7 +33,7 @@ class BatchCommandLine : public CommandLine {
 
   test::Files files_of(const std::string& folder) const { return test::files_in(file(folder)); }
 
-  // Runs a batch and kills it after that time. Returns false if the batch ended before.
+  // Runs a batch and kills it after `time`. Returns false if the batch had already ended.
   bool kill_after(std::chrono::microseconds time) const {
     const pid_t child = fork();
     if (child == 0) {
@@ -82,8 +82,8 @@ TEST_F(BatchCommandLine, ATermSignalKeepsWhatIsDone) {
   EXPECT_EQ(files_of("out"), files_of("whole"));
 }
 
-// A limit on the size of files acts like a full disk: writes end short. First no mesh fits, then
-// the lines of results do not.
+// A limit on the file size has the same effect as a full disk: a write stores only some of its
+// bytes. The first limit is too small for any mesh, the second for the lines of results.
 TEST_F(BatchCommandLine, WithoutRoomItSaysSoAndGoesOnLater) {
   succeed(kBatch + "whole");
   const std::string quoted = "'" + std::string(LAPWING_CLI) + "' ";

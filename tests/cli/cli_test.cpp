@@ -1,4 +1,4 @@
-// The program as a user meets it, judged by its exit code, output and files.
+// Runs the program as a user does and checks its exit code, output and files.
 #include <algorithm>
 #include <utility>
 
@@ -151,7 +151,7 @@ TEST_F(CommandLine, EveryKeyOfADeformIsAFlag) {
 TEST_F(CommandLine, ASoupIsEditedAndMeasuredAsTheSurfaceThatItIs) {
   const test::SplitMesh soup = test::soup(read_mesh(file("tube.obj")));
   write_mesh(soup.mesh, file("soup.obj"));
-  // Returns the positions, and the largest detail error in the report.
+  // Returns the deformed positions and the largest detail error in the report.
   const auto bent = [&](const std::string& name) {
     const std::string said =
         succeed("deform " + name +

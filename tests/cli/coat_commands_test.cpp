@@ -1,4 +1,4 @@
-// `lapwing coat`, `lapwing mix` and `lapwing peel`.
+// Tests `lapwing coat`, `lapwing mix` and `lapwing peel`.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -172,7 +172,7 @@ TEST_F(CoatCommands, WrongArgumentsOfCoatAreUsageErrors) {
   expect_refused(kBumps, 2, {"--save", "--recipe"});
   expect_refused("coat sheet.ply --source bumps.ply --save a.ply", 2, {"--detail-size"});
   expect_refused("coat sheet.ply --detail-size 0 --save a.ply", 2);
-  // A profile needs a transition.
+  // --profile is an error without a transition.
   expect_refused("coat sheet.ply --detail-size 1 --profile linear --save a.ply", 2);
   const std::string save = kBumps + "--save a.ply ";
   for (const char* flags :

@@ -21,7 +21,7 @@ namespace lapwing {
 
 struct Outcome {
   int exit_code = -1;
-  std::string output;  ///< both streams
+  std::string output;  ///< standard output and standard error
 };
 
 /// Runs the program in a temporary folder that contains a tube.
@@ -69,7 +69,7 @@ class CommandLine : public ::testing::Test {
     EXPECT_TRUE(test::files_in(folder_.path()) == before) << arguments << " changed files";
   }
 
-  /// Expects that `recipe`, written together with the result `mesh`, gives the same bytes.
+  /// Runs `recipe`, which was written together with the result `mesh`. Expects the same bytes.
   void expect_recipe_repeats(const std::string& recipe, const std::string& mesh) const {
     const std::string again = "again" + std::filesystem::path(mesh).extension().string();
     EXPECT_EQ(succeed("run " + recipe + " --device cpu --quiet --save " + again), "");

@@ -1,4 +1,4 @@
-// Handles, targets, mirrors and carried files of `lapwing deform`.
+// Tests the handles, targets, mirror planes and carried files of `lapwing deform`.
 #include <algorithm>
 #include <array>
 

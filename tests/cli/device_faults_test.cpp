@@ -1,4 +1,4 @@
-// Devices that fail during the work: which results are still written, and which messages appear.
+// Tests which results and messages the program writes if a device fails during the work.
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
@@ -14,7 +14,7 @@ using ::testing::Not;
 
 class DeviceFaultCommands : public CommandLine {
  protected:
-  // Not static, because a static could be initialized before kLiftFlags.
+  // This member is not static because a static could be initialized before kLiftFlags.
   const std::string lift_ = kLiftFlags + "--frames device --save a.obj ";
 
   void SetUp() override {

@@ -1,4 +1,4 @@
-// Untrusted input files, and output files that cannot be written.
+// Tests untrusted input files and output files that cannot be written.
 #include <sys/stat.h>
 
 #include "batch/bent_tubes.h"
@@ -64,7 +64,7 @@ TEST_F(FilesOfTheCommandLine, AMeshMayBeReplacedByItsEdit) {
   EXPECT_NE(read("tube.obj"), before);
 }
 
-// The mesh does not exist, so a command that began its work would name the mesh.
+// The input mesh does not exist. A command that began its work would report this mesh instead.
 TEST_F(FilesOfTheCommandLine, PlacesThatTakeNoFileAreToldBeforeTheWork) {
   fs::create_directory(file("folder.ply"));
   fs::create_directory(file("folder.png"));
@@ -81,7 +81,7 @@ TEST_F(FilesOfTheCommandLine, PlacesThatTakeNoFileAreToldBeforeTheWork) {
   expect_refused("render none.obj -o nowhere/a.png", 6, {"nowhere/a.png"});
 }
 
-// Once, the mesh was replaced although the report could not be written.
+// An earlier version replaced the mesh although it could not write the report.
 TEST_F(FilesOfTheCommandLine, OfOneRunAreAllPutInPlaceOrNone) {
   write("out.obj", "old");
   const Outcome outcome =
@@ -126,7 +126,7 @@ TEST_F(FilesOfTheCommandLine, ContentsThatAreNotUtf8) {
   EXPECT_THAT(read("r.json"), HasSubstr("\"certificate\""));
 }
 
-// Some editors write a byte-order mark, Notepad and PowerShell among them.
+// Some editors, such as Notepad, and PowerShell begin a file with a byte-order mark.
 TEST_F(FilesOfTheCommandLine, AByteOrderMarkBeforeARecipeOrAJobIsSkipped) {
   const std::string mark = "\xEF\xBB\xBF";
   succeed("run bend.json --save a.obj --device cpu --quiet");
@@ -190,7 +190,8 @@ TEST_F(FilesOfTheCommandLine, TriangleStripsAreEditedAsStrips) {
   EXPECT_EQ(read_mesh(file("o.off")).face_vertices(), (std::vector<Index>{0, 1, 2, 1, 3, 2}));
 }
 
-// Escapes could control the terminal, and line ends could imitate the program's messages.
+// Escape sequences could control the terminal, and line breaks could imitate the program's
+// messages.
 TEST_F(FilesOfTheCommandLine, NothingThatOthersWroteReachesTheTerminalAsItIs) {
   const std::string escape = "\x1B]0;owned\x07";
   write("a.ply",
@@ -260,7 +261,7 @@ TEST_F(FilesOfTheCommandLine, JobsOfABatchAreKeptInTheirFolder) {
               AllOf(HasSubstr("bend.json is outside box"), HasSubstr("reads box/../tube.obj")));
 }
 
-// Once, a part's picture replaced any file of that name, even behind a link.
+// An earlier version replaced any file that had the name of a part's image, even through a link.
 TEST_F(FilesOfTheCommandLine, ListingPartsKeepsPicturesOfOthers) {
   fs::create_directory(file("shelf"));
   write_mesh(grid(4, 4), file("shelf/sheet.obj"));
@@ -276,7 +277,8 @@ TEST_F(FilesOfTheCommandLine, ListingPartsKeepsPicturesOfOthers) {
   EXPECT_THAT(outcome, HasSubstr("sheet.png was not made by Lapwing"));
 }
 
-// With less and less memory, each run does its work or reports the lack of memory.
+// The memory limit decreases from run to run. Each run either succeeds or reports that memory ran
+// out.
 TEST_F(FilesOfTheCommandLine, OfARunWithoutMemoryAreWhole) {
 #ifdef LAPWING_ADDRESS_SANITIZER
   GTEST_SKIP() << "AddressSanitizer takes terabytes of addresses";
@@ -293,7 +295,8 @@ TEST_F(FilesOfTheCommandLine, OfARunWithoutMemoryAreWhole) {
     EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << megabytes << " MB: " << outcome.output;
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.output.find("memory") != std::string::npos)
         << outcome.output;
-    // With little memory settling starts at another surface, and ends within its tolerance.
+    // With little memory, settling starts from another surface, so the result is only equal within
+    // the tolerance of settling.
     if (outcome.exit_code == 0) {
       const Positions saved = read_mesh(folder_ / "out.obj").positions;
       const Positions expected = read_mesh(folder_ / "whole.obj").positions;

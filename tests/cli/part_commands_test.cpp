@@ -1,4 +1,4 @@
-// `lapwing cut`, `lapwing parts` and `lapwing transplant`.
+// Tests `lapwing cut`, `lapwing parts` and `lapwing transplant`.
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"

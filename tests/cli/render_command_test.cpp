@@ -1,4 +1,4 @@
-// The pictures of `lapwing render` and of an edit, and turntables.
+// Tests the images that `lapwing render` and edits write, and turntables.
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -12,8 +12,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// `sh interrupt FILE PROGRAM ...` runs the program until FILE exists, and then interrupts it as
-// Ctrl+C does.
+// `sh interrupt FILE PROGRAM ...` runs the program. When FILE exists, the script sends the signal
+// of Ctrl+C to the program.
 const char* const kInterrupt = R"(awaited=$1
 shift
 "$@" &

@@ -1,4 +1,4 @@
-// One edit with several instruction sets and numbers of threads.
+// Compares the results of one edit for several instruction sets and numbers of threads.
 #include <cmath>
 
 #include "cli/command_line.h"
@@ -7,8 +7,8 @@
 namespace lapwing {
 namespace {
 
-// Tolerance, in diagonals. AVX2, AVX-512 and fused operations in the C library round differently,
-// and settling ends when no vertex would move by a ten-thousandth of an edge.
+// The tolerance, as a fraction of the diagonal. AVX2, AVX-512 and fused operations in the C library
+// round differently, and settling ends when no vertex would move by more than 1e-4 edge lengths.
 constexpr double kSettled = 1e-5;
 
 class SameBits : public CommandLine {
@@ -21,7 +21,7 @@ class SameBits : public CommandLine {
     write("all.json", recipe(std::string(kBend) + "," + kCoat + "," + kTransplant));
   }
 
-  // Returns the result of a recipe in an environment.
+  // Returns the result of the recipe `name` when the program has these environment variables.
   Mesh made(const std::string& name, const std::string& environment) const {
     succeed("run " + name + " --device cpu --quiet --save out.ply", environment);
     return read_mesh(file("out.ply"));
@@ -55,7 +55,7 @@ TEST_F(SameBits, WithAnyNumberOfThreads) {
   }
 }
 
-// Remeshing and bridging do not depend on the last bits.
+// The triangles that remeshing and bridging create do not depend on rounding errors.
 TEST_F(SameBits, WithOtherInstructionsTheSameTriangles) {
   const Mesh baseline = made("all.json", "LAPWING_INSTRUCTION_SET=baseline");
   for (const char* environment : {"", "LAPWING_INSTRUCTION_SET=avx2"}) {

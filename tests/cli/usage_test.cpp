@@ -1,4 +1,4 @@
-// How the program answers wrong arguments, its help, and what it prints on a terminal.
+// Tests the messages for wrong arguments, the help, and the output on a terminal.
 #include <pty.h>
 #include <regex>
 #include <unistd.h>
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"deform --save a.obj", "MESH is required. `lapwing deform --help` lists the options"},
         Slip{"", "A subcommand is required. `lapwing --help` lists the commands"}));
 
-// Returns the commands that `lapwing --help` lists, each followed by its own.
+// Returns the commands that `lapwing --help` lists, each followed by its subcommands.
 std::vector<std::string> commands_in(const std::string& help, const std::string& before) {
   std::vector<std::string> names;
   const std::size_t list = help.find("\nSubcommands:\n");
@@ -109,7 +109,7 @@ TEST_F(CommandLine, TwoExamplesOfEveryHelpRunInAnEmptyFolder) {
 
 class OnATerminal : public CommandLine {
  protected:
-  // Runs a command with a terminal as its three streams. Returns what the terminal shows.
+  // Runs a command whose standard streams are a terminal. Returns the output on the terminal.
   std::string shown(const std::string& arguments, const std::string& environment = "") const {
     int terminal = -1;
     const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);

@@ -53,7 +53,8 @@ def what_is_not_allowed():
     return f"no namespaces here: {trial.stderr.strip()}" if trial.returncode else ""
 
 
-# When this process ends, even by SIGKILL, unshare ends, and so does the namespace's first process.
+# When this process ends, even by SIGKILL, the kernel kills unshare and the first process of the
+# namespace.
 NAMESPACES = ["setpriv", "--pdeathsig", "KILL", "unshare", "--pid", "--fork", "--kill-child"]
 NAMESPACES += ["--mount", "--mount-proc", "--net", "--uts"]
 
@@ -70,7 +71,7 @@ def run_apart():
         os.mkdir(os.path.join(made, "home"), 0o700)
         kept = {k: v for k, v in os.environ.items() if not re.match("SLURM_|SBATCH_|PARALLEL", k)}
         environment = kept | {FOLDER: made, "PATH": path(), "HOME": os.path.join(made, "home")}
-        # The first process is a shell, which reaps the orphans of the services.
+        # The first process of the namespace is a shell, which reaps orphaned service processes.
         command = ["sh", "-c", '"$@"; exit $?', "sh", sys.executable, *sys.argv]
         result = subprocess.run([*NAMESPACES, *command], env=environment).returncode
         if result != 0:

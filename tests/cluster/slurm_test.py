@@ -134,7 +134,7 @@ class SlurmShards(unittest.TestCase):
 
         for job in jobs:
             edits.wait_for(lambda: requeued(job), f"job {job} in the queue once more")
-            # Otherwise it would wait for two minutes.
+            # Without this, Slurm would restart the job only after two minutes.
             command("scontrol", "update", f"JobId={job}", "StartTime=now")
         wait_for_end(merging)
         self.assertEqual(field(merging, "ExitCode"), f"{edits.SOME_FAILED}:0")

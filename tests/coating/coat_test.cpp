@@ -96,7 +96,7 @@ TEST_F(CoatInMemory, NamesTheRegionThatDoesNotFit) {
               HasSubstr("the source's patch"));
 }
 
-// A sphere, inside out or not, with a hole of this radius around vertex 0.
+// Returns a sphere, inside out if `is_inside_out`. It has a hole of radius `hole` around vertex 0.
 Mesh sphere(bool is_inside_out, double hole = 0.0) {
   Mesh mesh = icosphere(3);
   Mesh open;

@@ -80,7 +80,7 @@ TEST_F(DeformInMemory, OnlyTheFirstOfTwoThatMoveDifferentlyPrepares) {
   EXPECT_EQ(stages(request({0.0, 0.3, 0.0}, 20.0)), 2U) << "region and solve";
 }
 
-// Where handles arrive that no weight makes soft.
+// A mesh and parameters. Handles without a constraint weight must reach their targets on it.
 struct Arrival {
   const char* name;
   Mesh (*make)();

@@ -20,7 +20,8 @@ namespace {
 using test::bend;
 using test::largest_distance;
 
-// The triangles `chosen` in four, those beside them in two or three.
+// Returns the mesh with each triangle of `chosen` split into four triangles, and each neighbour of
+// these triangles split into two or three.
 Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
   std::map<std::pair<Index, Index>, Index> middles;
   Mesh finer;
@@ -50,7 +51,7 @@ Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
       finer.add_face(std::array{corners[1], corners[3], corners[5]});
       continue;
     }
-    // A fan from a middle, or the triangle as it is.
+    // Add a fan around the midpoint of an edge, or the unchanged triangle.
     const auto first = std::find_if(corners.begin(), corners.end(),
                                     [&](Index v) { return v >= mesh.vertex_count(); });
     if (first != corners.end()) std::rotate(corners.begin(), first, corners.end());

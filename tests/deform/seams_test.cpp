@@ -269,7 +269,7 @@ TEST_F(ASeam, IsNotSeenByAMirror) {
 }
 
 TEST_F(ASeam, OfThreeSheetsHoldsAllOfThem) {
-  // Three square walls on the line x = y = 0, each of its own vertices.
+  // Three square walls touch along the line x = y = 0. Each has separate vertices.
   Mesh walls;
   for (int k = 0; k < 3; ++k) {
     Mesh wall = grid(8, 8);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned kSeeds = 300;
 
-// Adds defects of every fixable kind at random places.
+// Adds every fixable kind of defect at random positions.
 class Vandal {
  public:
   explicit Vandal(unsigned seed) : random_(seed) {}
@@ -76,7 +76,7 @@ class Vandal {
     }
   }
 
-  // Gives random corners a copy of their vertex.
+  // Replaces the vertex of random corners by a new copy of it.
   void unweld(Mesh& mesh) {
     for (Index times = below(20); times > 0; --times) {
       const Index c = corner(mesh);

@@ -32,7 +32,7 @@ void append(Mesh& mesh, const Mesh& part) {
   }
 }
 
-// A sphere of 42 vertices, outward or inward.
+// Returns a sphere of 42 vertices, oriented outward if `orientation` is '+', inward if it is '-'.
 Mesh ball(double radius, char orientation,
           const Eigen::Vector3d& center = Eigen::Vector3d::Zero()) {
   Mesh mesh = icosphere(1);
@@ -41,7 +41,7 @@ Mesh ball(double radius, char orientation,
   return mesh;
 }
 
-// Spheres of 42 vertices in one another, largest first.
+// Returns nested spheres of 42 vertices, the largest first.
 Mesh nested_balls(const std::string& orientations) {
   Mesh mesh;
   double radius = 1.0;
@@ -52,7 +52,7 @@ Mesh nested_balls(const std::string& orientations) {
   return mesh;
 }
 
-// Whether each of the spheres of 42 vertices is oriented outward.
+// Returns '+' for each sphere of 42 vertices that is oriented outward, and '-' for the others.
 std::string orientations_of(const Mesh& mesh) {
   std::string orientations;
   for (std::size_t f = 0; f < mesh.face_count(); f += 80) {
@@ -72,7 +72,7 @@ std::vector<Index> first_of(const Mesh& mesh, DefectKind kind) {
 
 struct Nested {
   std::string given;
-  std::vector<Index> inside_out;  ///< first vertices
+  std::vector<Index> inside_out;  ///< first vertex of each component that is inside out
   std::string repaired;
 
   friend void PrintTo(const Nested& n, std::ostream* out) { *out << n.given; }
@@ -93,18 +93,18 @@ TEST_P(NestedBalls, TurnUnlessTheyAreCavities) {
 INSTANTIATE_TEST_SUITE_P(
     Orientation, NestedBalls,
     ::testing::Values(Nested{"+", {}, "+"}, Nested{"-", {0}, "+"}, Nested{"+-", {}, "+-"},
-                      Nested{"++", {}, "++"},           // a part in another
-                      Nested{"-+", {0}, "+-"},          // a solid with a cavity, mirrored
-                      Nested{"--", {0, 42}, "++"},      // two parts, mirrored
+                      Nested{"++", {}, "++"},           // a component inside another
+                      Nested{"-+", {0}, "+-"},          // a solid with a cavity, inside out
+                      Nested{"--", {0, 42}, "++"},      // the above, inside out
                       Nested{"+-+", {}, "+-+"},         // a ball in a cavity
-                      Nested{"+--", {84}, "+-+"},       // the same, with the ball inside out
-                      Nested{"-+-", {0, 84}, "+-+"}));  // the same, mirrored
+                      Nested{"+--", {84}, "+-+"},       // the above with an inside-out ball
+                      Nested{"-+-", {0, 84}, "+-+"}));  // a ball in a cavity, inside out
 
 TEST(InsideOut, PartsBesideOneAnotherAreJudgedAlone) {
   Mesh mesh;
   append(mesh, ball(1.0, '+'));
-  append(mesh, ball(0.1, '-', {1.5, 0, 0}));      // in the box of no other
-  append(mesh, ball(0.1, '-', {0.9, 0.9, 0.9}));  // in the box of the first, but outside
+  append(mesh, ball(0.1, '-', {1.5, 0, 0}));      // outside all bounding boxes
+  append(mesh, ball(0.1, '-', {0.9, 0.9, 0.9}));  // in the first ball's box only
   append(mesh, ball(0.1, '-', {0.1, 0.1, 0.1}));
   EXPECT_THAT(first_of(mesh, DefectKind::inside_out_part), ElementsAre(42, 84));
 }
@@ -119,7 +119,7 @@ TEST(InsideOut, CavityInTheHandleOfATorusIsNoneInItsHole) {
 }
 
 TEST(InsideOut, CubesAlignedWithTheirCavitiesAreTold) {
-  // The rays of corners run along edges and diagonals of the other cube.
+  // Rays that start at the corners of one cube hit edges and diagonals of the other.
   Mesh mesh;
   for (const double size : {1.0, 0.5}) {
     Mesh cube;
@@ -153,7 +153,7 @@ TEST(InsideOut, DoesNotDependOnSizeOrPlace) {
   }
 }
 
-// Keeps the faces of a sphere whose corners are all above `height`.
+// Returns the faces of a sphere whose corners are all above `height`.
 Mesh cap(double height, char orientation) {
   const Mesh sphere = icosphere(4);
   Mesh mesh;
@@ -164,7 +164,7 @@ Mesh cap(double height, char orientation) {
     if (std::ranges::all_of(face, is_above)) mesh.add_face(face);
   }
   if (orientation == '-') turn_inside_out(mesh);
-  fix(mesh);  // drops loose vertices
+  fix(mesh);  // removes isolated vertices
   return mesh;
 }
 

@@ -28,7 +28,7 @@ std::vector<Pair> pairs_of(const Mesh& mesh) {
   return self_intersections(mesh.topology().triangles, mesh.positions);
 }
 
-// Tests two triangles; the second may share corners with the first.
+// Tests triangle 0 1 2 and the triangle `second`, which may share corners with it.
 std::vector<Pair> pairs_of(const std::vector<Vector3d>& points, const Triangle& second) {
   const std::vector<Triangle> triangles{{0, 1, 2}, second};
   return self_intersections(triangles, points);
@@ -97,7 +97,6 @@ TEST(SelfIntersections, ASpherePushedThroughItselfIsFoundAnywhere) {
 }
 
 TEST(SelfIntersections, MatchComparingEveryPair) {
-  // Random triangles: the tree must find every pair.
   std::srand(1);
   std::vector<Vector3d> points;
   std::vector<Triangle> triangles;
@@ -123,7 +122,8 @@ TEST(SelfIntersections, TrianglesWithoutAreaAreLeftOut) {
   EXPECT_THAT(pairs_of(points, {3, 4, 5}), IsEmpty());
 }
 
-// All triangles of a fan share its apex. The box of each overlaps those of a quarter of the fan.
+// Returns a fan of triangles that share an apex. The bounding box of each triangle overlaps the
+// boxes of a quarter of the fan.
 Mesh fan(Index count) {
   Mesh mesh;
   mesh.positions.emplace_back(0, 0, 0);

@@ -1,4 +1,4 @@
-// The dependencies between folders, which the READMEs show as arrows.
+// Tests the dependencies between folders, which the READMEs show as arrows.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -17,10 +17,10 @@ using ::testing::SizeIs;
 
 const fs::path kSources(LAPWING_SOURCE_FOLDER);
 
-// Maps a folder to the folders that its sources include, each with an example.
+// Maps each folder to the folders that its sources include. The string is an example of an include.
 using Arrows = std::map<fs::path, std::map<fs::path, std::string>>;
 
-// Returns the header of this project that `name` includes, or an empty path for other headers.
+// Returns the path of the project's header `name`, or an empty path for other headers.
 fs::path header_named(const std::string& name) {
   for (const char* folder : {"engine", "viewer", "tools/bench", "tools/lapwing"}) {
     if (fs::exists(kSources / folder / name)) return fs::path(folder) / name;
@@ -28,7 +28,7 @@ fs::path header_named(const std::string& name) {
   return {};
 }
 
-// Returns the folder of a source. The modifiers of an operation belong to the operation.
+// Returns the folder of a source. Modifiers count as part of the folder of their operation.
 fs::path folder_of(const fs::path& source) {
   const fs::path folder = source.parent_path();
   return folder.filename() == "modifiers" ? folder.parent_path() : folder;
@@ -60,8 +60,8 @@ Arrows all_arrows() {
   return arrows;
 }
 
-// Repeatedly removes folders that include no remaining folder. Those that stay are in a cycle, or
-// include one.
+// Repeatedly removes folders that include no remaining folder. Each folder that remains is part of
+// a cycle or depends on one.
 Arrows without_ends(Arrows arrows) {
   for (bool found = true; found;) {
     found = false;

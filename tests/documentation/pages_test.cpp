@@ -29,8 +29,8 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
-// Returns the targets of a page's links and pictures, relative to its folder. Ignores code and
-// links to other machines.
+// Returns the targets of a page's links and images, relative to its folder. Ignores code blocks and
+// URLs.
 std::vector<std::string> links_of(const fs::path& page) {
   std::vector<std::string> links;
   bool in_code = false;

@@ -92,7 +92,7 @@ TEST(Settle, EveryIterationLowersTheEnergy) {
   }
 }
 
-// A surface that moves rigidly has no energy but rounding.
+// The energy of a rigidly moved surface is 0 except for rounding errors.
 TEST(Settle, WhereNoStepLowersTheEnergyItSaysSo) {
   const Affine3d moved(Eigen::Translation3d(1.0 / 3.0, 0.7, -0.1));
   const Settled settled =
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(
         Affine3d(Eigen::Translation3d(1, 2, 3) *
                  Eigen::AngleAxisd(2.5, Vector3d(1, 1, 0).normalized()) * Eigen::Scaling(0.5))));
 
-// The linear response scales the surface too.
+// If the handle scales, the linear response scales the surface exactly.
 TEST(Settle, TheTangentScalesExactly) {
   const SettledEdit edit = free_tube_edit();
   const Affine3d grow(Eigen::Scaling(3.0));
@@ -189,11 +189,11 @@ TEST(Settle, TheTangentScalesExactly) {
   EXPECT_LT(test::largest_distance(edit.linear(grow), expected), 1e-6);
 }
 
-// ---- Awkward meshes, misuse.
+// ---- Degenerate meshes and invalid calls.
 
 class AwkwardSheet : public ::testing::Test {
  protected:
-  // Settles for all weights and several detail lengths.
+  // Settles with each kind of Laplacian weights and two detail lengths.
   void expect_bounded(const Affine3d& motion) const {
     const SettledEdit edit(sheet_, region_);
     for (const auto weights : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
@@ -228,8 +228,8 @@ TEST_F(AwkwardSheet, WithARingOfTwoStaysFinite) {
   expect_bounded(Affine3d(Eigen::Translation3d(0, 0, 0.4)));
 }
 
-// Three rows lie on one line, so that the rings of the middle one have no width and the triangles
-// between them no area.
+// Three rows of vertices are collinear, so that the one-rings of the middle row have no width and
+// the triangles between the rows have no area.
 TEST_F(AwkwardSheet, WithRingsOnALineStaysFinite) {
   for (Vector3d& p : sheet_.positions) {
     if (p.y() > 0.3 && p.y() < 0.7) p.y() = 0.5;
@@ -266,8 +266,8 @@ TEST(Settle, OptionsOutOfRangeAreRefused) {
   EXPECT_THAT(message([](SettleOptions& o) { o.max_iterations = 0; }), HasSubstr("iteration"));
 }
 
-// The n x n matrix resists every rotation of a ring: its steps become shorter than the tolerance
-// while a long limb has far to bend.
+// The n x n matrix resists every rotation of a one-ring. Its steps become shorter than the
+// tolerance while a long tube is still far from the minimum.
 TEST(Settle, ALongTubeIsSettledToItsToleranceHoweverLittleItsEndMoves) {
   const Mesh mesh = test::rippled_cylinder();
   const Topology& topology = mesh.topology();
@@ -294,7 +294,7 @@ TEST(Settle, ALongTubeIsSettledToItsToleranceHoweverLittleItsEndMoves) {
   }
 }
 
-// The n x n matrix resists every rotation of a ring, so a thin rod bends slowly with it.
+// The n x n matrix resists every rotation of a one-ring, so its steps bend a thin rod slowly.
 TEST(PoseHessianOfASurface, OfThePoseSavesIterations) {
   Mesh rod = cylinder(8, 160, 0.1, 6.0);
   EditRegion region = test::ends_of_cylinder(rod);
@@ -309,7 +309,7 @@ TEST(PoseHessianOfASurface, OfThePoseSavesIterations) {
   EXPECT_LT(2 * by_hessian.certificate.settle_iterations, plain.result.iterations);
 }
 
-// A preconditioner that is the n x n system in every pose.
+// A preconditioner that uses the n x n system at every pose.
 class PlainFactor : public Preconditioner {
  public:
   explicit PlainFactor(const LaplacianSystem& system) : system_(system) {}
@@ -324,7 +324,8 @@ class PlainFactor : public Preconditioner {
   const LaplacianSystem& system_;
 };
 
-// Its steps are far too short, like those of a factor that rounding has made too stiff.
+// The steps of this preconditioner are far too short, like those of a factor that rounding errors
+// made too stiff.
 class StiffFactor final : public PlainFactor {
  public:
   using PlainFactor::PlainFactor;

@@ -1,4 +1,4 @@
-// The inner loops of every instruction set, against plain ones.
+// Compares the inner loops of every instruction set with plain loops.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,7 +19,7 @@ double number(std::size_t k) {
   return std::sin(1.0 + 3.7 * static_cast<double>(k));
 }
 
-// Ten vertices of a mesh of twenty, among nine coarse ones that are each moved in another way.
+// Ten vertices of a mesh with twenty, and nine coarse vertices with different motions.
 class EmbeddedVertices : public ::testing::Test {
  protected:
   static constexpr std::size_t kCarried = 10;

@@ -71,7 +71,7 @@ class MinimizedFrames {
     }
     return prescribed;
   }
-  // Starts at the last frame plus the linear response to the change of the handle.
+  // Starts at the last frame plus the linear response to the motion of the handle since then.
   MinimizerResult follow(const Affine3d& motion) {
     const std::vector<Vector3d> to = linear(motion);
     const std::vector<Vector3d> from = linear(last_);
@@ -185,7 +185,7 @@ TEST(Follow, AFrameThatMayNotGoOnIsABetterSurfaceAllTheSame) {
   }
 }
 
-// A frame reuses the state of the surface from the last frame.
+// Each frame continues from the minimizer's state after the previous frame.
 TEST(Follow, FramesAtRestEndWhereOneOfAllTheirIterationsDoes) {
   constexpr int kIterations = 12;
   const auto at_rest_by = [](int iterations_a_frame) {

@@ -71,8 +71,8 @@ TEST(PoseHessian, SolvesToTheSameBitsWhenItIsPrepared) {
   EXPECT_EQ(solution(true), solution(false));
 }
 
-// The sheet has `side` quads a side and is held at its corners and its middle by `weight`. All of
-// these pull it up by 1, so it moves up by 1.
+// The sheet has `side` x `side` quads. Soft constraints of this weight at its corners and its
+// middle pull it up by 1, so the whole sheet must move up by 1.
 void expect_sheet_gives_in(Index side, double weight) {
   SCOPED_TRACE(weight);
   const Mesh sheet = grid(side, side);
@@ -96,8 +96,8 @@ void expect_sheet_gives_in(Index side, double weight) {
   for (std::size_t k = 0; k < n; ++k) ASSERT_NEAR(x[2 * n + k], 1.0, 0.05) << "unknown " << k;
 }
 
-// At a pose that equals the stretched and rotated rest shape the energy is 0, and the matrix is the
-// Hessian of E but for a thousandth.
+// If the pose equals the stretched and rotated rest shape, the energy is 0, and the matrix equals
+// the Hessian of E up to a relative error of 0.001.
 TEST(PoseHessian, IsTheHessianOfAStretchedPose) {
   const Mesh tube = test::bumpy_tube();
   PreparedEdit edit(tube, test::foot_and_head(tube));
@@ -150,7 +150,7 @@ TEST(PoseHessian, IsTheHessianOfAStretchedPose) {
   EXPECT_LT(std::sqrt(off / size), 0.02);
 }
 
-// Single precision makes the translations of a weakly held sheet far too stiff.
+// In single precision, a weakly constrained sheet would be far too stiff under translation.
 TEST(PoseHessian, IsRefinedToWhatDoublesSolve) {
   for (const double weight : {1.0, 1e-3, 1e-4, 5e-5}) expect_sheet_gives_in(40, weight);
 }

@@ -41,7 +41,8 @@ VertexSet slab(const Mesh& mesh, double from_z, double to_z) {
   return vertices;
 }
 
-// The mesh has several fronts, so that a change leaves some of them unchanged.
+// The factorization of this mesh has several fronts, so that a change leaves some of them
+// unchanged.
 Mesh tube() {
   return rippled_cylinder(24, 61);
 }
@@ -52,7 +53,7 @@ Edit first_edit(const Mesh& mesh) {
   return edit;
 }
 
-// The linear response prepares all systems at once.
+// Returns an edit without settling, for which all systems are prepared at once.
 Edit linear_edit(const Mesh& mesh) {
   Edit edit = first_edit(mesh);
   edit.options.settle.reset();
@@ -79,7 +80,7 @@ class PreparedTube : public ::testing::Test {
   DeformSolver prepare(const Edit& edit, const Progress& progress = {}) {
     return {prepared_, mesh_.positions, edit.region, edit.options, kernels_, progress};
   }
-  // Returns the result of a DeformSolver that shares nothing.
+  // Returns the result of a new DeformSolver, which reuses no prepared data.
   Positions expected(const Edit& edit) {
     const DeformSolver alone(mesh_.positions, topology_, edit.region, edit.options, kernels_);
     return alone.solve(motions_for(edit)).positions;

@@ -1,5 +1,5 @@
-// If an allocation fails, the edit fails with an error or has the same result, and nothing leaks,
-// which LeakSanitizer checks.
+// Tests that an edit reports an error or gives the same result if an allocation fails.
+// LeakSanitizer checks that no memory leaks.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -25,8 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::FailingNew;
 
-// Number of runs, in each of which one allocation fails: enough to reach every loop. With
-// LAPWING_EVERY_ALLOCATION, every allocation fails in one run.
+// The number of runs. One allocation fails in each run, and this number suffices to reach every
+// loop. With LAPWING_EVERY_ALLOCATION, there is a run for every allocation.
 constexpr long kRuns = 700;
 
 void meet_everywhere(const std::function<Positions()>& work) {
@@ -55,8 +55,8 @@ void meet_everywhere(const std::function<Positions()>& work) {
   std::printf("%ld calls, one in %ld refused, %ld runs ended by that\n", calls, stride, refused);
 }
 
-// The recipe is parsed before, because destructors of the JSON library allocate memory, and end the
-// program if they cannot.
+// The recipe is parsed in advance, because destructors of the JSON library allocate memory and
+// terminate the program if an allocation fails.
 void meet_everywhere(const Recipe& recipe) {
   CpuKernels kernels;
   meet_everywhere([&] { return run_recipe(recipe, kernels)->mesh.positions; });

@@ -21,7 +21,7 @@ std::atomic<int> failing_error{0};
 std::atomic<bool> failed{false};
 std::atomic<bool> no_nameless_files{false};
 
-// Counts a call. Returns whether it must fail, and then sets errno.
+// Counts a call. Returns whether the call must fail; if so, sets errno.
 bool fails(FileCall call) {
   if (failing_call != static_cast<int>(call) || calls_left.fetch_sub(1) != 0) return false;
   failed = true;
@@ -124,7 +124,7 @@ int __wrap_rename(const char* from, const char* to) {
   return fails(FileCall::rename) ? -1 : __real_rename(from, to);
 }
 
-// Eigen's matrices and C libraries allocate memory by these.
+// Eigen's matrices and C libraries call these functions to allocate memory.
 void* __real_malloc(std::size_t bytes);
 void* __real_calloc(std::size_t count, std::size_t bytes);
 void* __real_realloc(void* memory, std::size_t bytes);

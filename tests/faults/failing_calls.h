@@ -4,14 +4,14 @@
 
 namespace lapwing::test {
 
-/// The system calls by which our code writes files. Calls for other files are not counted.
+/// The system calls that our code uses to write files. Calls for other files are not counted.
 enum class FileCall { open, write, fsync, fchmod, linkat, rename };
 inline constexpr FileCall kFileCalls[] = {FileCall::open,   FileCall::write,  FileCall::fsync,
                                           FileCall::fchmod, FileCall::linkat, FileCall::rename};
 std::string_view name_of(FileCall call);
 
-/// While it exists, call number `fail_at` (from 0) of `call` fails with `error`. A failing write
-/// first writes half of its bytes, as on a disk that fills up.
+/// While this object exists, the system call `call` with the index `fail_at` (counted from 0) fails
+/// with `error`. A write that fails first writes half of its bytes, as on a disk that becomes full.
 class FailingCall {
  public:
   FailingCall(FileCall call, long fail_at, int error);
@@ -23,7 +23,7 @@ class FailingCall {
   static bool has_failed();
 };
 
-/// While it exists, files cannot be created without a name, as on some file systems.
+/// While this object exists, unnamed files (O_TMPFILE) cannot be created, as on some file systems.
 class NoNamelessFiles {
  public:
   NoNamelessFiles();

@@ -1,5 +1,5 @@
-// If any system call fails, the folder has the complete old file or the complete new one, and
-// nothing else.
+// Tests that after any failed system call, the folder contains either the complete old file or the
+// complete new file, and no other file.
 #include <cerrno>
 #include <cstring>
 #include <functional>
@@ -51,8 +51,8 @@ std::vector<Fault> faults() {
 
 class FileFault : public ::testing::TestWithParam<Fault> {
  protected:
-  // Makes the first call of `write` fail, then the second, and so on until no call fails. `look`
-  // checks the files after each.
+  // Runs `write` repeatedly. Its first system call fails in the first run, its second call in the
+  // second run, and so on until no call fails. `look` checks the files after each run.
   void meet_everywhere(const std::function<void()>& prepare, const std::function<void()>& write,
                        const std::function<void(bool written, int k)>& look) {
     bool met = true;
@@ -74,7 +74,7 @@ class FileFault : public ::testing::TestWithParam<Fault> {
   }
 
   Files files() const { return test::files_in(folder_.path()); }
-  // Expects only complete files of `before` and `after`.
+  // Expects that each file is complete, either as in `before` or as in `after`.
   void expect_old_or_new(const Files& before, const Files& after, int k) const {
     for (const auto& [name, bytes] : files()) {
       const auto old = before.find(name);
@@ -115,7 +115,7 @@ TEST_P(FileFault, LeavesNothingWhereNothingWas) {
                   [&](bool written, int k) { EXPECT_EQ(files().size(), written ? 1U : 0U) << k; });
 }
 
-// Before the first rename, no file has changed.
+// If a call before the first rename fails, no file has changed.
 TEST_P(FileFault, LeavesAllFilesOfARunAsTheyWereUntilTheyAreWhole) {
   folder_.file("tube.obj", "");
   write_mesh(cylinder(12, 20, 0.5, 3.0), folder_ / "tube.obj");

@@ -1,6 +1,6 @@
-// If the program is killed at any moment, the file that it replaces is the complete old or new one.
-// A temporary file has a name only between two system calls; if the program is killed there, the
-// next run removes the file.
+// Tests that killing the program at any time leaves either the complete old file or the complete
+// new file. A temporary file has a name only between two system calls. If the program is killed
+// between them, the next run removes the file.
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -52,7 +52,7 @@ class Killed : public ::testing::TestWithParam<int> {
     _exit(9);
   }
 
-  // Returns whether the signal ended the program.
+  // Returns whether the signal terminated the program.
   bool kill_after(microseconds time, const std::vector<std::string>& arguments) const {
     const pid_t child = start(arguments);
     std::this_thread::sleep_for(time);
@@ -70,8 +70,8 @@ class Killed : public ::testing::TestWithParam<int> {
     return std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - begin);
   }
 
-  // Runs the program on the files of `prepare` until signals have ended it at enough random
-  // moments.
+  // Repeatedly runs the program on the files that `prepare` writes, until signals have terminated
+  // it at enough random times.
   template <class Prepare>
   void expect_old_or_new(const std::vector<std::string>& arguments, const Prepare& prepare) {
     prepare();

@@ -5,7 +5,7 @@
 namespace lapwing::fuzz {
 
 VertexSet Choices::vertices(Index count) {
-  // Consecutive vertices form a patch on these shapes.
+  // On these shapes, vertices with consecutive indices form a patch.
   const Index first = below(count);
   const Index many = 1 + below(std::max<Index>(1, count / 3));
   VertexSet chosen;

@@ -12,7 +12,7 @@
 
 namespace lapwing::fuzz {
 
-/// Makes decisions from bytes. When no bytes are left, makes the first choice.
+/// Uses bytes to make choices. When no bytes are left, always makes the first choice.
 class Choices {
  public:
   explicit Choices(Bytes bytes) : left_(bytes) {}
@@ -28,7 +28,7 @@ class Choices {
     return static_cast<Index>((byte() | static_cast<unsigned>(byte()) << 8U) % count);
   }
   double between(double least, double most) { return least + (most - least) * byte() / 255.0; }
-  /// Returns a number near 1, or a very large or small one.
+  /// Returns a number near 1, or sometimes a very large or very small one.
   double number() {
     static constexpr std::array kOdd{0.0,   -0.0,  1e-30, 1e30,  1e-300,
                                      1e300, 1e-12, 1e12,  1e154, std::numeric_limits<double>::max(),
@@ -37,7 +37,7 @@ class Choices {
     if (which < kOdd.size()) return one_in(2) ? -kOdd[which] : kOdd[which];
     return (which - 133.0) / 61.0;
   }
-  /// Returns such a number above 0.
+  /// Returns such a number, but always positive.
   double above_zero() {
     const double x = std::abs(number());
     return x > 0.0 ? x : 1.0;
@@ -46,10 +46,10 @@ class Choices {
 
   VertexSet vertices(Index count);
   RegionSpec region(const Mesh& mesh);
-  /// Returns a disk of some triangles, or seldom any region.
+  /// Usually returns a disk of some triangles, and rarely an arbitrary region.
   RegionSpec patch(const Mesh& mesh);
   Move move();
-  /// Returns a small shape, sometimes with some defects.
+  /// Returns a small generated mesh, which sometimes has defects.
   Mesh mesh();
 
  private:

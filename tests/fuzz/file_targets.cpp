@@ -1,4 +1,4 @@
-// Reads files of every format, and writes them again.
+// Fuzz targets that read files of every format and write them again.
 #include <array>
 
 #include "fuzz/targets.h"
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  // NaN equals NaN.
+  // Here NaN counts as equal to NaN.
   for (int k = 0; k < 3; ++k) {
     if (a[k] != b[k] && !(std::isnan(a[k]) && std::isnan(b[k]))) return false;
   }
@@ -31,7 +31,7 @@ bool are_same(const Positions& a, const Positions& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
 }
 
-// If nothing moves, a file in the same format keeps every byte.
+// Requires that writing an unchanged mesh in its own format reproduces every byte of the file.
 void require_kept(const Mesh& mesh, const fs::path& from, std::string_view name) {
   const fs::path to = file_of("", "kept-" + std::string(name));
   write_mesh(mesh, to);
@@ -39,7 +39,7 @@ void require_kept(const Mesh& mesh, const fs::path& from, std::string_view name)
           "what was not changed is written as it was");
 }
 
-// A new file reads back as it was written.
+// Requires that reading a newly written file gives the mesh that was written.
 void require_read_back(const Mesh& mesh, std::string_view name, const WriteOptions& options) {
   const fs::path to = file_of("", name);
   try {
@@ -53,7 +53,7 @@ void require_read_back(const Mesh& mesh, std::string_view name, const WriteOptio
   require(again.face_vertices() == mesh.face_vertices(), "corners come back");
 }
 
-// Returns whether a file in single precision can store `wanted` as `read`.
+// Returns whether `read` is `wanted` up to the rounding of a file in single precision.
 bool is_stored(const Eigen::Vector3d& wanted, const Eigen::Vector3d& read) {
   for (int k = 0; k < 3; ++k) {
     const double as_float = static_cast<double>(static_cast<float>(wanted[k]));
@@ -63,7 +63,7 @@ bool is_stored(const Eigen::Vector3d& wanted, const Eigen::Vector3d& read) {
   return true;
 }
 
-// For formats that store only the corners of triangles.
+// A comparison for formats that store only the corners of triangles.
 void require_corners(const Mesh& written, const Mesh& read) {
   require(read.face_count() == written.face_count(), "triangles come back");
   for (std::size_t c = 0; c < read.face_vertices().size(); ++c) {
@@ -83,7 +83,7 @@ void require_stl_anew(const Mesh& mesh, Encoding encoding) {
   require_corners(mesh, read_mesh(to));
 }
 
-// If one vertex moves, only that vertex changes in the file.
+// Requires that moving one vertex changes only this vertex in the file.
 void require_moved(const Mesh& mesh, std::string_view name) {
   if (mesh.positions.empty()) return;
   const fs::path to = file_of("", "moved-" + std::string(name));
@@ -96,7 +96,7 @@ void require_moved(const Mesh& mesh, std::string_view name) {
   }
   const Mesh again = read_mesh(to);
   require(again.face_starts() == mesh.face_starts(), "faces come back with a vertex moved");
-  if (to.extension() == ".stl") {  // which vertices its corners are is found anew
+  if (to.extension() == ".stl") {  // its vertices are found again by position
     require_corners(moved, again);
     return;
   }
@@ -108,7 +108,8 @@ void require_moved(const Mesh& mesh, std::string_view name) {
   require(is_stored(moved.positions.back(), again.positions.back()), "what moved comes back");
 }
 
-// A file is either read past its defects to a valid mesh, which is whole once written, or refused.
+// Requires that a damaged file is either rejected or read as a valid mesh. A file that is written
+// from this mesh must have no defects.
 void require_read_past_defects(const fs::path& path) {
   DamagedMesh damaged;
   try {
@@ -144,8 +145,8 @@ void read_and_write(Bytes bytes, std::string_view name) {
   require_moved(mesh, name);
 }
 
-// glTF stores 32-bit floats or integers in local coordinates, so positions are rounded, and equal
-// positions become one vertex.
+// glTF stores local coordinates as 32-bit floats or integers. Positions are therefore rounded, and
+// vertices with equal positions are merged.
 void read_glb(Bytes bytes) {
   const fs::path path = file_of(bytes, "a.glb");
   Mesh mesh;
@@ -185,7 +186,7 @@ void read_picture(Bytes bytes) {
   const fs::path path = file_of(bytes, "a.png");
   try {
     const ImageSize size = read_image_size(path);
-    // A tiny file can declare very many pixels, and writing them takes most of the time.
+    // A tiny file can declare a huge image, and writing it would take most of the time.
     constexpr std::uint64_t kMostPixels = 1U << 8U;
     if (std::uint64_t{size.width} * size.height > kMostPixels) return;
     const Image image = read_image(path);
@@ -268,7 +269,7 @@ std::vector<std::string> glb_seeds() {
   seeds.push_back(sample.glb(R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0,)"
                              R"("scale":[2,2,-2]}],"meshes":[{"primitives":[)" +
                              primitive + "]}]"));
-  // Two nodes show one mesh. A byte-order mark precedes the text.
+  // In this seed, two nodes show one mesh, and a byte-order mark precedes the JSON text.
   seeds.push_back(sample.glb(R"("nodes":[{"mesh":0},{"mesh":0,"translation":[2,0,0]}],"meshes":[)"
                              R"({"primitives":[)" +
                                  primitive + "]}]",

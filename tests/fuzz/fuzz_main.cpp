@@ -1,5 +1,5 @@
-// The entry points of libFuzzer for all targets; --target=NAME selects one. --seeds=FOLDER writes
-// the initial inputs of that target, and --list prints the names.
+// The entry points of libFuzzer. --target=NAME selects a target, --seeds=FOLDER writes its initial
+// inputs, and --list prints the names of all targets.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -1,5 +1,5 @@
-// Runs the targets of tools/fuzz on the stored corpus, and on seeded mutations of their initial
-// inputs.
+// Runs the fuzz targets on the stored corpus and on mutations of their initial inputs. The
+// mutations use fixed random seeds.
 #include <fstream>
 #include <random>
 

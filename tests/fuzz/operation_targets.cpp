@@ -20,7 +20,8 @@ bool is_finite(const Vector3d& p) {
   return p.allFinite();
 }
 
-// Requires as many vertices, positions that stay finite, and equal bits outside `region`.
+// Requires the same number of vertices, finite positions, and bitwise identical positions outside
+// `region`.
 void require_kept_outside(const Mesh& before, const Mesh& after, const VertexSet& region) {
   require(after.vertex_count() == before.vertex_count(), "as many vertices");
   std::vector<bool> inside(before.vertex_count());
@@ -38,7 +39,8 @@ bool is_unmoved(const Vector3d& a, const Vector3d& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-// Requires that vertices of `before` did not move. `sources` has their old numbers, or kNoIndex.
+// Requires that the vertices that come from `before` did not move. `sources` contains the old index
+// of each vertex, or kNoIndex for a new vertex.
 void require_unmoved(const Mesh& before, const Mesh& after, std::span<const Index> sources) {
   require(sources.size() == after.vertex_count(), "a source for every vertex");
   for (Index v = 0; v < after.vertex_count(); ++v) {
@@ -49,7 +51,7 @@ void require_unmoved(const Mesh& before, const Mesh& after, std::span<const Inde
   }
 }
 
-// Cancels after this many reports.
+// Cancels an operation after a given number of progress reports.
 class Cancelling {
  public:
   explicit Cancelling(int after) : left_(after) {}
@@ -60,7 +62,7 @@ class Cancelling {
   int left_;
 };
 
-// Returns the largest finite coordinate.
+// Returns the largest absolute value of the finite coordinates.
 double reach(const Mesh& mesh) {
   double most = 0.0;
   for (const Vector3d& p : mesh.positions) {
@@ -69,10 +71,10 @@ double reach(const Mesh& mesh) {
   return most;
 }
 
-// Squares of larger lengths overflow.
+// The squares of lengths far above this bound overflow.
 constexpr double kModerate = 1e100;
 
-// The number of reports bounds the work, whatever the input.
+// Reports a violation after `most` progress reports, because no input may cause unbounded work.
 Progress bounded(long most) {
   return [left = most](std::string_view, double) mutable {
     require(--left > 0, "an end within bounded work");
@@ -99,7 +101,8 @@ DeformRequest deform_request(Choices& choices, const Mesh& mesh) {
   return request;
 }
 
-// The largest distance of a handle's vertices from their targets, and its rounding error.
+// The largest distance of a handle's vertices from their targets, and the rounding error of this
+// distance.
 struct HandleError {
   double distance = 0.0;
   double rounding = 0.0;
@@ -121,7 +124,7 @@ HandleError handle_error(const Mesh& rest, const Mesh& moved, const DeformReques
   return error;
 }
 
-// The flips, rotations and scales of the certificate are those of the result.
+// Requires that the flips, rotations and scales in the certificate match the resulting mesh.
 void require_measures(const Mesh& mesh, const Deformed& result) {
   if (!joined_surface(mesh).empty()) return;  // measured on the joined surface
   Certificate again;
@@ -175,7 +178,7 @@ CoatParameters coat_parameters(Choices& choices) {
   return p;
 }
 
-// If the patch keeps its triangles, the rest of the target does not move.
+// If the patch was not remeshed, requires that the rest of the target did not move.
 void require_coated(const Mesh& target, const RegionSpec& patch, const Coated& result) {
   if (result.report.vertices_before_remeshing == 0) {
     require_kept_outside(target, result.mesh, resolve(patch, target));

@@ -1,4 +1,4 @@
-// Reads JSON documents of every kind.
+// Fuzz targets for JSON documents of every kind.
 #include <array>
 
 #include "batch/bent_tubes.h"
@@ -52,7 +52,7 @@ void read_journal_lines(Bytes bytes) {
   for (const auto& [key, where] : edit->results) viewer::read_result(path, where);
 }
 
-// The details of a part with a valid mesh.
+// Reads `bytes` as the details file of a part whose mesh is valid.
 void read_details(Bytes bytes) {
   static const fs::path mesh = [] {
     const fs::path path = file_of("", "part.obj");
@@ -67,7 +67,7 @@ void read_details(Bytes bytes) {
   }
 }
 
-// A folder of one part. The details follow the mesh after a line `---`.
+// Reads a folder with one part. In `bytes`, a line `---` separates the mesh from the details.
 void read_whole_part(Bytes bytes) {
   constexpr std::string_view kBetween = "\n---\n";
   const std::string_view text = text_of(bytes);

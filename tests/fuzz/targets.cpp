@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of this process, in memory if the system has such a file system.
+// A temporary folder of this process, on an in-memory file system if there is one.
 class Folder {
  public:
   Folder() {

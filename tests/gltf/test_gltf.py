@@ -108,7 +108,7 @@ def expect_only_added(before, after) -> None:
                         p["attributes"].pop(name, None), q["attributes"].pop(name, None)
             new = new[: len(old)]
         elif key == "nodes":
-            # Nodes that showed one mesh show their own meshes once they differ.
+            # Nodes that shared a mesh have separate meshes after edits that make them differ.
             for m, n in zip(old, new):
                 m.pop("mesh", None), n.pop("mesh", None)
         elif key == "accessors":

@@ -105,7 +105,7 @@ TEST(Context, EnvironmentTurnsValidationOn) {
     const Context context;
     EXPECT_TRUE(context.validation_enabled());
   } catch (const GpuError& error) {
-    // Without the layers, validation is not silently off: the error says what to install.
+    // If the validation layers are missing, the error must name the package to install.
     EXPECT_THAT(error.what(), HasSubstr("install vulkan-validationlayers"));
   }
 }

@@ -19,7 +19,7 @@ ContextOptions profiled() {
   return options;
 }
 
-// A command list of dispatches of add_one, each of which reads the result of the one before.
+// A command list of dispatches of add_one. Each dispatch reads the result of the previous one.
 struct Adding {
   Adding(Context& context, int dispatches)
       : add_one(context, "add_one", shaders::add_one(), 4),

@@ -189,7 +189,7 @@ TEST_F(RecorderTest, TimestampsRise) {
   recorder.finish();
   list->run();
   if (context->limits().timestampComputeAndGraphics == VK_FALSE) GTEST_SKIP() << "no timestamps";
-  constexpr double kMinute = 60e3;  // a falling clock would give a huge unsigned difference
+  constexpr double kMinute = 60e3;  // an unsigned difference of decreasing times would be huge
   EXPECT_GT(list->milliseconds_between(before, after), 0.0);
   EXPECT_LT(list->milliseconds_between(before, after), kMinute);
 }

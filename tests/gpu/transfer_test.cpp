@@ -10,7 +10,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// With mapped memory, and with staged copies as on a discrete GPU.
+// The parameter selects mapped memory or staged copies, which discrete GPUs need.
 class Transfer : public ::testing::TestWithParam<bool> {
  protected:
   static ContextOptions options() {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// While it exists, no file of this process can grow beyond the limit, as on a full disk.
+// While this object exists, no file of this process can exceed the limit, as on a full disk.
 class SmallFilesOnly {
  public:
   explicit SmallFilesOnly(rlim_t bytes) {
@@ -38,8 +38,8 @@ class SmallFilesOnly {
   void (*old_handler_)(int) = nullptr;
 };
 
-// While it exists, another user owns the folder and its files, because permissions do not bind the
-// superuser.
+// File permissions do not restrict the superuser. While this object exists, the process therefore
+// runs as the user nobody, who owns the folder and its files.
 class Unprivileged {
  public:
   explicit Unprivileged(const fs::path& folder) {

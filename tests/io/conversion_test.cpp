@@ -29,7 +29,7 @@ using ::testing::SizeIs;
 
 const Image kImage{2, 1, {10, 20, 30, 255, 200, 100, 50, 255}};
 
-// Two triangles in two groups, with one material each.
+// An OBJ file with two groups. Each group has one triangle and one material.
 const std::string kTwoGroups =
     "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.25\nvt 0 0\nvt 1 0\nvt 0 1\n"
     "g left\nusemtl red\nf 1/1 2/2 3/3\ng right\nusemtl skin\nf 2/2 4/1 3/3\n";
@@ -68,7 +68,8 @@ TEST_P(ConversionToGltf, KeepsColorsImagesAndGroups) {
   EXPECT_LT((*colors.materials[1].color - Vector3f(0.5F, 0.5F, 0.5F)).norm(), 1e-6F);
   ASSERT_THAT(colors.images, SizeIs(1));
   EXPECT_EQ(colors.images[colors.materials[1].image].rgba, kImage.rgba);
-  // 0.5 in sRGB is 0.2140 in linear light. Without metallicFactor, a material would be of metal.
+  // The sRGB value 0.5 is 0.2140 in linear light. The file needs metallicFactor because its default
+  // is 1, which means metal.
   EXPECT_THAT(content_of(folder_ / GetParam()),
               AllOf(HasSubstr(R"("baseColorFactor":[1,0,0,1],"metallicFactor":0)"),
                     HasSubstr(R"("baseColorFactor":[0.21404)"), HasSubstr(R"("name":"left")")));
@@ -102,7 +103,7 @@ TEST_F(Conversion, AnImageNeverReplacesAnother) {
 }
 
 TEST_F(Conversion, ImagesThatGltfCannotStoreBecomePng) {
-  // A TGA file of one blue pixel.
+  // This TGA file contains one blue pixel.
   std::string tga(18, '\0');
   tga[2] = 2;
   tga[12] = tga[14] = 1;
@@ -131,7 +132,7 @@ TEST_F(Conversion, AMissingLibraryIsNoted) {
   EXPECT_THAT(content_of(folder_ / "a.glb"), HasSubstr(R"("materials":[{"name":"red"})"));
 }
 
-// The statements of a material survive the way to GLB and back to OBJ.
+// The material is preserved when an OBJ is converted to GLB and back.
 TEST_F(Conversion, AnObjComesBackFromAGlbWithItsMaterials) {
   const std::string png = encode_png(kImage);
   folder_.file("skin.png", png);
@@ -139,7 +140,7 @@ TEST_F(Conversion, AnObjComesBackFromAGlbWithItsMaterials) {
       "newmtl red\nKd 1 0 0\nd 0.5\nnewmtl skin\nKd 0 0 0\n"
       "map_Kd -s 2 4 -o 0.5 -0.25 skin.png\n",
       "a.glb");
-  // At v = 1 - v_gltf: 4 v - 0.25 = 1 - (4 v_gltf - 2.75).
+  // glTF measures v downwards. With v = 1 - v_gltf, 4 v - 0.25 = 1 - (4 v_gltf - 2.75).
   EXPECT_THAT(content_of(folder_ / "a.glb"),
               AllOf(HasSubstr(R"("offset":[0.5,-2.75],"scale":[2,4])"),
                     HasSubstr(R"("extensionsUsed":["KHR_texture_transform"])"),
@@ -191,8 +192,8 @@ TEST_F(Conversion, LossesAreInOrderOfImportance) {
   EXPECT_THAT(report.not_carried[3], HasSubstr("exact positions"));
 }
 
-// 20 x 20 squares of 0.05 with UTM coordinates. Floats have steps of 0.5 for y and 1/32 for x
-// there.
+// Returns 20 x 20 squares with sides of 0.05, in UTM coordinates. There, the spacing of 32-bit
+// floats is 0.5 for y and 1/32 for x.
 Mesh far_grid() {
   Mesh mesh = grid(20, 20);
   for (Eigen::Vector3d& p : mesh.positions) {
@@ -204,8 +205,8 @@ Mesh far_grid() {
 TEST_F(Conversion, TheLargestRoundingErrorIsComparedWithTheEdges) {
   const WriteReport report = write_mesh(far_grid(), folder_ / "far.stl");
   ASSERT_THAT(report.not_carried, Contains(HasSubstr("exact positions")));
-  // y is rounded by up to 5411933.23 - 5411933 = 0.23, x by up to 1/64. The edges are between
-  // 0.05 and 0.05 sqrt(2).
+  // Rounding changes y by up to 5411933.23 - 5411933 = 0.23, and x by up to 1/64. The edges have
+  // lengths between 0.05 and 0.05 sqrt(2).
   const std::string& line = report.not_carried[0];
   double error = 0.0;
   double edges = 0.0;

@@ -1,4 +1,4 @@
-// Files with defects that `read_damaged_mesh` reads past.
+// Tests files with defects that `read_damaged_mesh` skips.
 #include <array>
 #include <ostream>
 #include <string>
@@ -29,7 +29,7 @@ struct Damaged {
   std::string content;
   FileDefectKind kind;
   std::string place;
-  std::string message;         ///< a part of it
+  std::string message;         ///< a substring of the message
   std::vector<Index> corners;  ///< of the mesh that is read
 
   friend void PrintTo(const Damaged& d, std::ostream* out) { *out << d.name << " " << d.message; }
@@ -44,7 +44,8 @@ std::string text_ply(int faces, const std::string& list) {
          "\nproperty list uchar int vertex_indices\nend_header\n" + kOff + list;
 }
 
-// Vertices 0 0 0 (four times) and faces 0 1 2, 1 3 2; the last `cut` bytes are missing.
+// Returns a PLY file with four vertices at the origin and the faces 0 1 2 and 1 3 2. The last `cut`
+// bytes are missing.
 std::string binary_ply(std::size_t cut) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + kPly +
                       "element face 2\nproperty list uchar uchar vertex_indices\nend_header\n" +
@@ -57,7 +58,7 @@ std::string facet(const std::string& corners, const std::string& end = "endloop\
 }
 const std::string kFacet = facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
 
-// One triangle, and `more` bytes after it.
+// Returns an STL file with one triangle, the triangle count `count`, and `more` bytes at the end.
 std::string binary_stl(char count, std::size_t more = 0) {
   const std::string one("\0\0\x80\x3F", 4);  // 1 as a float
   return std::string(80, ' ') + count + std::string(3 + 12 + 12, '\0') + one +

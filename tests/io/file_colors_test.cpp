@@ -226,7 +226,7 @@ TEST_F(FileColorsOf, APlyAreTheTexturesOfItsComments) {
   EXPECT_THAT(materials_of_faces(colors, mesh_), ElementsAre(1, 0, kNone));
 }
 
-// The colours of every mesh in the packages that has some.
+// The expected colours of a mesh in Debian's packages. The table lists every mesh with colours.
 struct ColoredModel {
   std::string name;
   bool vertices = false;
@@ -272,8 +272,8 @@ const std::vector<ColoredModel> kColoredModels{
     {"testmixed.obj", false, false, 0, 0, kNoLibrary},
 };
 
-// Returns the colours of the file at `path` with all notes, or nothing if it has neither colours
-// nor a mesh.
+// Returns the colours of the file at `path` with all notes. Returns nothing if the file contains no
+// colours or no mesh.
 std::optional<ColoredModel> colored_model(const std::filesystem::path& path) {
   Mesh mesh;
   try {
@@ -312,7 +312,8 @@ TEST(FileColorsOfModels, AreReadOrANoteSaysWhyNot) {
   for (const auto& [name, model] : found) ADD_FAILURE() << "not listed: " << name;
 }
 
-// Base colours are linear in the file. Images beside it and in it are read.
+// The file stores base colours in linear light. Images are read from inside the file and from
+// files beside it.
 TEST(FileColorsOfGltf, AreThoseOfItsMaterials) {
   const TemporaryFolder folder;
   write_png(folder / "bark.png", one_color(2, 2, 128));

@@ -32,7 +32,7 @@ Image decoded(const std::string& bytes) {
   return read_image(folder.file("image", bytes));
 }
 
-// Returns the colour type of a PNG file: 2 without opacity, 6 with it.
+// Returns the colour type of a PNG file: 2 without an opacity channel, 6 with one.
 int color_type(const std::string& png) {
   return png.at(25);
 }
@@ -139,7 +139,7 @@ TEST(ReadImage, MorePixelsThanTheLimitAreRefusedBeforeTheyAreRead) {
 }
 
 TEST(HalvedImage, MeansAreOfLight) {
-  // A checkerboard of black and white. Half the light is 188 in sRGB, not 128.
+  // The mean of black and white in linear light is 0.5, which is 188 in sRGB, not 128.
   Image board{8, 6, {}};
   for (std::uint32_t p = 0; p < 48; ++p) {
     const std::uint8_t value = (p / 8 + p) % 2 == 0 ? 0 : 255;
@@ -156,7 +156,7 @@ TEST(HalvedImage, MeansAreOfLight) {
 }
 
 TEST(HalvedImage, EveryPixelOfAnOddSizeCountsAlike) {
-  // One of five pixels is white, which is a fifth of the light at any place.
+  // One of five pixels is white. Its position must not change the mean, a fifth of the light.
   for (std::uint32_t white = 0; white < 5; ++white) {
     Image line{5, 1, std::vector<std::uint8_t>(20, 0)};
     for (std::size_t c = 0; c < 3; ++c) line.rgba[4 * white + c] = 255;
@@ -185,7 +185,7 @@ std::string jpeg_refusal(const std::string& bytes) {
   return error_message<InputError>([&] { read_image(path); });
 }
 
-// Opaque and smooth, so that compression changes little.
+// Returns an opaque, smooth image, which lossy compression changes only slightly.
 Image shades(std::uint32_t width, std::uint32_t height) {
   Image image{width, height, {}};
   for (std::uint32_t p = 0; p < width * height; ++p) {
@@ -207,7 +207,7 @@ void expect_about(const Image& image, const Image& wanted) {
   }
 }
 
-// Returns the place of the first segment with that marker.
+// Returns the offset of the first segment with this marker.
 std::size_t segment(const std::string& jpeg, char marker) {
   const std::size_t at = jpeg.find(std::string{'\xFF', marker});
   EXPECT_NE(at, std::string::npos);
@@ -268,8 +268,8 @@ TEST(JpegReader, InvertedInksAreLightTimesBlack) {
 }
 
 TEST(JpegReader, InksThatAreNoLuminanceAndChromaAreReadToo) {
-  // The changed byte declares CMYK instead of YCCK. The luminance of 255 - ink, 0, is then read as
-  // cyan, and the chroma, 128, as magenta and yellow.
+  // The changed byte declares CMYK instead of YCCK. The decoder then reads the luminance of
+  // 255 - ink, which is 0, as cyan, and the chroma values, which are 128, as magenta and yellow.
   const std::vector<std::uint8_t> white(4 * 64, 255);
   std::string jpeg = jpeg_file(white, 8, {.pixels = TJPF_CMYK});
   const std::size_t adobe = jpeg.find("Adobe");
@@ -320,7 +320,7 @@ TEST(JpegReader, SizeIsReadOfAHeadAlone) {
   EXPECT_EQ(size.height, 21U);
 }
 
-// One grey block, whose only coefficient is repeated by many scans.
+// Returns a file with one grey block. Each of the `count` scans repeats its only coefficient.
 std::string jpeg_of_scans(int count) {
   const std::vector<std::uint8_t> grey(64, 128);
   std::string jpeg = jpeg_file(grey, 8, {.pixels = TJPF_GRAY, .sampling = TJSAMP_GRAY});

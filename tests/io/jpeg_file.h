@@ -11,13 +11,13 @@
 namespace lapwing {
 
 struct JpegOptions {
-  int pixels = TJPF_RGBA;  ///< layout of the pixels, one of TJPF_*
+  int pixels = TJPF_RGBA;  ///< pixel format, one of TJPF_*
   int sampling = TJSAMP_444;
   int quality = 100;
   bool progressive = false;
 };
 
-/// Returns a JPEG file of `width` columns, rows from the top.
+/// Returns a JPEG file that is `width` pixels wide. The first row of `pixels` is the top row.
 inline std::string jpeg_file(std::span<const std::uint8_t> pixels, int width,
                              const JpegOptions& options = {}) {
   const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), &tjDestroy);

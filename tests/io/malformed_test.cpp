@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 struct Malformed {
   std::string name;  ///< of the file
   std::string content;
-  std::string place;    ///< after the file's name
+  std::string place;    ///< position in the file, as in the message
   std::string message;  ///< a part of it
 
   friend void PrintTo(const Malformed& m, std::ostream* out) {

@@ -23,7 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// The bytes of a .npy file of that type and shape.
+// Returns the bytes of a .npy file with this type and shape.
 std::string npy(const std::string& type, const std::string& shape, const std::string& numbers,
                 const std::string& order = "False") {
   std::string header =
@@ -70,7 +70,7 @@ TEST_F(ANumberTable, OfTextMayHaveAHeaderCommentsAndAnySeparator) {
   }
 }
 
-// Returns the message of number_columns.
+// Returns the error message of number_columns.
 std::string column_error(const NumberTable& table) {
   return error_message<InputError>([&] { number_columns(table); });
 }
@@ -102,7 +102,7 @@ TEST_F(ANumberTable, MayHaveTextInItsFirstAndLastColumns) {
   EXPECT_THAT(columns.of_row(table, 1), ElementsAre(7.0, 4.0, 5.0, 6.0));
   EXPECT_EQ(table.text_at(0, 5), "left, below");
   EXPECT_EQ(table.text_at(0, 1), std::nullopt);
-  // Targets at vertices and at points, in one table.
+  // The first row is the target of a vertex, the second one that of a point.
   const NumberTable mixed = read("a.csv", "a 969 1 2 3\n\"b c\" 1 2 3 4 5 6 0.5\n");
   EXPECT_THAT(number_columns(mixed).of_row(mixed, 1), ElementsAre(1, 2, 3, 4, 5, 6, 0.5));
 }
@@ -199,7 +199,7 @@ TEST_F(APointTable, OfSlicerHasItsPositions) {
   const std::string head =
       "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n"
       "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
-  // Version 5 writes two more fields than it names.
+  // Version 5 of Slicer writes two more fields than the header names.
   const std::string last = "vtk_1,4,5,6,0,0,0,1,1,1,0,\"F, 2\",,,2,0\n";
   PointTable points = read(head + "vtk_0,1,2,3,0,0,0,1,1,1,0,F-1\n" + last, "F.fcsv");
   EXPECT_EQ(points.positions, (Positions{{1, 2, 3}, {4, 5, 6}}));

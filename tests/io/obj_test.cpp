@@ -99,7 +99,7 @@ TEST_F(Obj, ColoursOfZBrushAreReadInTheOrderOfTheVertices) {
   EXPECT_THAT(mesh.attributes().uneditable, ElementsAre("masked vertices (1)"));
   EXPECT_THAT(read("v 0 0 0\n#MRGB ff0000ffff000000\n").attributes().uneditable,
               ElementsAre("colours (#MRGB) of vertices that do not exist (1)"));
-  // Numbers behind the positions are more precise.
+  // Colours after the positions have priority because they are more precise.
   EXPECT_THAT(read("v 0 0 0 0.25 0.5 1\n#MRGB ff4080ff\n").attributes().vertex_colors,
               ElementsAre(Eigen::Vector4f(0.25F, 0.5F, 1, 1)));
 }

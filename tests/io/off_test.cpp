@@ -46,7 +46,7 @@ TEST(Off, VertexColoursNeedNotBeDeclared) {
               ElementsAre(Eigen::Vector4f(1, 0, 0.2F, 1), Eigen::Vector4f(0, 1, 0, 1)));
   EXPECT_THAT(attributes("0.5 0.5 0.25", "1 0 0").vertex_colors,
               ElementsAre(Eigen::Vector4f(0.5F, 0.5F, 0.25F, 1), Eigen::Vector4f(1, 0, 0, 1)));
-  // Normals, a vertex without numbers, and too few of them.
+  // In these files, the extra numbers are normals, or a vertex has none or too few.
   for (const auto& [first, second] : {std::pair("0 0 1", "0.6 0.8 0"), std::pair("0 -5 0", "1 5 1"),
                                       std::pair("255 0 0", ""), std::pair("0.5 0.5", "1 0")}) {
     const MeshAttributes other = attributes(first, second);

@@ -100,7 +100,7 @@ TEST_F(NamedFile, TheEndOfANameMayLeadBelowTheFolder) {
   EXPECT_THAT(find("/home/somebody/Textures/bark of a tree.png"), bark);
   EXPECT_THAT(find(R"(..\textures\bark of a tree.png)"), bark);
   EXPECT_EQ(find(R"(C:\maps\bark of a tree.png)"), std::nullopt);
-  // The longest end is the file.
+  // The longest end of the path that names an existing file is found.
   folder_.file("mesh/bark of a tree.png", "");
   EXPECT_THAT(find(R"(D:\textures\bark of a tree.png)"), bark);
   std::string deep;

@@ -60,7 +60,7 @@ TEST(Ply, TextureCoordinatesPerCornerAreRead) {
   EXPECT_THAT(mesh.attributes().corner_uvs, ElementsAre(0, 1, 2, kNoIndex, kNoIndex, kNoIndex));
 }
 
-// Five vertices and `count` records of strips.
+// Returns a PLY file with five vertices and `count` tristrips elements.
 std::string strips_of(const std::string& count, const std::string& strips) {
   return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
          "property float z\nelement tristrips " +

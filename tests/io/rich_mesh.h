@@ -10,7 +10,7 @@
 
 namespace lapwing {
 
-/// A way to store a mesh: file name and encoding.
+/// The file name and the encoding of a stored mesh.
 struct Storage {
   std::string name;
   Encoding encoding = Encoding::ascii;
@@ -54,7 +54,7 @@ inline Mesh rich_mesh() {
   return mesh;
 }
 
-/// Returns values per corner, which do not depend on the order of the vertices.
+/// Returns the value of each corner's vertex. The result is independent of the vertex order.
 template <class Value>
 std::vector<Value> at_corners(const std::vector<Value>& values, const std::vector<Index>& corners) {
   std::vector<Value> result;

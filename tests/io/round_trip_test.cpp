@@ -16,7 +16,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// What a format can hold besides positions and faces.
+// The data that a format can store in addition to positions and faces.
 struct Carried {
   bool uvs, normals, vertex_colors, face_colors, extras, materials, groups, comments;
 };

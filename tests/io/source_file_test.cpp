@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Everything that an OBJ file may hold, in an unusual order and without a final line end.
+// An OBJ file with every kind of statement, in an unusual order and without a final line break.
 const std::string kOddObj =
     "# by hand\r\nmtllib none.mtl\no thing\n\nv  0.0 0 -0\t0.5 0.5 0.5\nv 1e0 0 0 1 1 1 # second\n"
     "v 1.000 \\\n 1 0 0 0 0\nvt 0 0\nvt 1 1\nvn 0 0 1.0\nv 0 1 0 0 0 0\ns off\ng a b\n"
@@ -45,7 +45,7 @@ std::vector<std::size_t> changed_lines(const std::string& a, const std::string& 
 
 class Source : public ::testing::TestWithParam<Storage> {
  protected:
-  // Writes a mesh with all attributes, and returns the mesh that is read back.
+  // Writes a mesh with all attributes, reads the file and returns the mesh.
   Mesh write_and_read() {
     write_mesh(rich_mesh(), path(), {.encoding = GetParam().encoding});
     return read_mesh(path());
@@ -158,7 +158,7 @@ TEST_F(ObjSource, NormalsAreRecomputedAroundTheMovedVertexOnly) {
   }
   Mesh mesh = read(text);
   mesh.positions[40] += Eigen::Vector3d(0.3, 0.1, 0);
-  // The area-weighted normal of a vertex depends only on the outline of its ring.
+  // The area-weighted normal of a vertex depends only on the boundary of its one-ring.
   std::vector<std::size_t> expected{81};
   const Topology& topology = sphere.topology();
   for (const Index j : topology.rings[40]) expected.push_back(2 * j + 2);
@@ -166,7 +166,7 @@ TEST_F(ObjSource, NormalsAreRecomputedAroundTheMovedVertexOnly) {
 }
 
 TEST_F(ObjSource, HardEdgesStayHard) {
-  // Two triangles that share an edge but not their normals.
+  // The two triangles share an edge, but each has separate normals.
   Mesh mesh = read(
       "v 0 0 0\nv 0 1 0\nv -1 0 0\nv 1 0 0\nvn 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\n"
       "f 2//2 1//2 4//2\n");
@@ -179,7 +179,7 @@ TEST_F(ObjSource, HardEdgesStayHard) {
   EXPECT_LT((after.normals[1] - Eigen::Vector3d(h, 0, h)).norm(), 1e-12);
 }
 
-// Two triangles with these normals that meet along an edge but share no vertices.
+// Returns two triangles with these normals. They touch along an edge but share no vertices.
 std::string split_edge(const std::string& left, const std::string& right) {
   return "v 0 0 0\nv 0 1 0\nv -1 0 0\nv 0 0 0\nv 0 1 0\nv 2 0 0\nvn " + left + "\nvn " + right +
          "\nf 1//1 2//1 3//1\nf 5//2 4//2 6//2\n";
@@ -274,7 +274,7 @@ TEST(PlySource, CoordinateTooLargeForItsTypeIsRefused) {
   EXPECT_THROW(write_mesh(mesh, folder / "a.ply"), InputError);
 }
 
-// The normals of a point cloud do not follow from faces.
+// The normals of a point cloud cannot be computed from faces.
 TEST(SourceOfACloud, TakesNormalsThatTurnedWithoutMovingAPoint) {
   const TemporaryFolder folder;
   Mesh cloud;

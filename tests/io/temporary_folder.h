@@ -11,7 +11,7 @@
 
 namespace lapwing {
 
-/// A new folder, which the destructor removes.
+/// Creates a folder, which the destructor removes with its files.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -19,7 +19,7 @@ std::string_view at(const JsonText& text, JsonPlace place) {
   return text.text().substr(place.begin, place.end - place.begin);
 }
 
-// Expects that `place` and the places of all values inside it hold what the parser read.
+// Expects that the text at `place`, and at the places of all nested values, parses to `json`.
 void expect_same(const JsonText& text, JsonPlace place, const Json& json) {
   EXPECT_EQ(parse_json(at(text, place), "value"), json) << at(text, place);
   if (json.is_object()) {

@@ -21,7 +21,7 @@ TEST(ParseJson, AByteOrderMarkIsSkipped) {
 
 struct NoJson {
   std::string text;
-  std::string message;  ///< after the name
+  std::string message;  ///< end of the message, after the name
 };
 
 class RefusedJson : public ::testing::TestWithParam<NoJson> {};

@@ -25,7 +25,8 @@ class AssembleRsi : public test::KernelTest {
   }
 };
 
-// Returns the largest absolute entry of a row's blocks, but at least the 1 of the Laplacian.
+// Returns the largest absolute entry of a row's blocks, but at least 1, the diagonal entry of the
+// Laplacian.
 double row_size(std::span<const double> row) {
   double size = 1.0;
   for (const double entry : row) size = std::max(size, std::abs(entry));
@@ -47,7 +48,8 @@ double relative_difference(const RingProblem& problem, std::span<const double> a
   return worst;
 }
 
-// Returns the row of vertex i by eq. 10, with the pseudo-inverse of A for its seven unknowns.
+// Returns the row of vertex i by eq. 10, using the pseudo-inverse of A for the seven unknowns of
+// the transformation.
 MatrixXd row_by_pseudo_inverse(const Sample& sample, Index i) {
   const auto ring = sample.topology.rings[i];
   const auto& v = sample.mesh.positions;
@@ -145,7 +147,7 @@ TEST_P(AssembleRsi, RowsComeInTheOrderAskedFor) {
   }
 }
 
-// These are more rows than one submission to a device.
+// The mesh has more rows than one submission to a device can process.
 TEST_P(AssembleRsi, ManyRowsAgreeWithTheCpuTwin) {
   const Sample sample("sphere", test::rough_sphere(6, 0.005, 6));
   const RingProblem problem = sample.problem();

@@ -43,7 +43,7 @@ class AssembleTangent : public test::KernelTest {
   }
 };
 
-// Compares G'G row by row, because it does not depend on the choice of the factor F.
+// Compares G'G row by row, because G itself depends on the choice of the factor F.
 TEST_P(AssembleTangent, AgreesWithTheCpuTwin) {
   CpuKernels cpu;
   for (const Sample& sample : test::awkward_meshes()) {
@@ -65,7 +65,7 @@ TEST_P(AssembleTangent, AgreesWithTheCpuTwin) {
   }
 }
 
-// |G_i u|^2 = a_i' K_i^-1 a_i, with the pseudo-inverse for rings on a line.
+// |G_i u|^2 = a_i' K_i^-1 a_i, where the pseudo-inverse replaces K_i^-1 for collinear one-rings.
 TEST_P(AssembleTangent, RowsTakeAwayWhatTurningTheRingSaves) {
   std::mt19937 generator(6);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -122,7 +122,7 @@ TEST_P(AssembleTangent, RepeatsBitForBit) {
 
 LAPWING_ON_ALL_TWINS(AssembleTangent);
 
-// The tangent of a whole sphere, as a dense matrix.
+// Assembles the tangent of a whole sphere as a dense matrix.
 class TangentOfASphere : public ::testing::Test {
  protected:
   TangentOfASphere() {
@@ -173,7 +173,8 @@ TEST_F(TangentOfASphere, IsPositiveSemidefiniteAndKnowsRigidMotionsAlone) {
   }
 }
 
-// For a small displacement, the tangent equals the energy at optimal rotations.
+// For a small displacement, the quadratic form of the tangent equals the energy at optimal
+// rotations.
 TEST_F(TangentOfASphere, IsTheEnergyToSecondOrder) {
   CpuKernels kernels;
   const auto rotations = kernels.make_ring_rotations(std::make_shared<RegionRings>(rings_));

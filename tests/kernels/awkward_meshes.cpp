@@ -20,7 +20,7 @@ Mesh triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return mesh;
 }
 
-// Returns vertex 0 in the middle of `count` others on a wavy circle.
+// Returns a fan around vertex 0. Its `count` other vertices lie on a wavy circle.
 Mesh fan(Index count) {
   Mesh mesh;
   mesh.positions.emplace_back(0.1, 0.05, 0.3);
@@ -32,7 +32,8 @@ Mesh fan(Index count) {
   return mesh;
 }
 
-// Returns vertex 0 with a ring of four asymmetric places on one line through it.
+// Returns vertex 0 with a one-ring of four vertices, all on one line through vertex 0 and at
+// different distances from it.
 Mesh collinear_ring() {
   const Vector3d line(1.0, 2.0, 3.0);
   Mesh mesh;

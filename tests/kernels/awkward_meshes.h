@@ -9,7 +9,7 @@
 
 namespace lapwing::test {
 
-/// A mesh with the input of the kernels.
+/// A mesh with the data that the kernels read.
 struct Sample {
   Sample(std::string sample_name, Mesh sample_mesh);
 
@@ -22,8 +22,9 @@ struct Sample {
   std::vector<Index> vertices;  ///< all
 };
 
-/// Returns meshes at which loops and formulas break: no vertex, a loose vertex, rings on a line or
-/// in a point, boundaries, a fan of 40, far from the origin, very small, very large.
+/// Returns meshes that are difficult for loops and formulas: an empty mesh, an isolated vertex,
+/// collinear and coincident one-rings, boundaries, a fan of 40 triangles, and meshes that are far
+/// from the origin, very small or very large.
 std::vector<Sample> awkward_meshes();
 
 /// Returns an icosphere whose vertices are moved at random by up to `amount` along each axis.

@@ -54,7 +54,7 @@ class BlendResponseKernel : public test::KernelTest {
 
 TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
   for (const Sample& sample : test::awkward_meshes()) {
-    // Devices read columns in groups of four.
+    // These counts include multiples of four and others, because devices read four columns at once.
     for (const std::size_t columns : {0U, 1U, 4U, 5U, 12U, 13U}) {
       const Drag drag(sample, columns, 11);
       auto expected = expected_of(drag);
@@ -131,7 +131,7 @@ TEST_P(BlendResponseKernel, RepeatsBitForBit) {
 
 LAPWING_ON_ALL_TWINS(BlendResponseKernel);
 
-// Blends with at most `most_bytes` bytes of columns in each buffer.
+// Splits the columns into buffers of at most `most_bytes` bytes.
 class BlendResponseBuffers : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -174,7 +174,7 @@ TEST_F(BlendResponseBuffers, AreBlendedOnTheHostAsByTheShader) {
     const std::vector<float> expected = blend(most_bytes, false);
     const std::vector<float> values = blend(most_bytes, true);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i % 4 == 3) continue;  // only Surface sets w
+      if (i % 4 == 3) continue;  // blending does not set w
       EXPECT_NEAR(values[i], expected[i], 2e-5) << "number " << i;
     }
   }

@@ -23,7 +23,7 @@ using ::testing::Each;
 constexpr std::uint32_t kShader = 1;
 constexpr std::uint32_t kFloat64 = 10;
 
-// Some devices lack Float64, Int64 or Geometry.
+// Some devices do not support the capabilities Float64, Int64 or Geometry.
 TEST(Capabilities, Float32ModulesNeedWhatEveryDeviceHas) {
   for (const auto module : {shaders::assemble_rsi_float32(), shaders::assemble_tangent_float32(),
                             shaders::energy_gradient_float32(), shaders::fit_rotations_float32(),

@@ -23,8 +23,8 @@ class EnergyGradient : public test::KernelTest {
   }
 };
 
-// Returns the gradient row by row, as the energy reads: the terms of each row are scattered to the
-// vertices of its ring.
+// Returns the gradient in the order of the sum in the energy: each row adds its terms to the
+// vertices of its one-ring.
 std::vector<double> scattered(const TurnedRings& turned, const std::vector<Matrix3d>& T) {
   const RegionRings& rings = turned.rings;
   std::vector<Vector3d> sum(rings.vertices.size(), Vector3d::Zero());
@@ -72,7 +72,7 @@ TEST_P(EnergyGradient, GathersWhatEveryRowScatters) {
   }
 }
 
-// The rotations are optimal, so they count as constant.
+// The rotations are optimal, so their derivatives do not contribute to the gradient.
 TEST(EnergyGradientOnTheCpu, IsHalfOfTheChangeOfTheEnergy) {
   CpuKernels kernels;
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 15));
@@ -98,7 +98,7 @@ TEST(EnergyGradientOnTheCpu, IsHalfOfTheChangeOfTheEnergy) {
   }
 }
 
-// v' = s R v + t, for the rest stretch s I.
+// The tested motion is v' = s R v + t, and the rest stretch is s I.
 TEST_P(EnergyGradient, IsNothingWithTheEnergyForRigidMotionsAndSimilaritiesOfThatScale) {
   for (const Sample& sample : test::awkward_meshes()) {
     for (const double scale : {1.0, 0.4, 2.5}) {

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Counts the calls to a device until it fails. All later calls fail, too.
+// The number of calls until the device fails. All later calls also fail.
 struct Life {
   long calls_left = 0;
 
@@ -96,7 +96,7 @@ FallbackKernels lives_for(long calls) {
   return FallbackKernels([calls] { return std::make_unique<MortalKernels>(calls); });
 }
 
-// Returns all results that settling needs, for two displacements.
+// Returns all kernel results that settling needs, for two displacements.
 std::vector<double> turn(Kernels& on, const test::TurnedRings& turned) {
   const std::size_t rows = turned.rings.row_count();
   const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
@@ -169,7 +169,8 @@ TEST(TimedKernels, CountEachKernelOnTheDeviceWhereItRan) {
   const test::TurnedRings turned = test::turned_rings(sample, 40.0, 0.1, 0.3, 5);
   CpuKernels cpu;
   const std::vector<double> expected = turn(cpu, turned);
-  // The device makes the rotations, sets their stretch, fits and evaluates once, and then fails.
+  // The device creates the rotations, sets their stretch, fits them and evaluates once. Then it
+  // fails.
   FallbackKernels kernels = lives_for(4);
   TimedKernels timed(kernels);
   EXPECT_EQ(turn(timed, turned), expected);

@@ -26,8 +26,8 @@ class FitRotations : public test::KernelTest {
   double tolerance() const { return 10.0 * GetParam().tolerance; }
 };
 
-// Returns how well a moment determines its rotation, from 0 to 1: sigma_2 + sigma_3, with its sign,
-// over sigma_1.
+// Returns (sigma_2 + s sigma_3) / sigma_1, where s is the sign of det(H). The larger this ratio is,
+// the better the moment H determines the rotation.
 double firmness(const Matrix3d& H) {
   const Vector3d sigma = Eigen::JacobiSVD<Matrix3d>(H).singularValues();
   if (!(sigma[0] > 0.0)) return 0.0;
@@ -46,7 +46,8 @@ double energy_of(const TurnedRings& turned, std::size_t r, const Matrix3d& T) {
   return energy;
 }
 
-// Returns the terms of the row's energy before they cancel. Rounding is relative to these.
+// Returns the magnitude of the terms of the row's energy before they cancel. Rounding errors are
+// relative to this magnitude.
 double energy_scale(const TurnedRings& turned, std::size_t r, double scale) {
   const RegionRings& rings = turned.rings;
   const double laplacian =
@@ -83,8 +84,8 @@ TEST_P(FitRotations, AreProperAndTheBestThereAre) {
   }
 }
 
-// If rings are nearly lines, two eigenvalues of Horn's matrix are close, and each step of Newton's
-// method only halves the distance to them.
+// If a one-ring is nearly collinear, the two largest eigenvalues of Horn's matrix are close, and
+// each step of Newton's method only halves the error.
 TEST_P(FitRotations, AreTheBestForThinRings) {
   for (const double thickness : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     Mesh mesh = test::rough_sphere(2, 0.2, 22);
@@ -114,7 +115,7 @@ TEST_P(FitRotations, FindTheRotationOfARigidMotionAndLeaveNoEnergy) {
         for (std::size_t e = turned.rings.starts[r]; e < turned.rings.starts[r + 1]; ++e) {
           size += turned.rings.edges[e].squaredNorm();
         }
-        // Far from the origin, the displacement itself is rounded.
+        // Far from the origin, the rounding of the displacement contributes to the energy.
         const double rounding = 1e-22 * bounds_of(sample.mesh.positions).max.squaredNorm();
         EXPECT_LE(fitted.energies[r], tolerance() * tolerance() * size + rounding)
             << sample.name << " row " << r;
@@ -161,7 +162,7 @@ TEST_P(FitRotations, SlightlyTurnedOnesLeaveNoLessEnergy) {
   }
 }
 
-// The least energy is unique, even if several rotations have it.
+// The minimal energy is unique even if several rotations attain it.
 TEST_P(FitRotations, LeaveTheEnergyThatTheCpuTwinFinds) {
   CpuKernels cpu;
   for (const Sample& sample : test::awkward_meshes()) {

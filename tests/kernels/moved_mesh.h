@@ -19,7 +19,7 @@ class MovedMesh {
             const ResponseColumns& columns)
       : columns_(columns), rest_(rest), topology_(topology), positions_(rest) {
     if (context == nullptr) return;
-    surface_.emplace(context, rest, topology, 180.0);  // one normal per vertex, as in the twin
+    surface_.emplace(context, rest, topology, 180.0);  // one normal per vertex, like the twin
     blend_ = upload_response(context, columns, topology);
     surface_->begin(*blend_, rest);
   }

@@ -24,7 +24,7 @@ void expect_near(const std::vector<double>& actual, const std::vector<double>& e
   }
 }
 
-// All other tests of the kernels use the fastest set.
+// All other tests of the kernels use only the fastest instruction set.
 TEST(RingLoops, EveryInstructionSetLeavesTheEnergyAndGradientOfTheFastest) {
   const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 31));
   const TurnedRings turned = test::turned_rings(sample, 70, 0.4, 0.5, 32);

@@ -19,7 +19,7 @@ using test::MappedSample;
 using test::Sample;
 using Transforms = std::vector<Matrix3d>;
 
-/// A FramedSurface that owns its numbers.
+/// A FramedSurface that owns its data.
 struct Surface {
   FramedSurface view() const { return {positions, normals}; }
   Positions positions;
@@ -43,7 +43,7 @@ Matrix3d some_turn() {
   return AngleAxisd(2.1, Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
 }
 
-// The target is the source, rotated, 1.7 times as large, and with every vertex moved at random.
+// The target is the source, rotated and scaled by 1.7, with a random offset at every vertex.
 Frames frames_of(const Sample& sample, unsigned seed, unsigned every_nowhere) {
   Frames frames{
       test::shaken_map(sample, seed, every_nowhere), surface_of(sample, sample.mesh.positions), {}};
@@ -78,7 +78,7 @@ class RotateFrames : public test::KernelTest {
   }
 };
 
-// Returns R of s R.
+// Returns R, where T = s R.
 Matrix3d turn_in(const Matrix3d& T) {
   return T / std::cbrt(T.determinant());
 }
@@ -205,8 +205,8 @@ TEST_P(RotateFrames, AgreeWithTheCpuTwinFarFromTheOrigin) {
   }
 }
 
-// The frame of section 5.1: the normal, the edge projected onto the tangent plane, and their cross
-// product.
+// The frame of section 5.1 consists of the normal, the edge projected onto the tangent plane, and
+// their cross product.
 TEST_P(RotateFrames, AreThoseOfThePaperForOneMappedEdge) {
   const auto frame = [](const Vector3d& normal, const Vector3d& edge) {
     Matrix3d F;
@@ -308,7 +308,7 @@ TEST_P(RotateFrames, AreTheIdentityWhereARowLiesNowhere) {
   EXPECT_EQ(rotate(frames)[0], Matrix3d::Identity());
 }
 
-// These are more rings than one submission to a device.
+// The mesh has more one-rings than one submission to a device can process.
 TEST_P(RotateFrames, OfManyRingsAreAsThoseOfFew) {
   const Sample sample("sphere", test::rough_sphere(6, 1e-3, 48));
   const Frames frames = frames_of(sample, 49, 100);

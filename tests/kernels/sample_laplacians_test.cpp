@@ -52,7 +52,7 @@ TEST_P(SampleLaplacians, PointAlongTheNormalOfASphere) {
 
 TEST_P(SampleLaplacians, DoNotSeeWhereTheMeshLies) {
   Mesh mesh = test::rough_sphere(2, 0.2, 8);
-  // Positions are multiples of 2^-20, so that adding the offset is exact.
+  // Round positions to multiples of 2^-20, so that adding the offset is exact.
   constexpr double kGrid = 1 << 20;
   for (Vector3d& p : mesh.positions) p = (p * kGrid).array().round().matrix() / kGrid;
   const Sample here("here", mesh);

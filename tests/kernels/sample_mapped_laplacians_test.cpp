@@ -32,7 +32,8 @@ Vector3d value_at(const SurfacePoint& point, std::span<const Vector3d> f) {
   return sum;
 }
 
-// Evaluates the contract for the field `rest` + `origin`, which keeps its digits far from 0.
+// Evaluates the definition for the field `rest` + `origin`. Keeps the precision of `rest` even if
+// `origin` is large.
 Vector3d expected_laplacian(const MappedSample& mapped, std::size_t row,
                             std::span<const Vector3d> rest, const Vector3d& origin) {
   const RegionRings& rings = mapped.target;
@@ -47,7 +48,7 @@ Vector3d expected_laplacian(const MappedSample& mapped, std::size_t row,
   return sum;
 }
 
-// Returns the largest difference of values that row `row` uses.
+// Returns the largest difference between the values that row `row` reads.
 double extent_of(const MappedSample& mapped, std::size_t row, std::span<const Vector3d> f) {
   const SurfacePoint& here = mapped.points[row];
   if (here.is_nowhere()) return 0.0;
@@ -141,7 +142,7 @@ TEST_P(SampleMappedLaplacians, AreZeroWhereNothingIsKnown) {
   EXPECT_EQ(sample_on(nowhere, MappedSampling::one_ring, {})[0], Vector3d::Zero());
 }
 
-// These are more rings than one submission to a device.
+// The mesh has more one-rings than one submission to a device can process.
 TEST_P(SampleMappedLaplacians, OfManyRingsAreAsThoseOfFew) {
   const Sample sample("sphere", test::rough_sphere(6, 1e-3, 29));
   const MappedSample mapped = test::shaken_map(sample, 30, 100);

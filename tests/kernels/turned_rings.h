@@ -9,7 +9,7 @@
 
 namespace lapwing::test {
 
-/// A part of a sample as a region, and a displacement of it.
+/// A region of a sample mesh, and a displacement of the mesh.
 struct TurnedRings {
   RegionRings rings;
   std::vector<Eigen::Vector3d> displacement;  ///< argument of RingRotations::fit_rotations
@@ -21,21 +21,22 @@ struct TurnedRings {
   Eigen::Vector3d moved_edge(std::size_t row, std::size_t entry) const;
 };
 
-/// Two thirds of the vertices are rows, and most of these are unknowns. The weights are cotangent
-/// weights, so w_ij and w_ji differ; the row weights differ, too. The stiffness is mu / 2 times the
-/// edge_weights, or none if mu is 0. The displacement rotates the mesh by `degrees` about a tilted
-/// axis, moves it far, and moves each vertex at random by up to `noise` mean edges.
+/// Returns a region in which two thirds of the vertices are rows, and most rows are unknowns. It
+/// has cotangent weights, so w_ij and w_ji differ, and different row weights. The stiffness is
+/// mu / 2 times the edge_weights, or absent if mu is 0. The displacement rotates the mesh by
+/// `degrees` about a tilted axis and translates it far. It also moves each vertex at random by up
+/// to `noise` mean edge lengths.
 TurnedRings turned_rings(const Sample& sample, double degrees, double noise, double mu,
                          unsigned seed);
 
-/// Symmetric positive definite matrices for `count` rows, which stretch by 0.5 to 1.7 along axes
-/// that differ from row to row.
+/// Returns a symmetric positive definite matrix for each of `count` rows. The matrices stretch by
+/// 0.5 to 1.7, along axes that differ between rows.
 std::vector<Eigen::Matrix3d> different_stretches(std::size_t count);
 
-/// The axis of rotation of `turned_rings`.
+/// Returns the rotation axis of `turned_rings`.
 Eigen::Vector3d turning_axis();
 
-/// Results of a fit.
+/// The results of fit_rotations.
 struct Fitted {
   std::vector<Eigen::Matrix3d> transforms;
   std::vector<double> energies;

@@ -11,13 +11,13 @@
 
 namespace lapwing::test {
 
-/// One implementation of the kernels, and its tolerance.
+/// An implementation of the kernels, and its tolerance.
 struct Twin {
   const char* name;
   bool on_gpu;
   Precision precision;
-  bool mapped;       ///< if false, every copy is staged, as on a discrete GPU
-  double tolerance;  ///< relative, of kernels in this precision
+  bool mapped;       ///< false: every copy is staged, as on a discrete GPU
+  double tolerance;  ///< relative tolerance of kernels in this precision
 };
 
 inline constexpr double kFloat64Tolerance = 1e-12;
@@ -29,7 +29,7 @@ inline constexpr Twin kTwins[] = {
     {"vulkan_float32_staged", true, Precision::float32, false, kFloat32Tolerance},
 };
 
-/// A test that runs on each twin that this machine has.
+/// A test that runs with every twin that is available on this machine.
 class KernelTest : public ::testing::TestWithParam<Twin> {
  protected:
   void SetUp() override {
@@ -47,8 +47,8 @@ class KernelTest : public ::testing::TestWithParam<Twin> {
     kernels = std::make_unique<VulkanKernels>(context, GetParam().precision);
   }
 
-  /// Returns the tolerance of positions and normals, which devices store in float32, relative to
-  /// the mesh's size.
+  /// Returns the tolerance of positions and normals relative to the size of the mesh. Devices store
+  /// them in float32.
   double surface_tolerance() const { return GetParam().on_gpu ? 1e-6 : 1e-13; }
 
   std::shared_ptr<gpu::Context> context;  ///< null for the CPU twins

@@ -36,8 +36,8 @@ TEST_P(VertexNormalsKernel, AgreesWithTheCpuTwin) {
     const auto expected = normals_on(nullptr, sample);
     const auto normals = at_rest(sample);
     ASSERT_EQ(normals.size(), expected.size());
-    // The device rounds positions to 2^-24 of the mesh's size, which rotates a normal by that size
-    // over the edge length.
+    // The device rounds positions to 2^-24 of the mesh size. This rotates a normal by about that
+    // rounding error divided by the edge length.
     const double tolerance = 100 * surface_tolerance();
     for (std::size_t i = 0; i < normals.size(); ++i) {
       EXPECT_LE((normals[i] - expected[i]).norm(), tolerance) << sample.name << " vertex " << i;
@@ -62,7 +62,7 @@ TEST_P(VertexNormalsKernel, AreZeroWhereThereIsNoArea) {
   EXPECT_THAT(normals, ::testing::Each(Vector3d(0, 0, 0)));
 }
 
-// A moving vertex changes its normal and those of its neighbours only.
+// Moving a vertex changes only its normal and those of its neighbours.
 TEST_P(VertexNormalsKernel, FollowAMovingVertex) {
   const Sample sample("grid", grid(6, 6));
   const std::vector<Index> moving{24};
@@ -86,14 +86,13 @@ TEST_P(VertexNormalsKernel, FollowAMovingVertex) {
 
 LAPWING_ON_ALL_TWINS(VertexNormalsKernel);
 
-// Returns the fans with one normal per vertex.
 Adjacency fans_of(const Topology& topology) {
   const Positions anywhere(topology.vertex_count(), Vector3d::Zero());
   return build_fans(topology.triangles, topology.vertex_triangles,
                     split_normals(anywhere, topology, 180.0));
 }
 
-// Returns the triangles of the fans around vertex i, each from its smallest corner.
+// Returns the triangles of the fans around vertex i. Each triangle starts with its smallest index.
 std::vector<Triangle> triangles_of(const Adjacency& fans, Index i) {
   std::vector<Triangle> list;
   const auto corners = fans[i];
@@ -107,7 +106,7 @@ std::vector<Triangle> triangles_of(const Adjacency& fans, Index i) {
 }
 
 TEST(Fans, ListEveryTriangleOnceWithItsOrientation) {
-  // Two fans meet in vertex 0 (a bow tie), edge 0-1 has three triangles, one of them reversed.
+  // Two fans meet at vertex 0, as in a bow tie. Edge 0-1 has three triangles; one is reversed.
   Mesh mesh;
   mesh.positions.assign(9, Vector3d::Zero());
   const std::vector<Triangle> faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4},

@@ -11,7 +11,7 @@
 namespace lapwing {
 namespace {
 
-// L'L of a sheet is regular only with the constraints W.
+// A sheet with constraints. Without the constraints W, the matrix L'L is singular.
 class HeldSheet : public ::testing::Test {
  protected:
   BlockMatrix normal_matrix(LaplacianWeights scheme = LaplacianWeights::uniform) const {

@@ -47,19 +47,19 @@ Energies energies_of(const Mesh& mesh, const Field& field) {
   return sum;
 }
 
-// A field whose Laplacian on a sphere is not 0.
+// Returns the value of a field whose Laplacian on a sphere is nonzero.
 Vector3d wave(const Vector3d& p) {
   return {std::sin(2.0 * p.x()), std::cos(2.0 * p.y()), 0.0};
 }
 
-// Both sums approximate integrals, in the same ratio for every mesh of the surface.
+// Both sums approximate integrals, so their ratio is the same for every mesh of a surface.
 TEST(EnergyWeights, RefiningTheMeshKeepsTheRatioOfRowsAndEdges) {
   const Energies coarse = energies_of(icosphere(3), wave);
   const Energies fine = energies_of(icosphere(4), wave);
   EXPECT_NEAR(coarse.rows / coarse.edges, fine.rows / fine.edges, 0.05 * fine.rows / fine.edges);
 }
 
-// Vertices far from the region do not count.
+// Vertices far from the region do not affect the weights.
 TEST(EnergyWeights, AreThoseOfTheRegionAlone) {
   Mesh mesh = icosphere(3);
   const Topology& topology = mesh.topology();
@@ -99,8 +99,8 @@ TEST(EnergyWeights, StiffnessIsTheSameFromBothEndsAndPositive) {
   }
 }
 
-// For the positions on a sphere of radius R, the squared gradients sum to 2 per area, and the
-// squared Laplacians, 2 / R along the normal, to 4 / R^2.
+// Let the field be the positions on a sphere of radius R. Per unit of area, the squared gradients
+// sum to 2. The Laplacian is 2 / R along the normal, so its square is 4 / R^2.
 TEST(EnergyWeights, TheLengthIsAShareOfTheRadius) {
   for (const double radius : {1.0, 5.0}) {
     Mesh mesh = icosphere(4);

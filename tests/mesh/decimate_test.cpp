@@ -17,7 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Returns the Euler characteristic.
 long characteristic(const std::vector<Triangle>& triangles) {
   std::set<Index> vertices;
   std::set<std::pair<Index, Index>> edges;
@@ -134,8 +133,8 @@ TEST(Decimate, VerticesWithoutTrianglesHaveNoOwner) {
   EXPECT_EQ(decimated(mesh, 20).owners.back(), kNoIndex);
 }
 
-// A cone with 40 triangles around its tip, and a brim. The tip has too many neighbours to be merged
-// or merged into.
+// The mesh is a cone with 40 triangles around its tip, and a brim. The tip has too many neighbours:
+// it cannot be merged into another vertex, nor another vertex into it.
 TEST(Decimate, CrowdedVertexLosesItsNeighboursFirst) {
   constexpr Index kAround = 40;
   Mesh cone;
@@ -157,7 +156,8 @@ TEST(Decimate, CrowdedVertexLosesItsNeighboursFirst) {
   EXPECT_EQ(characteristic(d.triangles), 1);
 }
 
-// Next to a flipped triangle, the next corners of a vertex are not all its neighbours.
+// At a flipped triangle, the corners that follow a vertex in its triangles do not include all its
+// neighbours.
 TEST(Decimate, TriangleTurnedOverStaysOnItsSurface) {
   const Mesh sphere = icosphere(4);
   Mesh turned;
@@ -175,7 +175,7 @@ TEST(Decimate, TriangleTurnedOverStaysOnItsSurface) {
 TEST(Decimate, FarFromTheOriginIsTheSame) {
   const Mesh sphere = icosphere(4);
   Mesh far = sphere;
-  // Powers of two, so that positions lose few bits.
+  // The offset consists of powers of two, so that adding it loses few bits of the positions.
   for (Vector3d& p : far.positions) p += Vector3d(4096.0, 0.0, -4096.0);
   const Decimated here = decimated(sphere, 300);
   const Decimated there = decimated(far, 300);

@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-// The corners of a cube, each twice. Equal corners follow each other. x changes fastest, z slowest.
+// The points are the corners of a cube, each twice. In the order, equal points are adjacent, x
+// changes fastest and z slowest.
 TEST(OrderInSpace, GoesAlongXThenYThenZ) {
   std::vector<Vector3f> points;
   for (int twice = 0; twice < 2; ++twice) {

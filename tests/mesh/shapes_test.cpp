@@ -12,7 +12,7 @@
 namespace lapwing {
 namespace {
 
-// Returns the volume of a closed mesh, negative if the mesh is inside out.
+// Returns the volume of a closed mesh. The volume is negative if the mesh is inside out.
 double volume(const Mesh& mesh) {
   double six_times = 0.0;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -23,7 +23,7 @@ SplitNormals split(const Mesh& mesh, double degrees = kFeatureAngleDegrees) {
   return split_normals(mesh.positions, mesh.topology(), degrees);
 }
 
-// Returns a tube of `sides` flat faces without ends.
+// Returns the `sides` flat faces of a prism, without its two ends.
 Mesh prism(Index sides) {
   Mesh mesh;
   for (Index s = 0; s < sides; ++s) {
@@ -38,7 +38,7 @@ Mesh prism(Index sides) {
   return mesh;
 }
 
-// The corners of a cube's face share normals with no other face.
+// Each face of a cube has separate normals.
 TEST(SplitNormals, CubeHasThreeAtEachCornerAndOneInItsFaces) {
   const Mesh cube = bar(2, 2, 1.0, 1.0);
   const Topology& topology = cube.topology();
@@ -68,7 +68,7 @@ TEST(SplitNormals, CubeHasThreeAtEachCornerAndOneInItsFaces) {
   }
 }
 
-// The faces of a regular prism of n sides meet at 360 / n degrees.
+// The angle between adjacent faces of a regular prism with n sides is 360 / n degrees.
 TEST(SplitNormals, EdgesAreHardAboveTheFeatureAngleOnly) {
   EXPECT_THAT(split(prism(8)).extra_vertices, SizeIs(16)) << "45 degrees";
   EXPECT_THAT(split(prism(9)).extra_vertices, IsEmpty()) << "40 degrees";
@@ -78,7 +78,7 @@ TEST(SplitNormals, EdgesAreHardAboveTheFeatureAngleOnly) {
   EXPECT_THAT(split(bar(2, 2, 1.0, 1.0), 180.0).extra_vertices, IsEmpty());
 }
 
-// A ring of triangles around vertex 0, creased along the edge to vertex 1 only.
+// The triangles around vertex 0 form a crease only at the edge to vertex 1.
 TEST(SplitNormals, OneHardEdgeThatEndsAtAVertexDoesNotSplitIt) {
   constexpr Index kTriangles = 12;
   Mesh dart;
@@ -93,7 +93,7 @@ TEST(SplitNormals, OneHardEdgeThatEndsAtAVertexDoesNotSplitIt) {
 }
 
 TEST(SplitNormals, SheetsThatShareAnEdgeOrFaceOppositeWaysHaveTheirOwn) {
-  Mesh leaves;  // three leaves of a book at the edge 0-1
+  Mesh leaves;  // three triangles that share edge 0-1
   leaves.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0.2, 0}, {-1, -0.2, 0}};
   for (const Triangle& t : {Triangle{0, 1, 2}, {1, 0, 3}, {1, 0, 4}}) leaves.add_face(t);
   EXPECT_THAT(split(leaves, 20.0).extra_vertices, ElementsAre(0U, 0U, 1U, 1U));
@@ -103,7 +103,7 @@ TEST(SplitNormals, SheetsThatShareAnEdgeOrFaceOppositeWaysHaveTheirOwn) {
   EXPECT_THAT(split(opposite).extra_vertices, ElementsAre(1U, 2U));
 }
 
-// A cap without area between two sides of an edge does not join them.
+// A triangle without area between the two sides of an edge does not make the edge smooth.
 TEST(SplitNormals, TrianglesWithoutAreaDoNotSmoothAnEdge) {
   Mesh roof;
   roof.positions = {{0, 0, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, -1}, {-1, 1, -1}};
@@ -115,7 +115,7 @@ TEST(SplitNormals, TrianglesWithoutAreaDoNotSmoothAnEdge) {
 }
 
 TEST(SplitNormals, TrianglesOfOnePolygonShareThem) {
-  Mesh bent;  // a square whose corner is lifted
+  Mesh bent;  // a square with one corner lifted out of its plane
   bent.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
   bent.add_face(std::array<Index, 4>{0, 1, 2, 3});
   EXPECT_THAT(split(bent, 0.0).extra_vertices, IsEmpty());

@@ -29,7 +29,7 @@ bool is_boundary(const Edges& edges, Index v) {
   return false;
 }
 
-// Returns the limit position of the interior vertex v (Loop 1987).
+// Returns the position of the interior vertex v on the limit surface (Loop 1987).
 Vector3d limit(const Mesh& mesh, Index v) {
   const auto ring = mesh.topology().rings[v];
   const auto n = static_cast<double>(ring.size());

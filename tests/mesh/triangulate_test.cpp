@@ -32,7 +32,7 @@ double orient(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-// Ear clipping that tests all remaining corners for each ear.
+// Plain ear clipping, which tests every ear against all remaining corners.
 std::vector<Triangle> clipped_one_by_one(const Outline& outline) {
   std::vector<Index> left(outline.size());
   std::iota(left.begin(), left.end(), Index{0});
@@ -78,20 +78,20 @@ double area_of(const Outline& outline) {
 
 class Outlines {
  public:
-  // Intersects itself many times.
+  // Returns a random outline, which intersects itself many times.
   Outline strewn(std::size_t corners) {
     Outline outline;
     for (std::size_t i = 0; i < corners; ++i)
       outline.push_back({number_(random_), number_(random_)});
     return outline;
   }
-  // Corners coincide, and lie on lines.
+  // Returns an outline with coincident and collinear corners.
   Outline on_a_lattice(std::size_t corners) {
     Outline outline = strewn(corners);
     for (Vector2d& p : outline) p = (3.0 * p).array().round();
     return outline;
   }
-  // Does not intersect itself.
+  // Returns an outline that does not intersect itself.
   Outline star(std::size_t corners) {
     Outline outline;
     for (std::size_t i = 0; i < corners; ++i) {
@@ -130,7 +130,7 @@ TEST(TriangulatePolygon, CoversOneThatDoesNotCutThroughItself) {
   EXPECT_NEAR(area_of(outline, triangles), area_of(outline), 1e-12);
 }
 
-// Testing all corners for every ear would take hours.
+// Plain ear clipping would take hours on these outlines.
 TEST(TriangulatePolygon, EndsSoonForVeryManyCornersHoweverTheyLie) {
   constexpr std::size_t kMany = 50'000;
   Outlines outlines;

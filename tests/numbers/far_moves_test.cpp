@@ -1,4 +1,4 @@
-// Handles and targets that move too far for doubles, and weights at the ends of their range.
+// Tests moves of handles and targets that overflow doubles, and the smallest and largest weights.
 #include <array>
 
 #include <gmock/gmock.h>

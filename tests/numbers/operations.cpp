@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kMostEdited = 300;
 
-// Returns up to kMostEdited vertices around one vertex of the largest component, breadth first.
+// Returns at most kMostEdited vertices around one vertex of the largest component, in the order of
+// a breadth-first search.
 std::vector<Index> around_the_middle(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
   const Components components = connected_components(topology.rings);
@@ -53,7 +54,7 @@ Mesh with_positions(const Mesh& mesh, Positions positions) {
   return result;
 }
 
-// Height of the sources' detail, relative to the size of the target.
+// The height of the source's detail, relative to the size of the target.
 constexpr double kDetail = 0.02;
 
 // A bumpy square as large as the mesh.
@@ -138,7 +139,7 @@ Mesh run_mix(const Mesh& plain, const Placement& placement) {
   return with_positions(plain, placement.back(std::move(mixed.mesh.positions)));
 }
 
-// Replaces a small disk by a dome of a third of the mesh's size.
+// Replaces a small disk by a dome. The size of the dome is a third of the mesh size.
 Mesh run_transplant(const Mesh& plain, const Placement& placement) {
   Mesh dome = uneven_relief(10, 1.0, 0.05, 3);
   for (Eigen::Vector3d& p : dome.positions) p *= 0.3 * size_of(plain);
@@ -174,7 +175,7 @@ Outcome outcome_of(const Operation& operation, const Mesh& plain, const Placemen
 
 namespace {
 
-// Returns the largest distance of a vertex of `mesh` that a face uses from `surface`.
+// Returns the largest distance between `surface` and a vertex of `mesh`. Ignores isolated vertices.
 double distance_from(const Mesh& surface, const Mesh& mesh) {
   const Topology& topology = surface.topology();
   Adjacency all;
@@ -192,7 +193,7 @@ double distance_from(const Mesh& surface, const Mesh& mesh) {
 
 bool same_positions(const Mesh& a, const Mesh& b, double tolerance) {
   for (std::size_t v = 0; v < a.vertex_count(); ++v) {
-    // Vertices that are not finite agree, too.
+    // Vertices that are not finite in `b` also count as equal.
     if (a.positions[v] == b.positions[v] || !b.positions[v].allFinite()) continue;
     if (!((a.positions[v] - b.positions[v]).norm() <= tolerance)) return false;
   }

@@ -9,7 +9,7 @@
 
 namespace lapwing::test {
 
-/// Scales and moves a mesh: x -> scale x + offset.
+/// Scales and translates a mesh: x -> scale x + offset.
 struct Placement {
   std::string name;
   double scale = 1.0;
@@ -21,47 +21,47 @@ struct Placement {
     for (Eigen::Vector3d& p : mesh.positions) p = (*this)(p);
     return mesh;
   }
-  /// Maps positions of the placed mesh back to the plain one.
+  /// Maps positions of the transformed mesh back to the original mesh.
   Positions back(Positions positions) const {
     for (Eigen::Vector3d& p : positions) p = (p - offset) / scale;
     return positions;
   }
 };
 
-/// An operation with a request for any mesh: the region lies around the middle of the mesh, and
-/// lengths are relative to its size. The result on a placed mesh should be the placed result on the
-/// plain mesh.
+/// An operation with a request that suits any mesh: the region lies around the middle of the mesh,
+/// and lengths are relative to the mesh size. The operation should commute with every placement.
 struct Operation {
   std::string name;
-  /// Returns the result on the placed mesh, mapped back. Regions are chosen on the plain mesh, so
-  /// that they do not depend on the placement.
+  /// Transforms the mesh by `placement`, applies the operation and maps the result back. The
+  /// regions are selected on the mesh `plain`, so that they do not depend on the placement.
   std::function<Mesh(const Mesh& plain, const Placement& placement)> run;
 };
 
-/// Returns deform, peel, remesh, parameterize, coat, mix and transplant. The result of parameterize
-/// has the texture coordinates as positions.
+/// Returns deform, peel, remesh, parameterize, coat, mix and transplant. In the result of
+/// parameterize, the positions are the texture coordinates.
 std::vector<Operation> all_operations();
 
-/// Largest difference between the two results, relative to the diagonal of the plain mesh. It is
-/// below the tolerance of settling, a ten-thousandth of an edge: on needles, rounding decides where
-/// within that tolerance the minimizer stops.
+/// The largest accepted difference between the two results, relative to the diagonal of the
+/// original mesh. It allows for the tolerance of settling, 1e-4 edge lengths: on needle triangles,
+/// rounding determines where within this tolerance the minimizer stops.
 inline constexpr double kAgreement = 5e-6;
 
 /// The result of an operation, or the reason why it failed.
 struct Outcome {
   Mesh mesh;
-  std::string refusal;  ///< empty if there is a mesh
+  std::string refusal;  ///< error message; empty if there is a mesh
 };
 
 Outcome outcome_of(const Operation& operation, const Mesh& plain, const Placement& placement);
 
-/// If rounding decides between two edges that remeshing may split, collapse or flip, the results
-/// have different triangles. The surfaces then differ by at most kSameSurface, relative to the
-/// diagonal, and the numbers of vertices by at most kSameCount, relative to the expected one.
+/// If rounding determines which of two edges remeshing splits, collapses or flips, the results have
+/// different triangles. The distance between the surfaces may then be at most kSameSurface times
+/// the diagonal. The number of vertices may differ from the expected number by at most the fraction
+/// kSameCount.
 inline constexpr double kSameSurface = 2e-2;
 inline constexpr double kSameCount = 0.1;
 
-/// Returns whether the results agree in one of these two ways.
+/// Returns whether the results agree within kAgreement, or within kSameSurface and kSameCount.
 bool agrees(const Mesh& result, const Mesh& expected, double diagonal);
 
 }  // namespace lapwing::test

@@ -1,4 +1,4 @@
-// Every operation commutes with scaling a mesh and with moving it far from the origin.
+// Tests that every operation commutes with scaling a mesh and with moving it far from the origin.
 #include <cmath>
 #include <cstdlib>
 
@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A ball whose edges all have different lengths, so that rounding decides nothing.
+// Returns a ball whose edges all have different lengths, so that no choice depends on rounding.
 Mesh bumpy_ball() {
   Mesh ball = icosphere(3);
   for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
@@ -26,8 +26,9 @@ Mesh bumpy_ball() {
   return ball;
 }
 
-// Every 40th face gets a vertex near the middle of an edge, at `height` times the height of the
-// face. The triangle between edge and vertex is a needle.
+// Returns a ball with a needle triangle at every 40th face. The needle connects an edge of the face
+// to a new vertex near the edge's midpoint. The height of the needle is `height` times that of the
+// face.
 Mesh ball_with_needles(double height) {
   const Mesh whole = bumpy_ball();
   Mesh mesh;
@@ -51,7 +52,7 @@ Mesh ball_with_needles(double height) {
   return mesh;
 }
 
-// Repeats every 40th face.
+// Returns a ball in which every 40th face exists twice.
 Mesh ball_with_repeated_faces() {
   const Mesh whole = bumpy_ball();
   Mesh mesh = whole;
@@ -59,7 +60,7 @@ Mesh ball_with_repeated_faces() {
   return mesh;
 }
 
-// Distance from the origin in edge lengths, as for scans in map coordinates.
+// The distance from the origin in edge lengths. Scans in map coordinates have such distances.
 constexpr double kFarOut = 1e7;
 
 double mean_edge(const Mesh& mesh) {
@@ -94,7 +95,7 @@ std::vector<Placement> exact_placements() {
   return all;
 }
 
-// Describes each result that differs.
+// Returns a description of each result that differs.
 std::vector<std::string> differences(const Mesh& mesh, const std::vector<Operation>& operations,
                                      const std::vector<Placement>& placements) {
   const double diagonal = bounds_of(mesh.positions).diagonal();
@@ -121,7 +122,7 @@ std::vector<std::string> differences(const Mesh& mesh) {
   return differences(mesh, all_operations(), all);
 }
 
-// Operations that make no choices by comparing lengths.
+// Returns the operations in which no decision depends on a comparison of lengths.
 std::vector<Operation> without_choices() {
   std::vector<Operation> all = all_operations();
   std::erase_if(all, [](const Operation& o) { return o.name != "deform" && o.name != "peel"; });
@@ -136,8 +137,8 @@ TEST(Placements, MakeNoDifferenceWithNeedles) {
   EXPECT_THAT(differences(ball_with_needles(1e-4)), ::testing::IsEmpty());
 }
 
-// Rounding decides on which side of its edge the tip of a needle without height lies, and therefore
-// which triangles remeshing makes.
+// If a needle has no height, rounding determines on which side of the edge its tip lies, and
+// therefore which triangles remeshing creates.
 TEST(Placements, MakeNoDifferenceWithNeedlesWithoutHeight) {
   const Mesh mesh = ball_with_needles(0.0);
   EXPECT_THAT(differences(mesh, all_operations(), exact_placements()), ::testing::IsEmpty());

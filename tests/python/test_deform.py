@@ -55,7 +55,7 @@ def test_targets_are_rows_a_dict_or_landmarks(tube, ends):
 
 
 def test_a_landmarks_weight_of_a_tenth_averages_noise(scan):
-    # The figures of the module's page: noise of 0.5% of the diagonal.
+    # These are the numbers in tools/python/README.md for a noise of 0.5% of the diagonal.
     move = {"translate": [-5, 13, 2], "rotate": {"axis": [0, 0, 1], "degrees": 35}}
     true = lapwing.deform(scan, roi=ARM, handles=[(HAND, move)]).vertices
     diagonal = np.linalg.norm(np.ptp(scan.vertices, axis=0))

@@ -150,7 +150,7 @@ def test_the_module_runs_recipes_and_prints_keys(tmp_path):
 
 
 def test_a_forked_child_computes_the_same_and_ends(bent, tube, ends):
-    # The pool's threads exist only in the parent, whose results are the child's, too.
+    # A forked child has no pool threads, but it must compute the same results as its parent.
     edit = lapwing.Deformer(tube, belt=ends[0], handles=[ends[1]])
     expected = edit.solve(turned(60.0)).vertices
     child = os.fork()
@@ -205,7 +205,7 @@ def test_messages_of_the_engine_name_no_program_and_no_flag(source):
         code = "\n".join(line for line in file.read_text().splitlines() if "#include" not in line)
         code = re.sub(r'"\s*\n\s*"', "", code)
         for text in literal.findall(code):
-            # A number and the end are added when the message is made.
+            # The engine appends a number and a closing parenthesis to this text.
             if text.startswith(" (or --"):
                 text += "90)"
             if text.endswith("`--device "):

@@ -174,7 +174,7 @@ TEST(BoundaryAnchors, OfADiskWithAHoleIsItsOuterBorder) {
             resolved(whole, box, BoundaryAnchors{0.0, "/belt"}, handles).belt);
 }
 
-// The rims of a statue hold it only if nothing else does.
+// The rims of holes become anchors only if nothing else constrains the surface.
 TEST(BoundaryAnchors, HoldTheRimsOfHolesOnlyIfNothingElseCanHoldTheSurface) {
   const Mesh holed = without_faces(icosphere(4), [](const Vector3d& p) { return p.z() < -0.97; });
   const Index top = nearest(holed, {0, 0, 1});

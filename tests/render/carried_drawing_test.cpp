@@ -12,7 +12,7 @@ namespace {
 
 using test::Subject;
 
-// Counts the pixels in the colour of attachments. Neither clay nor background is greenish.
+// Counts the pixels in the colour of attachments. Neither the clay nor the background is greenish.
 std::size_t greenish(const Image& image) {
   std::size_t count = 0;
   for (std::uint32_t y = 0; y < image.height; ++y) {

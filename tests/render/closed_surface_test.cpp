@@ -23,7 +23,7 @@ Mesh turned_inside_out(Mesh mesh) {
   return mesh;
 }
 
-// Returns both meshes in one, the second far from the origin.
+// Returns a mesh that contains `a`, and `b` far from the origin.
 Mesh both(const Mesh& a, Mesh b) {
   transform(b, Eigen::Affine3d(Eigen::Translation3d(1e6, 0.0, 0.0)));
   return test::joined(a, b);

@@ -24,7 +24,7 @@ constexpr std::uint32_t kRed = kColor | 0x0000FFU;
 constexpr std::uint32_t kGreen = kColor | 0x00FF00U;
 constexpr std::uint32_t kBlue = kColor | 0xFF0000U;
 
-// Returns a material with an image, and with the colour red for triangles that cannot show it.
+// Returns a material with an image. Triangles that cannot show the image are red.
 FileColors skin() {
   FileColors colors;
   colors.images.push_back({1, 1, {1, 2, 3, 255}});
@@ -117,7 +117,7 @@ TEST(CornerColors, NamesThatAMeshHasFromElsewhereAreNoMaterials) {
 }
 
 TEST(CornerColors, JoinedSeamsKeepWhatEachSideHas) {
-  // Two triangles that meet along an edge, with separate vertices and colours.
+  // The two triangles touch along an edge, but have separate vertices and colours.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});

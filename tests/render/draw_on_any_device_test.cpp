@@ -45,8 +45,8 @@ class DrawOnAnyDevice : public ::testing::TestWithParam<DriverFault> {
   const Mesh mesh = icosphere(1);
 };
 
-// Every call fails once. Every eighth time, draw_on_any_device draws again on a new context; the
-// other times, only the failure is checked, because opening a device is slow.
+// Each call fails in one run. In every eighth run, draw_on_any_device draws again on a new context.
+// The other runs check only the failure, because opening a device is slow.
 TEST_P(DrawOnAnyDevice, ThePictureIsTheSameWhereverADeviceFails) {
   const Drawn undisturbed = drawn(nullptr);
   EXPECT_EQ(undisturbed.said, "");
@@ -73,8 +73,8 @@ TEST_P(DrawOnAnyDevice, ThePictureIsTheSameWhereverADeviceFails) {
     }
   };
   const long calls = test::for_every_call(driver, GetParam(), prepare, act);
-  // The last waits come after the picture, so a loss there does no harm. Unmapped memory needs more
-  // of them.
+  // The last waits happen after the image is complete, so losing the device there changes nothing.
+  // Unmapped memory needs more of these waits.
   constexpr long kWaitsAtTheEnd = 4;
   EXPECT_GT(failures, 2);
   EXPECT_GE(failures, calls - (GetParam() == DriverFault::loss ? kWaitsAtTheEnd : 0));

@@ -14,7 +14,7 @@
 namespace lapwing {
 namespace {
 
-// Returns the triangle rotated so that it begins with its smallest vertex.
+// Rotates the indices of the triangle so that the smallest one is first.
 Triangle from_smallest(Triangle triangle) {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   return triangle;
@@ -28,7 +28,7 @@ class Ordered {
   bool is_mapped() const { return surface.draw_order() != nullptr; }
   const DrawOrder& order() const { return *surface.draw_order(); }
 
-  // Returns the triangles that the indices mean to the vertex shader.
+  // Returns the triangles that the vertex shader draws for the index buffer.
   std::vector<Triangle> smooth() const {
     const auto drawn = order().index_buffer().mapped_as<Triangle>();
     return {drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(order().smooth_count())};
@@ -51,7 +51,7 @@ class Ordered {
   Surface surface{context, mesh.positions, topology};
 };
 
-// Returns the sheet with the part beyond x = 0.5 rotated about an axis along y.
+// Returns the sheet, folded by `angle` about the line x = 0.5.
 Positions folded(const Mesh& sheet, double angle) {
   Positions moved = sheet.positions;
   for (Eigen::Vector3d& p : moved) {
@@ -100,7 +100,7 @@ TEST(DrawOrder, TrianglesAtAFoldAreSharp) {
   }
 }
 
-// Draws by vertex or, as on a device whose memory is not mapped, by corner.
+// Draws the mesh with an index buffer, or corner by corner as on a device without mapped memory.
 Image picture(const Mesh& mesh, const SurfaceStyle& style, bool by_corner) {
   gpu::ContextOptions options;
   options.map_device_memory = !by_corner;
@@ -142,7 +142,7 @@ TEST_P(PictureByVertex, IsThatByCorner) {
   EXPECT_LE(largest_difference(icosphere(3), style), 1);
   EXPECT_LE(largest_difference(bar(3, 5, 1.0, 2.0), style), 1);
   Mesh fold = grid(9, 9);
-  fold.positions = folded(fold, 2.0);  // its back shows beside its front
+  fold.positions = folded(fold, 2.0);  // shows its front and its back
   EXPECT_LE(largest_difference(fold, style), 1);
   style.sides = Sides::front;
   EXPECT_LE(largest_difference(fold, style), 1);

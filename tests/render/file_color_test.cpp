@@ -1,4 +1,4 @@
-// Surfaces in the colours of their file, compared with the same images sampled on the CPU.
+// Compares surfaces that are drawn in the colours of their file with the CPU twin.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -27,8 +27,8 @@ using test::textured_square;
 using test::trilinear;
 
 constexpr double kPixelsPerUnit = (1.0 - 2.0 * Subject::kMargin) * Subject::kSize;
-// Tolerance in linear light: the largest step of a byte in sRGB, in the picture and in the pictures
-// of white and of black.
+// The tolerance in linear light. Each of the three rendered images can be wrong by the largest
+// difference between two successive sRGB bytes.
 constexpr double kStep = 0.015;
 
 Image noise(std::uint32_t width, std::uint32_t height) {
@@ -45,8 +45,8 @@ Image of_one_color(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
   return {1, 1, {r, g, b, 255}};
 }
 
-// Draws a mesh in the colours of a file, and recovers these colours in linear light. Pictures of a
-// white and a black image tell how the renderer lights each pixel.
+// Draws a mesh in the colours of a file and recovers these colours in linear light. Renderings with
+// a white and a black texture show how the renderer lights each pixel.
 class InFileColors {
  public:
   explicit InFileColors(const Mesh& mesh) : subject(mesh) {
@@ -78,14 +78,15 @@ class InFileColors {
   Image black_;
 };
 
-// Returns the place on the unit square under the middle of a pixel.
+// Returns the point of the unit square that is drawn at the centre of a pixel.
 Vector2d place_under(std::uint32_t x, std::uint32_t y) {
   const Vector2d pixel(x + 0.5, y + 0.5);
   const Vector2d across = (pixel.array() - 0.5 * Subject::kSize) / kPixelsPerUnit;
   return {0.5 + across.x(), 0.5 - across.y()};
 }
 
-// Returns the largest difference over all pixels that lie inside the square with their neighbours.
+// Returns the largest difference over the pixels that lie inside the square and whose neighbours
+// also do.
 template <class Difference>
 double largest_inside(const Difference& difference_at) {
   const auto first = static_cast<std::uint32_t>(Subject::kMargin * Subject::kSize) + 2;
@@ -123,7 +124,7 @@ TEST_P(FilteredImage, AgreesWithTheProcessors) {
   const LightImage light = light_image(image);
   const Image shown = picture.with_image(image);
   test::keep_picture(shown, "file-color-" + m.name);
-  // A step of one pixel to the right or downwards, whichever is longer, in pixels of the image.
+  // The larger of the texture distances, in texels, to the next pixel on the right and below.
   const Eigen::Matrix2d steps =
       Vector2d(m.width, m.height).asDiagonal() * uv_of_place / kPixelsPerUnit;
   const double texels = std::max(steps.col(0).norm(), steps.col(1).norm());
@@ -150,7 +151,7 @@ TEST(FileColor, CheckerboardFromAfarIsItsMeanInLightWithoutMoire) {
     const std::uint8_t value = (p / 64 + p) % 2 == 0 ? 0 : 255;
     board.rgba.insert(board.rgba.end(), {value, value, value, 255});
   }
-  // One pixel of the picture covers between 2 and 40 pixels of the image.
+  // One rendered pixel covers between 2 and 40 texels.
   for (const double repeats : {3.3, 10.1, 64.7}) {
     InFileColors picture(
         textured_square([&](const Vector2d& p) -> Vector2d { return repeats * p; }));

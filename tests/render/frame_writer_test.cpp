@@ -25,7 +25,7 @@ using Color = std::array<std::uint8_t, 4>;
 constexpr Color kRedFrame{220, 30, 40, 255};
 constexpr Color kBlueFrame{40, 60, 210, 255};
 
-// Returns an image with more bytes than any buffer on the way holds.
+// Returns an image that is larger than any pipe or file buffer.
 Image image_of(const Color& color, std::uint32_t width = 640, std::uint32_t height = 480) {
   Image image{width, height, {}};
   for (std::uint32_t k = 0; k < width * height; ++k) {
@@ -88,7 +88,7 @@ class AVideo : public ::testing::TestWithParam<const char*> {
  protected:
   fs::path video() const { return videos_ / (std::string("a") + GetParam()); }
 
-  TemporaryFolder folder_;  // holds the stand-in
+  TemporaryFolder folder_;  // contains the stand-in for ffmpeg
   TemporaryFolder videos_;
 };
 INSTANTIATE_TEST_SUITE_P(Formats, AVideo, ::testing::Values(".mp4", ".webm", ".gif", ".MP4"),
@@ -124,7 +124,7 @@ TEST_P(AVideo, ThatIsGivenUpLeavesWhatWasThere) {
 
 TEST_P(AVideo, ThatFfmpegCannotWriteSaysWhy) {
   std::ofstream(video()) << "old";
-  // ffmpeg fails at once, or with the last picture.
+  // ffmpeg fails immediately or after the last image.
   for (const char* reads : {"", "cat > /dev/null; "}) {
     const StandInFfmpeg ffmpeg(folder_.path(), std::string(reads) +
                                                    "echo first >&2; echo Unknown encoder >&2; "
@@ -169,7 +169,7 @@ TEST(Mp4, ByFfmpegItselfHasThePicturesAndTheirColors) {
                              "' -f rawvideo -pix_fmt rgb24 '" + (folder / "raw").string() + "'";
   ASSERT_EQ(std::system(decode.c_str()), 0);
   const std::string raw = text_of(folder / "raw");
-  constexpr std::size_t kFrame = 64UL * 48 * 3;  // sizes are cropped to even ones
+  constexpr std::size_t kFrame = 64UL * 48 * 3;  // odd sizes are cropped to even ones
   ASSERT_EQ(raw.size(), 6 * kFrame);
   for (std::size_t c = 0; c < 3; ++c) {
     const auto channel = [&](std::size_t frame) {

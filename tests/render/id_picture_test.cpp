@@ -21,7 +21,7 @@ struct Hit {
   double border = 0.0;  ///< the smallest barycentric weight
 };
 
-// The CPU twin: intersects every triangle with the line of sight through the pixel's centre.
+// The CPU twin. It intersects every triangle with the viewing ray through the pixel's centre.
 Hit cast(const Subject& subject, std::uint32_t x, std::uint32_t y, std::uint32_t size) {
   const Ray ray = line_of_sight(subject.camera, {x + 0.5, y + 0.5},
                                 Eigen::Vector2d::Constant(static_cast<double>(size)));
@@ -33,7 +33,7 @@ Hit cast(const Subject& subject, std::uint32_t x, std::uint32_t y, std::uint32_t
       corners.col(c) = subject.mesh.positions[triangle[static_cast<std::size_t>(c)]] - ray.origin;
     }
     const Vector3d weights =
-        corners.inverse() * ray.direction;  // weights of the corners, times 1 / distance
+        corners.inverse() * ray.direction;  // barycentric coordinates divided by the distance
     const double distance = 1.0 / weights.sum();
     const double border = weights.minCoeff() * distance;
     if (!(distance > 0.0) || border < 0.0 || distance >= nearest.distance) continue;
@@ -52,7 +52,7 @@ void expect_same_as_ray_cast(Subject& subject) {
     for (std::uint32_t x = 0; x < kSize; x += 3) {
       const auto pick = picture.pick(subject.surface, x, y);
       const Hit hit = cast(subject, x, y, kSize);
-      if (hit.triangle != kNoIndex && hit.border < 1e-3) continue;  // rounding decides near an edge
+      if (hit.triangle != kNoIndex && hit.border < 1e-3) continue;  // depends on rounding
       ASSERT_EQ(pick.has_value(), hit.triangle != kNoIndex) << x << ", " << y;
       if (!pick) continue;
       ++hits;

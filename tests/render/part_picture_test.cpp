@@ -13,7 +13,7 @@
 namespace lapwing {
 namespace {
 
-// Returns half of a sphere, open at the bottom.
+// Returns a hemisphere that is open at the bottom.
 Mesh dome() {
   const Mesh sphere = icosphere(3);
   VertexSet upper;
@@ -57,7 +57,7 @@ TEST(PartPicture, PartStandsOnItsLoopHoweverItLies) {
   for (auto& p : hanging.positions) {
     p = 3.0 * Eigen::Vector3d(p.x(), -p.y(), -p.z()) + Eigen::Vector3d(5, 5, 5);
   }
-  // A sphere looks the same from all sides; its triangles look nearly the same.
+  // A sphere looks the same from all sides, and its mesh nearly the same.
   EXPECT_LT(test::mean_difference(upright, picture_of(hanging)), 6.0);
 }
 

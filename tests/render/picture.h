@@ -12,8 +12,8 @@
 
 namespace lapwing::test {
 
-/// A mesh on the device, ready to be drawn. It is seen from the front in parallel projection, so
-/// that places in the picture are easy to compute.
+/// A mesh on the device, ready to be drawn. The camera is in front of the mesh and uses an
+/// orthographic projection, so that pixel coordinates are easy to compute.
 class Subject {
  public:
   explicit Subject(const Mesh& subject_mesh)
@@ -28,7 +28,7 @@ class Subject {
 
   Image render() { return render_image(surface, paint, camera, options); }
 
-  /// Moves the mesh from its rest place along x.
+  /// Draws the mesh at its rest positions, translated by `distance` along x.
   void move_by(double distance) {
     Positions moved = mesh.positions;
     for (Eigen::Vector3d& p : moved) p.x() += distance;
@@ -46,14 +46,14 @@ class Subject {
   RenderOptions options;
 };
 
-/// Returns the fraction of the picture that is not transparent.
+/// Returns the fraction of the image that is not transparent.
 inline double coverage(const Image& image) {
   double sum = 0.0;
   for (std::size_t at = 3; at < image.rgba.size(); at += 4) sum += image.rgba[at];
   return sum / (255.0 * image.width * image.height);
 }
 
-/// Returns the mean difference of the channels of two pictures of one size, from 0 to 255.
+/// Returns the mean difference of the channels, from 0 to 255, of two images of equal size.
 inline double mean_difference(const Image& a, const Image& b) {
   double sum = 0.0;
   for (std::size_t at = 0; at < a.rgba.size(); ++at) sum += std::abs(a.rgba[at] - b.rgba[at]);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/deform/deform.h"
 #include "support/bent_tube.h"
 
 namespace lapwing::test {
@@ -46,6 +47,20 @@ TEST(PoseMeasure, OnlyAVertexThatMovedAndItsRingHaveNumbers) {
   EXPECT_EQ(numbers, static_cast<std::ptrdiff_t>(ring.size()) + 1);
   EXPECT_FLOAT_EQ(values[center], 0.5F);
   EXPECT_EQ(values[ring[0]], 0.0F);
+}
+
+TEST(PoseMeasure, AStiffBeltHasNoNumbers) {
+  const Mesh tube = bumpy_tube();
+  const EditRegion ends = foot_and_head(tube);
+  const Deformed deformed = deform(tube, moved_head(ends, MatrixMove{bend().affine()}));
+  ASSERT_NE(deformed.mesh.positions[ends.belt.front()], tube.positions[ends.belt.front()]);
+  const auto values = measured(PoseMeasure::detail, tube, deformed.mesh.positions);
+  for (const Index v : ends.belt) {
+    const auto ring = tube.topology().rings[v];
+    const bool touches_free =
+        std::any_of(ring.begin(), ring.end(), [](Index w) { return w >= 24; });
+    EXPECT_EQ(std::isnan(values[v]), !touches_free) << v;
+  }
 }
 
 TEST(PoseMeasure, TurnOfTheWholeMeshIsRotationAlone) {

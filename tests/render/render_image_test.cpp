@@ -37,7 +37,7 @@ Mesh quads(Index columns, Index rows) {
   return mesh;
 }
 
-// Returns the column of the picture that shows x of the unit square.
+// Returns the column of the image at which the coordinate x of the unit square is drawn.
 std::uint32_t column(double x) {
   return static_cast<std::uint32_t>((0.5 + (x - 0.5) * kPartShown) * Subject::kSize);
 }
@@ -69,7 +69,7 @@ TEST(RenderImage, SphereIsALitDiscOnTheBackground) {
   }
 }
 
-// With several samples, the shaders of a software device encode colours; with one, the device does.
+// With several samples, the shaders encode colours on a software device; with one, the device does.
 TEST(RenderImage, ColoursAreThoseWithoutAntialiasing) {
   LAPWING_NEEDS_GPU();
   Subject square(grid(1, 1));
@@ -109,7 +109,7 @@ TEST(RenderImage, WhiteBackgroundIsWhite) {
 
 TEST(RenderImage, NearerSurfaceHidesTheFartherOne) {
   LAPWING_NEEDS_GPU();
-  // Two unit squares, one behind the other.
+  // The mesh is two unit squares, one behind the other.
   Mesh mesh = grid(1, 1);
   const Mesh behind = mesh;
   for (const Eigen::Vector3d& p : behind.positions) {

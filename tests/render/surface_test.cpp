@@ -13,7 +13,7 @@
 namespace lapwing {
 namespace {
 
-// With mapped memory, the CPU moves the surface on a software device; otherwise, the device does.
+// On a software device, the CPU moves the surface if memory is mapped; otherwise, the device does.
 class SurfaceUploads : public ::testing::TestWithParam<bool> {
  protected:
   void SetUp() override {
@@ -24,8 +24,8 @@ class SurfaceUploads : public ::testing::TestWithParam<bool> {
   }
 
   std::uint64_t uploaded() const { return context->transfers().uploaded; }
-  // Returns the bytes of moving vertices: their positions and numbers, and the numbers of vertices
-  // with new normals.
+  // Returns the number of bytes for moving vertices: their positions and indices, and the indices
+  // of the vertices whose normals change.
   std::uint64_t moving_bytes(std::span<const Index> moving) const {
     const std::size_t affected = with_ring_neighbours(moving, topology.rings).size();
     constexpr std::uint64_t kNoParameters = 16;
@@ -43,8 +43,9 @@ TEST_P(SurfaceUploads, MeshOnceAndNothingForAStillSurface) {
   const std::uint64_t opened = uploaded();
   const std::uint64_t vertices = mesh.vertex_count();
   const std::uint64_t corners = topology.vertex_triangles.values.size();
-  // Positions, triangles, and the fans around the vertices: each fan has one corner more than
-  // triangles, and a start, and the last one an end. The CPU needs no list of all vertices.
+  // The data are positions, triangles and the fans around the vertices. A fan has one more corner
+  // than triangles. Each fan has a start index, and the last one also an end index. The CPU does
+  // not need a list of all vertices.
   const bool is_mapped = !gpu::Buffer(*context, "probe", 16).mapped().empty();
   const std::uint64_t list = is_mapped ? 0 : vertices * sizeof(Index);
   EXPECT_EQ(opened, vertices * sizeof(Vec4) + topology.triangles.size() * sizeof(Triangle) +
@@ -114,7 +115,7 @@ double distance_to_nearest(const Eigen::Vector3d& v, const std::vector<Eigen::Ve
   return least;
 }
 
-// Every normal of a bar is that of a face, at rest and after it was sheared.
+// Every normal of a bar equals that of a face, both at rest and after a shear.
 TEST_P(SurfaceUploads, HardEdgesStayHardWhenTheSurfaceMoves) {
   Mesh box = bar(2, 3, 1.0, 2.0);
   Surface surface(context, box.positions, box.topology());
@@ -131,7 +132,7 @@ TEST_P(SurfaceUploads, HardEdgesStayHardWhenTheSurfaceMoves) {
   EXPECT_EQ(round.normals().size(), box.vertex_count());
 }
 
-// Vertices that only the first response moves return to rest.
+// When the second drag begins, vertices that only the first response moves return to rest.
 TEST_P(SurfaceUploads, DragByAnotherResponseBeginsAtRest) {
   const auto blend_of = [&](const std::vector<Index>& moving) {
     const std::vector<double> column(3 * moving.size(), 1.0);

@@ -13,7 +13,7 @@
 // The CPU twin of shaders/file_color.glsl.
 namespace lapwing::test {
 
-/// Returns the linear light of a byte in sRGB.
+/// Converts a byte in sRGB to linear light.
 inline double light_of(double byte) {
   const double c = byte / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -23,7 +23,7 @@ inline Eigen::Array3d light_of(const std::array<std::uint8_t, 4>& pixel) {
   return {light_of(pixel[0]), light_of(pixel[1]), light_of(pixel[2])};
 }
 
-/// An image in linear light, which repeats; the first row is at the top.
+/// An image in linear light. The first row is at the top. The image repeats in both directions.
 struct LightImage {
   int width = 0;
   int height = 0;
@@ -61,7 +61,7 @@ inline LightImage next_level(const LightImage& fine) {
   return half;
 }
 
-/// Returns the colour at `place`, rightwards and downwards, 1 being the whole image.
+/// Returns the colour at `place`. (0, 0) is the upper left corner and (1, 1) the lower right one.
 inline Eigen::Array3d bilinear(const LightImage& image, const Eigen::Vector2d& place) {
   const double x = place.x() * image.width - 0.5;
   const double y = place.y() * image.height - 0.5;
@@ -75,7 +75,7 @@ inline Eigen::Array3d bilinear(const LightImage& image, const Eigen::Vector2d& p
                         right_share * image.at(left + 1, top + 1));
 }
 
-/// Returns the colour at `place` for a pixel that is `texels` pixels of the image wide.
+/// Returns the colour at `place` for a rendered pixel that is `texels` texels wide.
 inline Eigen::Array3d trilinear(LightImage image, const Eigen::Vector2d& place, double texels) {
   double level = std::max(0.0, std::log2(texels));
   while (level >= 1.0 && image.pixels.size() > 1) {

@@ -6,8 +6,8 @@
 
 namespace lapwing::test {
 
-/// Returns the unit square, one polygon of the material "skin". `uv_of` maps corners to texture
-/// coordinates.
+/// Returns the unit square as one polygon with the material "skin". `uv_of` maps the position of a
+/// corner to its texture coordinates.
 template <class UvOf>
 Mesh textured_square(const UvOf& uv_of) {
   Mesh mesh;
@@ -21,7 +21,7 @@ Mesh textured_square(const UvOf& uv_of) {
   return mesh;
 }
 
-/// The texture coordinates are x and y.
+/// Returns the unit square with x and y as texture coordinates.
 inline Mesh textured_square() {
   return textured_square([](const Eigen::Vector2d& p) -> Eigen::Vector2d { return p; });
 }

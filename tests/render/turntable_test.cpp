@@ -19,7 +19,7 @@ Vector3d in_clip_space(const Camera& camera, double aspect, const Vector3d& poin
   return clip.hnormalized();
 }
 
-// Returns points far from the origin that look different from all sides.
+// Returns points far from the origin. Their outline differs from every viewing direction.
 Positions leaning_torus() {
   Positions points = torus(24, 12, 2.0, 0.5).positions;
   for (Vector3d& p : points) p = Vector3d(p.x() + 1e3 + p.y(), 3.0 * p.y(), 0.4 * p.z() - 50.0);

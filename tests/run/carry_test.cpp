@@ -41,7 +41,7 @@ class Carry : public test::RecipeRuns {
                    "move": {"rotate": {"axis": [0, 0, 1], "degrees": )" +
            std::to_string(degrees) + R"(}}}], "carry": [)" + carry + "]}";
   }
-  // Returns the message of `save_result`, which must write nothing.
+  // Expects that `save_result` fails without writing a file. Returns the error message.
   std::string refused(const std::string& steps, const std::string& result = "out.obj") {
     const auto run_result = run(steps);
     const std::string message =

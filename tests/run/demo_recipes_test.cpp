@@ -84,8 +84,8 @@ TEST(Cactus, BendsItsLimbWithoutFlipsFoldsOrLostDetail) {
   EXPECT_LT(c.edge_stretch, 0.05);
 }
 
-// By how many degrees the triangles of `mesh` turn over its edges, ascending: 0 where it is flat.
-// `counts`, when not empty, marks the vertices between which an edge counts.
+// Returns the angles in degrees between the normals of adjacent triangles, in ascending order. If
+// `counts` is not empty, includes only the edges between the vertices that `counts` marks.
 std::vector<double> dihedral_angles(const Mesh& mesh, std::span<const char> counts = {}) {
   std::map<std::pair<Index, Index>, Eigen::Vector3d> normals;
   std::vector<double> angles;
@@ -106,7 +106,7 @@ std::vector<double> dihedral_angles(const Mesh& mesh, std::span<const char> coun
   return angles;
 }
 
-// Of ascending values, what `share` of them do not exceed.
+// Returns the percentile of ascending values. `share` is a fraction: 0.5 gives the median.
 double percentile(const std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   return values[static_cast<std::size_t>(place)];

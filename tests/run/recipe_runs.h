@@ -38,7 +38,7 @@ class RecipeRuns : public ::testing::Test {
     return run(steps, cpu_, progress, options);
   }
 
-  /// Returns the message of a run that must fail.
+  /// Runs a recipe that must fail. Returns the error message.
   template <class Error = InputError>
   std::string refusal(const std::string& steps) {
     return error_message<Error>([&] { run(steps); });

@@ -101,7 +101,7 @@ TEST_F(Winding, LargeTurnsAreMadeInPartsByThemselves) {
   EXPECT_EQ(run(twist(180))->report.steps[0].deform->commits, 1U);
 }
 
-// The linear response of 300 degrees at once is that of -60.
+// Applied in one step, the linear response to 300 degrees equals that to -60 degrees.
 TEST_F(Winding, LinearSolutionsOfLargeTurnsAreMadeInPartsByThemselves) {
   for (const double degrees : {260.0, 300.0, -300.0}) {
     for (const char* keys : {R"(, "settle": false)", R"(, "settle": false, "response": "rsi")"}) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMegabyte = (std::size_t{1} << 20) / sizeof(double);
 
-// Returns how often an arena of `count` numbers allocates.
+// Returns the number of allocations when an arena reserves memory for `count` numbers.
 long calls_to_reserve(std::size_t count) {
   const test::FailingNew counter(-1);
   Arena<double> arena;

@@ -1,4 +1,4 @@
-// Results that must not depend on the number of threads, and events while threads run.
+// Tests that results do not depend on the number of threads, and events while threads run.
 
 #include <atomic>
 #include <random>
@@ -24,8 +24,8 @@ BlockCholeskyOptions with_threads(unsigned threads) {
   return options;
 }
 
-// Number of runs of tests that depend on timing. ThreadSanitizer is slow, but sees races without a
-// collision.
+// The number of runs of tests that depend on timing. ThreadSanitizer needs fewer runs, because it
+// detects races even if they do no harm in a run; it is also slow.
 #ifdef LAPWING_THREAD_SANITIZER
 constexpr int kRuns = 10;
 #else

@@ -1,4 +1,4 @@
-// The contract of BlockSolver, for every factorization.
+// Tests the contract of BlockSolver for every factorization.
 
 #include "lapwing/solve/block_solver.h"
 
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Each, EveryBlockSolver,
                              NamedSolver{"Eigen", bench::make_eigen_solver}),
                          [](const auto& suite) { return suite.param.name; });
 
-// Compares block Cholesky with Eigen on three hundred random systems.
+// Compares block Cholesky with Eigen on 300 random systems.
 TEST(BlockSolvers, AgreeOnRandomSystems) {
   const auto ours = make_solver();
   const auto reference = bench::make_eigen_solver();

@@ -34,7 +34,7 @@ std::vector<Index> all_vertices(const Mesh& mesh) {
   return all;
 }
 
-// The system of a whole mesh, in which every `held`-th vertex is no unknown.
+// The system of a whole mesh. Every `held`-th vertex is constrained and therefore not an unknown.
 struct System {
   Unknowns unknowns;
   CouplingGraph graph;
@@ -213,12 +213,12 @@ TEST(Part, KnowsTheBorderThatItsSeparatorLeaves) {
       const int node = half.nodes[v];
       const bool is_unknown = half.graph.weights[v] > 0;
       unknowns += is_unknown ? 1 : 0;
-      // Held vertices are no border; unknowns of the separator are.
+      // The border contains the unknowns of the separator, but no constrained vertices.
       const bool is_later = !is_unknown && node < system.graph.unknowns;
       EXPECT_EQ(half.graph.borders[v], is_later ? 2 : 0);
     }
     EXPECT_EQ(half.unknowns, unknowns);
-    // A border stays a border in the parts of this part.
+    // A further dissection of this part preserves its border.
     const ThickSeparator none(half.graph, Sides(half.nodes.size(), 0));
     EXPECT_EQ(side_of(half, none, 0).graph.borders, half.graph.borders);
   }
@@ -303,7 +303,7 @@ TEST(WeightedGraph, ContractingCountsEdgesAndNodesAtBorders) {
   }
 }
 
-// Each unknown has the least degree of the remaining ones, by explicit elimination.
+// Checks by explicit elimination that each unknown has the minimum degree of the remaining ones.
 TEST(LeafOrder, TakesTheLeastDegreeAndCountsWhatIsAround) {
   const System system(grid(20, 20), 9);
   std::vector<int> leaf;
@@ -338,7 +338,7 @@ TEST(LeafOrder, OrdersASetThatIsTooLargeForItsMethod) {
   expect_permutation(order, order.size());
 }
 
-// Sums over the fronts, by the definition.
+// Computes the number of operations by its definition, a sum over the fronts.
 double operations_of_halving(double separator, double border) {
   double sum = 0;
   double count = 1;

@@ -23,8 +23,8 @@ std::vector<int> shuffled_order(std::size_t n, unsigned seed) {
   return order;
 }
 
-// Returns the rows below the diagonal of each column of the factor, by elimination. Columns and
-// rows are places in the order.
+// Returns the rows below the diagonal of each column of the factor, found by elimination. Columns
+// and rows are numbered by their position in the elimination order.
 std::vector<std::set<int>> eliminated(const BlockPattern& pattern, std::span<const int> order) {
   std::vector<int> place(order.size());
   for (std::size_t j = 0; j < order.size(); ++j) place[order[j]] = static_cast<int>(j);
@@ -42,7 +42,7 @@ std::vector<std::set<int>> eliminated(const BlockPattern& pattern, std::span<con
   return below;
 }
 
-// The patterns have several components, and columns without off-diagonal blocks.
+// Returns matrices that include several components and columns without off-diagonal blocks.
 std::vector<test::OwnedMatrix> matrices() {
   std::vector<test::OwnedMatrix> all;
   for (unsigned seed = 0; seed < 12; ++seed) {
@@ -92,7 +92,7 @@ TEST(EliminationTree, IsThatOfAnElimination) {
   }
 }
 
-// A front of grouped columns may have more rows, but not fewer.
+// A front that groups columns may have more rows than the elimination, but not fewer.
 TEST(AnalyzePattern, FrontsHaveTheRowsOfAnElimination) {
   for (const test::OwnedMatrix& A : matrices()) {
     const std::vector<int> order = shuffled_order(A.pattern->size(), 7);

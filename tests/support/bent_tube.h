@@ -12,7 +12,7 @@
 
 namespace lapwing::test {
 
-/// A bumpy tube along z. Edits fix its foot and move its head.
+/// Returns a bumpy tube along z. Edits fix its lower end and move its upper end.
 inline Mesh bumpy_tube() {
   Mesh mesh = cylinder(12, 20, 0.5, 3.0);
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
@@ -32,7 +32,7 @@ inline EditRegion foot_and_head(const Mesh& mesh) {
   return region;
 }
 
-/// Returns the request that moves the handle and fixes the belt.
+/// Returns a request that moves the handle of `region` and fixes its belt.
 inline DeformRequest moved_head(const EditRegion& region, const Move& move) {
   DeformRequest request;
   request.roi = {ListedVertices{region.roi}};

@@ -9,9 +9,10 @@
 
 namespace lapwing::test {
 
-/// Calls `run(progress)` repeatedly and cancels it at a later check point each time, until it ends.
-/// It stops at each of the first sixteen points, and then at points that are each a sixteenth
-/// farther, so that some hundred runs reach all stages. Returns the number of points.
+/// Calls `run(progress)` repeatedly and cancels each run at a later check point than the previous
+/// run, until a run completes. Uses each of the first sixteen points. After that, each point is a
+/// sixteenth farther than the one before, so that about a hundred runs reach all stages. Returns
+/// the number of points.
 template <class Run>
 std::size_t cancel_everywhere(const Run& run) {
   const AskAtEveryCheck asking;
@@ -24,7 +25,7 @@ std::size_t cancel_everywhere(const Run& run) {
       EXPECT_GE(asked, point);
       continue;
     }
-    // A helper thread may still check after the last point.
+    // A helper thread may reach further check points after the last counted one.
     EXPECT_LT(asked, point) << "was told to stop and went on";
     return asked;
   }

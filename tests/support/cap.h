@@ -7,8 +7,8 @@
 
 namespace lapwing::test {
 
-/// Returns the part of `head` above `height`, moved outwards by `away`. `inside` is a point inside
-/// the head.
+/// Returns the surface of `head` above `height`, moved by `away` in the direction away from the
+/// point `inside`, which lies inside the head.
 inline Mesh cap_of(const Mesh& head, double height, double away, const Eigen::Vector3d& inside) {
   using Eigen::Vector3d;
   std::vector<Vector3d> normals(head.vertex_count(), Vector3d::Zero());

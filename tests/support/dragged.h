@@ -7,7 +7,7 @@
 
 namespace lapwing::test {
 
-/// Returns the positions of one drag frame, computed on the CPU.
+/// Returns the positions of one drag frame, which the CPU computes.
 inline Positions dragged(const std::shared_ptr<const DragResponse>& response,
                          std::span<const Eigen::Affine3d> motions,
                          const std::shared_ptr<const DragState>& from = nullptr) {

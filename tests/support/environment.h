@@ -6,14 +6,14 @@
 
 namespace lapwing::test {
 
-/// Returns the integer in the environment variable `variable`, or `usual` if it is not set. Larger
-/// numbers than the usual ones find more in endurance tests.
+/// Returns the integer in the environment variable `variable`, or `usual` if the variable is not
+/// set. Endurance tests set larger numbers in order to find more defects.
 inline int how_often(const char* variable, int usual) {
   const char* const wanted = std::getenv(variable);
   return wanted != nullptr ? std::atoi(wanted) : usual;
 }
 
-/// Sets an environment variable while it lives.
+/// Sets an environment variable while this object exists.
 class Environment {
  public:
   Environment(const char* name, const std::string& value) : name_(name) {

@@ -4,8 +4,8 @@
 
 namespace lapwing {
 
-/// Returns the message of the `Error` that `act` throws, or an empty string, which no test expects,
-/// if it throws none.
+/// Returns the message of the `Error` that `act` throws. If it throws none, returns an empty
+/// string, which no test expects.
 template <class Error, class Act>
 std::string error_message(Act&& act) {
   try {

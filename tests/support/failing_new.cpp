@@ -44,7 +44,8 @@ long FailingNew::calls() {
 
 }  // namespace lapwing::test
 
-// Replaces every form, because a sanitizer's forms do not know the memory of these.
+// Replaces every form of operator new and delete, because a sanitizer's operator delete cannot free
+// memory that this operator new allocated.
 namespace {
 
 void* new_or_null(std::size_t bytes, std::size_t alignment) noexcept {

@@ -14,7 +14,7 @@ class FailingNew {
   static long calls();
 };
 
-/// Counts a call of another allocator and returns whether this call is the one that fails.
+/// Counts a call of an allocator other than operator new. Returns whether this call must fail.
 bool allocation_fails();
 
 }  // namespace lapwing::test

@@ -18,7 +18,7 @@ const char* FaultyDriver::loader() {
   return elsewhere != nullptr ? elsewhere : LAPWING_FAULTY_LOADER;
 }
 
-// The library is never closed, like the real loader.
+// Like the real loader, the library is never closed.
 FaultyDriver::FaultyDriver()
     : environment_("LAPWING_VULKAN_LOADER", loader()), library_(dlopen(loader(), RTLD_NOW)) {
   EXPECT_NE(library_, nullptr) << dlerror();

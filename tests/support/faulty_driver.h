@@ -9,23 +9,23 @@
 
 namespace lapwing::test {
 
-/// While alive, contexts use the machine's Vulkan through faulty_loader.cpp, which lets one call
-/// fail.
+/// While this object exists, contexts use the machine's Vulkan driver through faulty_loader.cpp,
+/// which makes one call fail.
 class FaultyDriver {
  public:
   FaultyDriver();
   ~FaultyDriver();
 
-  /// Lets call `number`, from 0 and from now on, of those that `fault` counts fail; with
-  /// `ever_after`, all later ones too.
+  /// Makes one of the calls that `fault` counts fail. `number` is the index of this call, counted
+  /// from 0 from now on. If `ever_after` is true, all later calls also fail.
   void fail(DriverFault fault, long number, bool ever_after = false) const;
   void work() const { fail(DriverFault::none, 0); }
-  /// Returns whether a call has failed since.
+  /// Returns whether a call has failed since the last call of `fail`.
   bool has_failed() const;
 
-  /// Returns the file of the loader, for LAPWING_VULKAN_LOADER. Another program that uses it reads
-  /// the fault from LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after".
-  /// LAPWING_TEST_FAULTY_LOADER names the file if it is not where it was built.
+  /// Returns the path of the loader library, the value of LAPWING_VULKAN_LOADER. In other programs,
+  /// the loader reads the fault from LAPWING_DRIVER_FAULT: "loss 3", "memory 5" or "memory 5 ever
+  /// after". If the library was moved after the build, LAPWING_TEST_FAULTY_LOADER is its path.
   static const char* loader();
 
  private:
@@ -33,9 +33,9 @@ class FaultyDriver {
   void* library_;
 };
 
-/// Calls `act` repeatedly: first the first call that `fault` counts fails, then the second, until
-/// `act` makes no more of them. Calls `prepare` before each, while the driver works. Returns the
-/// number of calls.
+/// Calls `act` repeatedly. The first driver call that `fault` counts fails in the first run, the
+/// second one in the second run, and so on until no call fails. Before each run, calls `prepare`
+/// with a driver that works. Returns the number of driver calls.
 long for_every_call(const FaultyDriver& driver, DriverFault fault,
                     const std::function<void()>& prepare, const std::function<void()>& act);
 

@@ -1,5 +1,5 @@
-// A Vulkan loader for tests (LAPWING_VULKAN_LOADER): the machine's own, except that one call to the
-// driver fails (faulty_driver.h).
+// A Vulkan loader for tests (LAPWING_VULKAN_LOADER). It passes all calls to the machine's loader,
+// except that one call to the driver fails (faulty_driver.h).
 #include "support/faulty_loader.h"
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ struct Plan {
   bool ever_after = false;
 };
 
-// Reads LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after".
+// Parses LAPWING_DRIVER_FAULT, such as "loss 3", "memory 5" or "memory 5 ever after".
 Plan plan_of_environment() {
   const char* text = std::getenv("LAPWING_DRIVER_FAULT");
   if (text == nullptr) return {};
@@ -50,7 +50,7 @@ Function real(const char* name) {
   return reinterpret_cast<Function>(real_function(name));
 }
 
-// Call it under the mutex.
+// Counts a call and returns whether it must fail. The caller must hold the mutex.
 bool is_due(DriverFault fault) {
   if (plan.fault != fault) return false;
   const long number = calls++;
@@ -59,7 +59,6 @@ bool is_due(DriverFault fault) {
   return due;
 }
 
-// A lost device is idle and stays lost.
 bool is_lost(VkDevice device) {
   const std::lock_guard lock(mutex);
   if (lost.contains(device)) return true;
@@ -114,7 +113,7 @@ void VKAPI_PTR get_queue(VkDevice device, std::uint32_t family, std::uint32_t in
 void VKAPI_PTR destroy_device(VkDevice device, const VkAllocationCallbacks* callbacks) {
   {
     const std::lock_guard lock(mutex);
-    lost.erase(device);  // the next device may have the same handle
+    lost.erase(device);  // a new device may reuse the handle
   }
   real<PFN_vkDestroyDevice>("vkDestroyDevice")(device, callbacks);
 }

@@ -2,11 +2,11 @@
 
 namespace lapwing::test {
 
-/// The calls to a Vulkan driver that are counted, so that one of them fails.
+/// The kinds of Vulkan driver calls that are counted and of which one fails.
 enum class DriverFault {
   none,
-  loss,    ///< submissions and waits; the device is then lost
-  memory,  ///< creations and allocations, which then report that there is no memory
+  loss,    ///< submissions and waits, which lose the device
+  memory,  ///< creations and allocations, which report that memory ran out
 };
 
 }  // namespace lapwing::test

@@ -7,8 +7,8 @@
 namespace lapwing::test {
 namespace {
 
-// Fails the program after its tests if the validation layers printed messages, also about objects
-// that outlived their context.
+// Makes the test program fail at its end if the validation layers printed messages. This includes
+// messages about objects that outlived their context.
 class NoValidationMessages : public ::testing::Environment {
  public:
   void TearDown() override {

@@ -6,7 +6,7 @@
 
 namespace lapwing::test {
 
-/// Returns both in one mesh: the vertices and faces of `mesh`, then those of `other`.
+/// Returns a mesh with the vertices and faces of `mesh`, followed by those of `other`.
 inline Mesh joined(Mesh mesh, const Mesh& other) {
   const auto first = static_cast<Index>(mesh.vertex_count());
   mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());

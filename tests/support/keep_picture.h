@@ -8,7 +8,7 @@
 
 namespace lapwing::test {
 
-/// Saves `picture` as NAME.png in the folder $LAPWING_KEEP_PICTURES, if that is set.
+/// If $LAPWING_KEEP_PICTURES is set, saves the image as NAME.png in this folder.
 inline void keep_picture(const Image& picture, const std::string& name) {
   const char* folder = std::getenv("LAPWING_KEEP_PICTURES");
   if (folder != nullptr) write_png(std::filesystem::path(folder) / (name + ".png"), picture);

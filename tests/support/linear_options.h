@@ -4,14 +4,14 @@
 
 namespace lapwing::test {
 
-/// Returns the options for the linear response alone, without settling.
+/// Returns options for a linear response without settling.
 inline DeformOptions linear_options() {
   DeformOptions options;
   options.settle.reset();
   return options;
 }
 
-/// Returns the options for the paper's system (eq. 10) alone.
+/// Returns options for the paper's system (eq. 10) without settling.
 inline DeformOptions rsi_options() {
   DeformOptions options = linear_options();
   options.response = LinearResponse::rsi;

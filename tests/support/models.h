@@ -9,12 +9,12 @@
 
 namespace lapwing::test {
 
-/// Returns the folder of Debian's meshes (tools/setup/fetch-models). LAPWING_TEST_MODELS names
-/// another one.
+/// Returns the folder of Debian's meshes, which tools/setup/fetch-models fills. The environment
+/// variable LAPWING_TEST_MODELS can select another folder.
 std::filesystem::path models_folder();
 
-/// Returns the OBJ, OFF, PLY and STL files of one package in that folder ("cgal", "assimp"), sorted
-/// by name. Empty if nothing was fetched.
+/// Returns the OBJ, OFF, PLY and STL files of one package in that folder, such as "cgal", sorted by
+/// name. The result is empty if the package was not fetched.
 std::vector<std::filesystem::path> model_files(const std::string& package);
 
 }  // namespace lapwing::test

@@ -23,7 +23,7 @@ inline EditRegion ends_of_cylinder(const Mesh& mesh, double low = 0.6, double hi
   return region;
 }
 
-/// Returns a rotation by `degrees` about an axis through the middle of the handle, then a
+/// Returns a rotation by `degrees` about an axis through the centre of the handle, followed by a
 /// translation.
 inline Eigen::Affine3d turn_and_move(double degrees, const Eigen::Vector3d& axis,
                                      const Eigen::Vector3d& move) {

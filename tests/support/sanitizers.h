@@ -1,6 +1,7 @@
 #pragma once
 
-// Defines LAPWING_ADDRESS_SANITIZER or LAPWING_THREAD_SANITIZER if tests are compiled with one.
+// Defines LAPWING_ADDRESS_SANITIZER or LAPWING_THREAD_SANITIZER if tests are compiled with that
+// sanitizer.
 
 #if defined(__SANITIZE_ADDRESS__)
 #define LAPWING_ADDRESS_SANITIZER

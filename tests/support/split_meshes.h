@@ -6,10 +6,10 @@
 
 namespace lapwing::test {
 
-/// A mesh in which some vertices have copies.
+/// A mesh in which some vertices are duplicated.
 struct SplitMesh {
   Mesh mesh;
-  std::vector<Index> sources;  ///< per vertex: its original
+  std::vector<Index> sources;  ///< original vertex of each vertex
 };
 
 /// Returns the mesh with separate vertices for each polygon.
@@ -27,8 +27,8 @@ inline SplitMesh soup(const Mesh& mesh) {
   return split;
 }
 
-/// Returns the mesh with copies of the vertices that polygons with and without `is_beyond` share,
-/// as files with two texture charts have them. The copies follow the other vertices.
+/// Splits the mesh along the boundary of the polygons for which `is_beyond` is true, as in files
+/// with two texture charts. The duplicates of the vertices on this boundary are the last vertices.
 template <class IsBeyond>
 SplitMesh split_where(const Mesh& mesh, const IsBeyond& is_beyond) {
   SplitMesh split;
@@ -57,7 +57,7 @@ SplitMesh split_where(const Mesh& mesh, const IsBeyond& is_beyond) {
   return split;
 }
 
-/// Splits the mesh between the first half of its polygons and the rest.
+/// Splits the mesh between the first and the second half of its polygons.
 inline SplitMesh halves(const Mesh& mesh) {
   return split_where(mesh, [&](std::size_t f) { return 2 * f >= mesh.face_count(); });
 }

@@ -9,14 +9,15 @@
 
 namespace lapwing::test {
 
-/// While alive, a stand-in for the program ffmpeg on $PATH. It writes its arguments, one per line,
-/// to the file `arguments` in `folder`, and copies its input to its output file.
+/// While this object exists, $PATH contains a stand-in for the program ffmpeg. The stand-in writes
+/// its arguments, one per line, to the file `arguments` in `folder`, and copies its input to its
+/// output file.
 class StandInFfmpeg {
  public:
   explicit StandInFfmpeg(const std::filesystem::path& folder)
       : StandInFfmpeg(folder, "printf '%s\\n' \"$@\" > '" + (folder / "arguments").string() +
                                   "'\nfor file; do :; done\ncat > \"${file#file:}\"\n") {}
-  /// A stand-in that runs `script`.
+  /// Creates a stand-in that runs `script`.
   StandInFfmpeg(const std::filesystem::path& folder, const std::string& script)
       : path_("PATH", (folder / "bin").string() + ":" + std::getenv("PATH")) {
     namespace fs = std::filesystem;

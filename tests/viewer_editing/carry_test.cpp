@@ -14,7 +14,7 @@ namespace {
 // Of what settling to its tolerance leaves open.
 constexpr double kLeftOpen = 5e-3;
 
-// Over the head of the tube is a hat, and around it are points.
+// The edit carries a hat on the upper end of the tube, and points around it.
 class AnEditorThatCarries : public AnEditor {
  protected:
   AppState start() override {

@@ -1,4 +1,4 @@
-// What is on the screen during a drag, after it, and when it is given up.
+// Tests what the viewer shows during a drag, after it, and when the user cancels it.
 #include <gtest/gtest.h>
 
 #include "lapwing/deform/shape_measures.h"

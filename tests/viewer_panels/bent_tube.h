@@ -9,8 +9,9 @@
 
 namespace lapwing::viewer::test {
 
-/// Writes a tube and a recipe that holds its foot and moves its head along x by `distance`; `more`
-/// keys of the step begin with a comma. Returns the recipe.
+/// Writes a tube and a recipe, which fixes the lower end of the tube and moves the upper end by
+/// `distance` along x. `more` contains further keys of the step and begins with a comma. Returns
+/// the path of the recipe.
 inline std::filesystem::path write_bent_tube(const std::filesystem::path& folder, int distance,
                                              const std::string& more = {}) {
   write_mesh(rippled_cylinder(24, 41), folder / "tube.obj");

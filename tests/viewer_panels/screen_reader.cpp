@@ -175,7 +175,7 @@ class Reader {
     }
   }
 
-  // Returns the letter of which the font's picture has a part there; null for none.
+  // Returns the glyph that covers this rectangle of the font atlas, or null if there is none.
   static const ImFontGlyph* letter_around(const ImVec2& from, const ImVec2& to) {
     for (const ImFontGlyph& glyph : ImGui::GetIO().Fonts->Fonts[0]->Glyphs) {
       const bool inside = glyph.Visible && from.x >= glyph.U0 && to.x <= glyph.U1 &&

@@ -19,7 +19,7 @@ namespace lapwing::viewer::test {
 inline constexpr Modifiers kControl{.control = true};
 inline constexpr Modifiers kControlShift{.shift = true, .control = true};
 
-/// Puts a finger among the parts of a viewer that keeps its data in `folder`/data.
+/// Adds a finger to the parts of the viewer whose data folder is `folder`/data.
 void add_finger(const std::filesystem::path& folder, int sides = 24, int rings = 12);
 
 /// What the desktop and the person say of how the viewer looks.
@@ -57,14 +57,14 @@ class ShownViewer {
   /// take it. A key is let go at once. Then draws a frame.
   void send(const InputEvent& event);
 
-  /// Presses a key over the picture.
+  /// Presses a key while the cursor is over the viewport.
   void key(int key, const Modifiers& modifiers = {});
-  /// Types a character over the picture.
+  /// Types a character while the cursor is over the viewport.
   void type(char32_t character);
   /// Clicks on the text of a panel, which must be there.
   void click(const std::string& words);
   void point_at(const std::string& words);
-  /// Drags over the picture, in pixels.
+  /// Drags the mouse in the viewport. Positions are in pixels.
   void drag(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
   ViewerApp& app() { return app_; }

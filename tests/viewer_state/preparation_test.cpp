@@ -56,7 +56,7 @@ SettledResult wait_for_result(Preparation& preparation) {
   return awaited([&] { return preparation.take_result(); });
 }
 
-// A Preparation that is ready for `state`.
+// A Preparation that has finished preparing `state`.
 struct ReadyFor : Preparation {
   explicit ReadyFor(const AppState& state) : Preparation(cpu_kernels) {
     follow(state);
@@ -326,7 +326,7 @@ TEST(Preparation, LiveResultThatIsDoneStaysBitForBit) {
   EXPECT_EQ(again.pose->displacement, pose->displacement);
 }
 
-// The result of a small move is near, whatever was dragged before and however far.
+// A small move from a pose gives a result close to that pose, even after a large drag in between.
 TEST(Preparation, ADragBeginsFromThePoseItIsGiven) {
   const AppState near = apply(chosen_tube(), MoveHandle{0, twisted(80.0)});
   const AppState nearer = apply(near, MoveHandle{0, twisted(81.0)});

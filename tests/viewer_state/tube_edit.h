@@ -26,7 +26,7 @@ void wait_until(const Happened& happened) {
   while (!happened()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// Waits until `take` returns something, and returns that.
+/// Calls `take` until it returns a value, and returns this value.
 template <class Take>
 auto awaited(const Take& take) {
   auto taken = take();
@@ -74,20 +74,20 @@ inline std::shared_ptr<const MovedVertices> handles_alone(const AppState& state)
   return std::make_shared<const MovedVertices>(moved_vertices(state.rest->positions, positions));
 }
 
-/// The surface of `state` in a pose.
+/// Returns the positions of the mesh of `state` in a pose.
 inline Positions positions_at(const AppState& state, const DragState& pose) {
   Positions positions = state.rest->positions;
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
   return positions;
 }
 
-/// The tube with its head bent, settled.
+/// Returns the state after the upper end of the tube was bent and the surface settled.
 inline AppState settled_tube() {
   const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
   return apply(state, Settle{handles_alone(state)});
 }
 
-/// Whether the states are the same value, however they are stored.
+/// Returns whether the states have equal values, even if they share no memory.
 inline bool same(const AppState& a, const AppState& b) {
   const auto same_step = [](const auto& p, const auto& q) { return *p == *q; };
   const bool same_result =

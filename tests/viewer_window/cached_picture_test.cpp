@@ -174,7 +174,7 @@ class KeptPictureTest : public SceneContentsTest {
     return screen_->picture();
   }
 
-  // Returns the picture drawn after another one, so that nothing is kept.
+  // Draws another image first, so that the cache is invalid. Returns the image drawn after it.
   Image redrawn() {
     const Background before = std::exchange(scene_.background, Background::white);
     picture();

@@ -39,7 +39,7 @@ class Process {
   int status_ = -1000;
 };
 
-/// A display of its own without a screen, 1280 x 800.
+/// A separate virtual display of 1280 x 800 pixels.
 class Desktop {
  public:
   explicit Desktop(const std::filesystem::path& folder);
@@ -70,7 +70,8 @@ std::vector<std::string> viewer_environment(const Desktop& desktop,
 
 void sleep_seconds(double seconds);
 
-/// Waits, at most `seconds`, until `happened` returns true. Returns what it returned last.
+/// Waits until `happened` returns true, but at most `seconds`. Returns the last result of
+/// `happened`.
 template <typename Happened>
 bool eventually(double seconds, Happened happened) {
   constexpr double kStep = 0.05;
@@ -81,11 +82,11 @@ bool eventually(double seconds, Happened happened) {
   return happened();
 }
 
-/// Returns the part of a picture with that upper left corner and size.
+/// Returns a rectangle of an image, given its upper left corner and its size.
 Image part_of(const Image& picture, std::uint32_t left, std::uint32_t top, std::uint32_t width,
               std::uint32_t height);
 
-/// Mean difference of the channels of two pictures of one size, of 255.
+/// Returns the mean difference of the channels, from 0 to 255, of two images of equal size.
 double mean_difference(const Image& a, const Image& b);
 
 }  // namespace lapwing::test

@@ -149,7 +149,7 @@ TEST(FramePainter, PaintsNothingInAWindowWithoutSize) {
   EXPECT_TRUE(frames.paint(frames.sphere.scene())) << "the window is back";
 }
 
-// Counts the copies that commands of a context are recorded to make, whatever the layers above say.
+// Counts the copies in the commands that are recorded on a context.
 class CopyCounter {
  public:
   explicit CopyCounter(gpu::Context& context) : table_(const_cast<VolkDeviceTable&>(context.vk())) {

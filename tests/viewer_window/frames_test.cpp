@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kKeys = 200;
-// Of the display, where neither the menu nor the status line is, and the status line tells times.
+// The rows of the display between the menu and the status line. The status line shows times, which
+// vary.
 constexpr std::uint32_t kTop = 40;
 constexpr std::uint32_t kBottom = 760;
 
@@ -32,7 +33,7 @@ class FramesInAWindow : public test::WindowTest {
     desktop_->settled_picture();
   }
 
-  // What shows between menu and status line, which tells times.
+  // Returns the rows of the screen between the menu and the status line.
   static Image middle(const Image& screen) {
     return test::part_of(screen, 0, kTop, screen.width, kBottom - kTop);
   }
@@ -72,7 +73,7 @@ TEST_F(FramesInAWindow, AfterADragOfTheViewThePictureIsTheOneDrawnAnew) {
   ASSERT_TRUE(differs_from(still, 0.5));
   desktop_->settled_picture();
   person_->keys("Tab key shift+l");
-  // The status line tells how long a frame took.
+  // The status line shows the time of a frame.
   test::eventually(30.0, [&] { return middle(desktop_->picture()).rgba == middle(still).rgba; });
   EXPECT_EQ(middle(desktop_->settled_picture()).rgba, middle(still).rgba);
   expect_quits_silently();

@@ -1,4 +1,4 @@
-// A person coats in a real window, by real events.
+// Tests coating in a real window, with real input events.
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/run/run_recipe.h"
 #include "support/largest_distance.h"

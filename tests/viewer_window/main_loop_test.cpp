@@ -117,7 +117,7 @@ TEST_F(MainLoopTest, OpensALostDeviceAgainAndTellsTheApp) {
   for (const Call call : {Call::acquire, Call::present}) {
     EXPECT_EQ(run_with(*window_, {call, VK_ERROR_DEVICE_LOST, kFaultyFrame}), kDeviceOpenedAgain);
   }
-  // A frame is one submission: what was dragged and the picture.
+  // A frame is one submission, which contains the drag and the drawing.
   for (const int number : {8, 9}) {
     EXPECT_EQ(run_with(*window_, {Call::submit, VK_ERROR_DEVICE_LOST, number}), kDeviceOpenedAgain);
   }
@@ -171,7 +171,7 @@ TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheDevice) {
   EXPECT_THROW(run_with(*window_, {Call::present, VK_ERROR_DEVICE_LOST, 0, true}), gpu::DeviceLost);
 }
 
-// Passes the calls of the main loop on to the viewer's app.
+// Forwards the calls of the main loop to the viewer's app.
 class InnerViewer : public App {
  public:
   InnerViewer(std::shared_ptr<gpu::Context> context, const fs::path& folder)
@@ -191,7 +191,7 @@ class InnerViewer : public App {
   ViewerApp viewer_;
 };
 
-// Drags a handle of the viewer by one move per frame.
+// Drags a handle in the viewer, with one mouse move per frame.
 class DraggingViewer final : public InnerViewer {
  public:
   using InnerViewer::InnerViewer;
@@ -246,7 +246,7 @@ TEST_F(MainLoopTest, DraggingAHandleInTheViewerAllocatesNothing) {
   EXPECT_TRUE(app.is_quiet());
 }
 
-// Loses its device once a mesh is on the screen, and keeps pictures from before and after.
+// Loses its device when a mesh is on the screen. Stores an image from before and one from after.
 class WatchedViewer final : public InnerViewer {
  public:
   WatchedViewer(std::shared_ptr<gpu::Context> context, const Desktop& desktop)

@@ -12,7 +12,7 @@
 
 namespace lapwing::viewer::test {
 
-/// A desktop with a window of the test program itself.
+/// A test with a desktop on which the test program itself opens a window.
 class OwnWindowTest : public ::testing::Test {
  protected:
   void SetUp() override {

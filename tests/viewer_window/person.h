@@ -56,15 +56,15 @@ class Person {
   void scroll(const Vector2d& pixel, int notches, const std::string& held = "") const;
   /// Presses the left button at the first pixel and lets go at the last; `held` is a key.
   void drag(const std::vector<Vector2d>& pixels, const std::string& held = "") const;
-  /// Presses it at one place of the mesh and lets go at another.
+  /// Presses the button at one point of the mesh and releases it at another.
   void drag_between(const Vector3d& from, const Vector3d& to) const;
-  /// The same as `drag`, but keeps the button pressed, until `let_go`.
+  /// Drags without releasing the button. `let_go` releases it.
   void hold(const std::vector<Vector2d>& pixels) const;
   void let_go() const;
 
-  /// The edit as the journal of the running viewer has it; nothing before the first step.
+  /// Returns the edit in the journal of the running viewer, or nothing before the first step.
   std::optional<viewer::Draft> draft() const;
-  /// Waits until it is as said.
+  /// Waits until the draft in the journal satisfies `wanted`. Returns whether it does.
   bool eventually_is(const std::function<bool(const viewer::Draft&)>& wanted) const;
   /// Where the viewer keeps parts.
   std::filesystem::path parts() const { return folder_ / "data" / "lapwing" / "parts"; }

@@ -32,7 +32,7 @@ class WindowTest : public ::testing::Test {
     desktop_->settled_picture();
   }
 
-  /// Wait until the desktop shows another picture, or that one.
+  /// These functions wait until the screen differs from the image, or equals it.
   bool differs_from(const Image& picture, double by) const {
     return eventually(kPatienceSeconds,
                       [&] { return mean_difference(desktop_->picture(), picture) > by; });
@@ -50,7 +50,7 @@ class WindowTest : public ::testing::Test {
     return !desktop_->xdotool("search --onlyvisible --name '^" + name + "'").empty();
   }
 
-  /// Wait for the draft in the journal.
+  /// These functions wait until the journal contains this draft.
   bool has_steps(std::size_t count) const {
     return person_->eventually_is(
         [&](const viewer::Draft& draft) { return draft.steps.size() == count; });
@@ -83,7 +83,7 @@ class WindowTest : public ::testing::Test {
     EXPECT_EQ(person_->quit(), 0);
     EXPECT_THAT(person_->errors(), ::testing::IsEmpty());
   }
-  /// Gives up the edit, which is not saved.
+  /// Quits without saving the edit.
   void expect_discards_silently() {
     EXPECT_EQ(person_->discard_and_quit(), 0);
     EXPECT_THAT(person_->errors(), ::testing::IsEmpty());

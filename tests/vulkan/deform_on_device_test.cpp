@@ -1,4 +1,4 @@
-// Deforms on each device, from assembly to the dragged surface.
+// Tests a deformation on each device, from the assembly to the dragged surface.
 #include <cstring>
 
 #include "kernels/moved_mesh.h"

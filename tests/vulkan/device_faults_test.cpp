@@ -1,4 +1,4 @@
-// If the driver fails at any call of an edit, the edit continues and nothing is lost.
+// Tests that an edit continues without loss after any driver call of the edit fails.
 #include <array>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using test::DriverFault;
 
-// Settling runs in float64 on both devices; drawn surfaces use float32.
+// Settling uses float64 on both devices. Drawn surfaces use float32.
 constexpr double kSettledTolerance = 1e-8;
 constexpr double kShownTolerance = 1e-6;
 
@@ -26,7 +26,7 @@ class DeviceFaults : public ::testing::TestWithParam<DriverFault> {
  protected:
   void SetUp() override { LAPWING_NEEDS_GPU(); }
 
-  // A few iterations make every kind of call that many iterations make.
+  // A few iterations suffice to make every kind of driver call.
   static DeformOptions few_iterations() {
     DeformOptions options;
     options.settle->max_iterations = 3;
@@ -38,7 +38,7 @@ class DeviceFaults : public ::testing::TestWithParam<DriverFault> {
                         few_iterations(), kernels);
   }
 
-  // Opens another context if the last one was lost. This is slow.
+  // Opens a new context, which is slow, only if the last one was lost.
   void renew_context(bool mapped) {
     if (context != nullptr && GetParam() == DriverFault::memory) return;
     context.reset();
@@ -69,7 +69,8 @@ TEST_P(DeviceFaults, SettlingGoesOnOnTheCpu) {
             20);
 }
 
-// A drag on a lost device throws, and continues from the same response on another context.
+// A drag on a lost device throws an exception. With the same response, it continues on another
+// context.
 TEST_P(DeviceFaults, ADragGoesOnFromTheSameResponse) {
   CpuKernels cpu;
   const DeformSolver deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh),

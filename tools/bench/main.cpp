@@ -39,8 +39,8 @@ struct RunOptions {
   std::string show;
 };
 
-// Adds the options of the benchmark to `app`, which writes to `options` when it parses. `options`
-// must outlive `app`.
+// Adds the options of the benchmark to `app`. Parsing writes their values to `options`, which must
+// outlive `app`.
 void add_run(CLI::App& app, RunOptions& options) {
   app.add_flag("--quick", options.quick,
                "meshes of 10,000 to 30,000 vertices and fewer runs: a minute");
@@ -110,7 +110,7 @@ RunSettings settings_of(const RunOptions& options) {
   return settings;
 }
 
-// Keeps the process on one processor, so that counts do not depend on the machine's threads.
+// Restricts the process to one CPU core, so that counts do not depend on the number of threads.
 void use_one_processor() {
   cpu_set_t allowed;
   CPU_ZERO(&allowed);

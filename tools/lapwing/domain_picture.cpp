@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kMargin = 0.04;  // of the picture's size
+constexpr double kMargin = 0.04;  // as a fraction of the image size
 constexpr double kBoldWidth = 3.0;
 constexpr double kThickestLine = 1.2;
 constexpr double kThinnestLine = 0.25;

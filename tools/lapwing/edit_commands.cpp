@@ -10,8 +10,8 @@
 #include "lapwing/json/parse_json.h"
 #include "lapwing/recipe/step.h"
 
-// Adds the commands that edit. `run` reads a recipe. The command of each operation builds a recipe
-// from its flags.
+// Adds the commands that edit meshes. `run` reads a recipe. The other commands, one for each
+// operation, build a recipe from their flags.
 namespace lapwing::cli {
 namespace {
 
@@ -21,8 +21,8 @@ struct StepArguments {
   std::shared_ptr<StepDraft> draft = std::make_shared<StepDraft>();
 };
 
-// Builds a recipe with one step, so that flags and recipes share one code path and one set of
-// messages. Throws CLI::RequiredError if nothing would be written.
+// Builds a recipe with one step and runs it, so that flags and recipes share their code and their
+// messages. Throws CLI::RequiredError if the command would write no file.
 void run_step(const std::string& command, const StepArguments& a) {
   const EditOutput& output = a.output;
   if (output.save.empty() && output.render.empty() && a.files.recipe.empty() &&

@@ -62,7 +62,7 @@ void print_certificate(const Certificate& c, double diagonal) {
               c.settle_last_step);
 }
 
-// Returns the warnings that make --strict fail: those of the certificates of deform steps.
+// Returns the warnings that are errors with --strict: those in the certificates of deform steps.
 std::vector<std::string> strict_warnings(const RunReport& report) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
@@ -265,8 +265,8 @@ std::string EditOutput::add_pictures(const RunResult& result,
                                      FileReplacements& files) const {
   Pictures pictures;
   try {
-    // An edit on the processor has no device, or has lost it. Then a device is opened for the
-    // picture.
+    // An edit on the CPU has no device or has lost it. In this case, a device is opened to draw the
+    // image.
     const bool has_failed = !used.kernels->device().took_over.empty();
     const std::string changed = draw_on_any_device(
         has_failed ? nullptr : used.context,

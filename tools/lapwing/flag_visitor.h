@@ -14,10 +14,10 @@
 
 namespace lapwing::cli {
 
-/// Paths that a command with one step reads or writes.
+/// The paths of the files that a command with one step reads or writes.
 struct StepFiles {
   std::string mesh;
-  std::string recipe;  ///< file to which the recipe is written; empty: none
+  std::string recipe;  ///< output file for the recipe; empty: none
 
   /// Returns the folder to which relative paths in the recipe refer.
   std::filesystem::path recipe_folder() const;
@@ -85,9 +85,10 @@ class FlagVisitor final : public KeyVisitor {
 
   std::string flag(const StepKey& key) const;
   Place place_of(const StepKey& key) const { return path_ / std::string(key.name); }
-  // Returns a function that stores a value for the key.
+  // Returns a function that stores its argument as the value of `key`.
   std::function<void(Json)> setter(const StepKey& key) const;
-  // Calls `value` after all flags are parsed, and stores its result for the key unless it is null.
+  // Calls `value` after all flags are parsed. Stores the result as the value of `key` unless it is
+  // null.
   void set_at_end(const StepKey& key, std::function<Json(const Json&, const StepFiles&)> value);
   // Sets the properties that all options share; `fallback` is the default shown in help.
   CLI::Option* finish(const StepKey& key, CLI::Option* option, const std::string& fallback = "");

@@ -21,7 +21,8 @@ namespace {
 
 constexpr const char* kOutOfMemory = "out of memory; choose a smaller region of interest";
 
-// Prints help to standard output, or an error to standard error. Returns the exit code.
+// Prints the requested help to standard output, or the error to standard error. Returns the exit
+// code.
 int exit_of(CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error, std::cout);
   say(usage_message(app, error));

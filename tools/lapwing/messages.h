@@ -9,17 +9,18 @@ namespace lapwing::cli {
 
 /// Prints "lapwing: " and a line to standard error, as printable text (printable).
 void say(const std::string& line);
-/// Prints a line about a decision of the program. It begins with "lapwing: note: ". On a terminal,
-/// the word is coloured unless NO_COLOR is set, to distinguish notes from warnings.
+/// Prints a line about a decision of the program. The line begins with "lapwing: note: ". On a
+/// terminal, the word "note" is coloured unless NO_COLOR is set. The colour distinguishes notes
+/// from warnings.
 void note(const std::string& text);
-/// Prints a line about a result that may be wrong or incomplete. It begins with
+/// Prints a line about a result that may be wrong or incomplete. The line begins with
 /// "lapwing: warning: ".
 void warn(const std::string& text);
 
-/// Prints a warning if `mesh`, which was read from `path`, has no surface, as in a point cloud.
+/// Prints a warning if `mesh`, which was read from `path`, has no surface. A point cloud has none.
 void warn_without_surface(const Mesh& mesh, const std::string& path);
 
-/// Prints the report of a written file to standard error. Lost data are warnings.
+/// Prints the report of a written file to standard error. Reports lost data as warnings.
 void print_notes(const WriteReport& report);
 
 /// Returns a file name, or a name inside a file, as printable text for standard output.

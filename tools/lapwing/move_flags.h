@@ -10,18 +10,19 @@
 
 namespace lapwing::cli {
 
-/// Adds the flags of a move. When the parser reads a flag, it sets a key of the object that `move`
-/// returns. The help texts contain `what`, the moved object, and `default_pivot`. Examples are "the
-/// handle" and "the handle's centroid".
+/// Adds the flags of a move. When the parser reads a flag, it sets a key of the JSON object that
+/// `move` returns. The help texts contain the name of the moved object, `what`, such as "the
+/// handle", and `default_pivot`, such as "the handle's centroid".
 void add_move_flags(CLI::App& command, const std::string& what, const std::string& default_pivot,
                     const std::function<nlohmann::ordered_json&()>& move);
 
-/// Flags for the regions, moves and weights of handles. Each --handle begins a handle. The flags
-/// after it belong to this handle. Flags before the first --handle belong to the first handle.
+/// The flags for the regions, moves and weights of handles. Each --handle begins a new handle, and
+/// the flags after it belong to this handle. Flags before the first --handle belong to the first
+/// handle.
 class HandleFlags {
  public:
-  /// Adds --handle and the flags of its move. If handles are `graded`, also adds the flags for
-  /// weights and orientation. Returns --handle. The flags refer to this object.
+  /// Adds --handle and the flags of its move. If `graded` is true, also adds the flags for weights
+  /// and orientation. Returns --handle. This object must outlive `command`.
   CLI::Option* add_to(CLI::App& command, bool graded);
   /// Returns the handles, or null if there are none. `mesh` is the file that contains the vertex
   /// properties of --handle-field. Throws CLI::ParseError if the flags of a handle do not fit each
@@ -39,7 +40,7 @@ class HandleFlags {
   std::vector<Json> handles_;
 };
 
-/// Flags for the place of a part, which is fitted to the hole or moved by the user.
+/// The flags for the placement of a part, which is either fitted to the hole or moved by the user.
 struct PlaceFlags {
   nlohmann::ordered_json move = nlohmann::ordered_json::object();
   std::optional<double> degrees;

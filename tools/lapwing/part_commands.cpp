@@ -21,11 +21,12 @@
 #include "output_files.h"
 #include "region_text.h"
 
-// Adds the commands for transplants. `cut` writes parts, and `parts` manages a folder of parts.
+// Adds the commands for the parts of transplants. `cut` writes a part, and `parts` manages a folder
+// of parts.
 namespace lapwing::cli {
 namespace {
 
-// Returns text such as "63 vertices from vertex 12, 1.234 long".
+// Returns a description such as "63 vertices from vertex 12, 1.234 long".
 std::string loop_text(const BoundaryLoop& loop, std::span<const Eigen::Vector3d> positions) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), " from vertex %zu, %.4g long", std::size_t{loop.front()},
@@ -110,7 +111,7 @@ struct PartsArguments {
   bool no_pictures = false;
 };
 
-// Draws the pictures of parts. Opens the device for the first picture that is needed.
+// Draws the images of parts. Opens the device when the first image is needed.
 class Thumbnails {
  public:
   explicit Thumbnails(const PartsArguments& arguments)

@@ -13,7 +13,7 @@
 
 namespace lapwing::cli {
 
-/// The options of every command that makes a picture.
+/// The options of every command that draws an image.
 struct PictureOptions {
   std::string size = "1280x960";
   std::string view = "three-quarter";

@@ -9,8 +9,8 @@
 
 namespace lapwing::cli {
 
-/// Shows the stages of a long operation as a progress bar, if standard error is a terminal and not
-/// `quiet`. An interrupt (Ctrl+C) cancels at the next stage.
+/// Shows the progress of a long operation as a bar, if standard error is a terminal and `quiet` is
+/// false. An interrupt (Ctrl+C) cancels the operation at the next stage.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(bool quiet);
@@ -21,7 +21,7 @@ class ProgressDisplay {
   /// Returns the callback for the engine, which refers to this object.
   Progress callback();
 
-  /// Removes the bar, so that other lines can be printed.
+  /// Removes the bar from the terminal, so that other lines can be printed.
   void clear();
 
  private:

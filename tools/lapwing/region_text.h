@@ -28,7 +28,8 @@ nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& t
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";
 
 /// Returns the values of the vertex property `name` of the file `mesh`. `lapwing peel` and other
-/// programs write such properties. Throws InputError, naming `flag`, if the file does not have it.
+/// programs write such properties. If the file lacks the property, throws an InputError that names
+/// `flag`.
 std::vector<double> vertex_property(const std::string& flag, const std::string& mesh,
                                     const std::string& name);
 

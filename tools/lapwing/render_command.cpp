@@ -21,14 +21,14 @@
 namespace lapwing::cli {
 namespace {
 
-// Options of a series of pictures for which the camera circles around the mesh.
+// The options of a turntable: a series of images for which the camera circles around the mesh.
 struct TurntableOptions {
-  int count = 0;  ///< number of pictures; 0: a single picture
+  int count = 0;  ///< number of images of a turntable; 0: a single image
   double per_second = 30.0;
 
   void add_to(CLI::App& command);
-  // Call this before reading the mesh. Throws CLI::ValidationError if a single picture has the name
-  // of a video. Also throws what check_frames_name throws.
+  // Call this before reading the mesh. Throws CLI::ValidationError if `output` names a video but
+  // only one image is requested. Also throws the exceptions of check_frames_name.
   void check(const std::string& output) const;
 };
 
@@ -55,8 +55,8 @@ void TurntableOptions::check(const std::string& output) const {
   }
 }
 
-// Draws `surface` from the cameras of `way` and shows the progress. Writes the pictures to `output`
-// (open_frames). An interrupt keeps the numbered pictures that are finished, but no video.
+// Draws `surface` from the cameras of `way` and shows the progress. Writes the images to `output`
+// (open_frames). After an interrupt, the numbered images that are complete remain, but no video.
 void write_turntable(const std::string& output, const TurntableOptions& turntable,
                      const Turntable& way, Surface& surface, const SurfacePaint& paint,
                      const RenderOptions& options) {

@@ -8,8 +8,8 @@
 namespace lapwing::cli {
 namespace {
 
-// Returns the innermost command that was recognized, and appends the names of the commands to
-// `words`.
+// Returns the innermost subcommand that was recognized. Appends the names of the commands that lead
+// to it to `words`.
 const CLI::App& command_of(const CLI::App& app, std::string& words) {
   words += (words.empty() ? "" : " ") + app.get_name();
   const std::vector<CLI::App*> parsed = app.get_subcommands();
@@ -42,7 +42,8 @@ bool is_option(std::string_view argument) {
   return argument.size() > 1 && argument.front() == '-';
 }
 
-// Returns a sentence about the first unknown argument, or an empty string if all are known.
+// Returns a sentence about the first unknown argument, or an empty string if all arguments are
+// known.
 std::string unknown_argument(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) return {};

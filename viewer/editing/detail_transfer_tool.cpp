@@ -154,8 +154,9 @@ void DetailTransferTool::pick(Picking what, Editor& editor) {
   }
 }
 
-// Returns the surface on which the step works, settled if there is a result. Returns the same mesh
-// until something is edited, because a new mesh restarts the views and the preview.
+// Returns the mesh to which the step will be applied: the settled surface if there is a result,
+// otherwise the rest shape. Returns the same pointer until the user edits the surface, because a
+// new pointer restarts the views and the preview.
 std::shared_ptr<const Mesh> DetailTransferTool::target_of(const Editor& editor) {
   if (start_) return start_->rest;
   const AppState& now = editor.state();

@@ -23,15 +23,16 @@ class PointTool final : public SceneTool {
   std::optional<Index> picked;
 };
 
-/// A coat or mix made by hand: the draft, views of its sources, the pairs of points being picked,
-/// and the preview on the editor's surface. Reports errors to `say`.
+/// Lets the user make a coat or mix. Holds the draft, views of its sources, the pairs of points
+/// that the user picks, and the preview on the editor's surface. Reports errors to `say`.
 class DetailTransferTool {
  public:
   DetailTransferTool(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
                      std::function<void()> wake);
 
-  /// `begin` starts a new coat or mix. `take_up` edits the `index`th step of the recipe again, and
-  /// returns whether that step is a coat or mix. Both replace the draft that was open.
+  /// `begin` starts a new coat or mix. `take_up` opens the recipe step at `index` for editing.
+  /// Returns false, without any change, if that step is neither a coat nor a mix. Both functions
+  /// replace the current draft.
   void begin(Editor& editor, LayerDraft::Operation operation);
   bool take_up(Editor& editor, std::size_t index);
   /// Drops what was not applied.

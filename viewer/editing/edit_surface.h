@@ -21,8 +21,8 @@ enum class SurfaceSource {
   exact,    ///< a drag by the exact response
 };
 
-/// The surface of an edit in device memory, still or moved by a drag. When it changes, the device
-/// must have finished drawing it.
+/// Holds the surface of an edit in device memory, and moves it during a drag. Change it only after
+/// the device has finished drawing it.
 class EditSurface {
  public:
   /// A mesh that shares the faces of `mesh` must outlive this object.
@@ -32,24 +32,26 @@ class EditSurface {
   /// Moves the surface to `positions`. Uploads the vertices that change.
   void place(std::span<const Eigen::Vector3d> positions);
 
-  /// Sets the pose from which the next drag starts. Null is the rest shape, which `place` restores.
+  /// Sets the pose from which the next drag starts. A null pose means the rest shape. `place`
+  /// resets the pose to null.
   void drag_from(std::shared_ptr<const DragState> pose) { pose_ = std::move(pose); }
   const std::shared_ptr<const DragState>& pose() const { return pose_; }
 
-  /// Moves the surface from its pose with the handles' motions: by the exact response once that is
-  /// ready, until then by the preview. Returns false, without any change, while neither is. Uploads
-  /// the moving vertices only once per pose.
+  /// Moves the surface from its pose by the handles' motions. Uses the exact response once that is
+  /// ready, and the preview's response until then. Returns false, without any change, if neither is
+  /// ready. Uploads the positions of the moving vertices only when the response or the pose
+  /// changes.
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
   /// Returns whether `drag` would use the same response and pose as the last time.
   bool drags_by(const Preparation& preparation) const;
 
-  /// The drag that is shown; nothing after `place`.
+  /// Returns the displayed drag. Empty after `place`.
   const std::optional<Drag>& drag_shown() const { return drag_; }
 
   /// The surface to draw.
   Surface& shown() const { return *surface_; }
   SurfaceSource source() const { return source_; }
-  /// A number that changes whenever the surface does.
+  /// Returns a number that changes whenever the surface changes.
   std::uint64_t version() const { return version_; }
 
   SurfacePaint& paint() { return paint_; }

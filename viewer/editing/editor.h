@@ -19,21 +19,21 @@ namespace lapwing::viewer {
 /// The edit with which an Editor starts.
 struct EditStart {
   History history;
-  std::shared_ptr<const Mesh> opened;            ///< the mesh before any step, for comparison
-  std::optional<MeshStamp> file;                 ///< as in EditSession
-  std::optional<InterruptedEdit> restored;       ///< the edit that `history` continues, or none
-  std::filesystem::path journals;                ///< as in EditSession
-  std::shared_ptr<const FilePaint> colors = {};  ///< colours in the file of `opened`, or null
+  std::shared_ptr<const Mesh> opened;            ///< the mesh before all steps, for `show_before`
+  std::optional<MeshStamp> file;                 ///< see EditSession
+  std::optional<InterruptedEdit> restored;       ///< the edit from which `history` was restored
+  std::filesystem::path journals;                ///< see EditSession
+  std::shared_ptr<const FilePaint> colors = {};  ///< null if the file has no colours
 };
 
 /// Returns whether the command makes the settled surface the rest shape first (`apply`).
 bool commits(const Command& command);
 
-/// Edits one mesh in a window. Holds the session, the active tool and the shown surface. An action
-/// that fails reports its error to `say` and changes nothing.
+/// Edits one mesh in a window. Owns the session, the active tool and the displayed surface. An
+/// action that fails reports its error to `say` and changes nothing.
 class Editor {
  public:
-  /// The worker makes its kernels on `context` and calls `wake` when it has news.
+  /// The worker creates its kernels on `context`. It calls `wake` when its status has changed.
   Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
          std::function<void()> wake);
   Editor(const Editor&) = delete;
@@ -41,7 +41,7 @@ class Editor {
 
   struct Handled {
     bool taken = false;    ///< no other receiver should act on the event
-    bool changed = false;  ///< the picture must be drawn again
+    bool changed = false;  ///< the view must be drawn again
   };
   Handled handle(const InputEvent& event, const ViewFrame& view);
   /// Handles a click that no tool took: selects the handle there, and reports what is there.
@@ -52,19 +52,20 @@ class Editor {
   /// Makes it again on `context`. Nothing else may be called in between.
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
-  /// Takes the worker's results and updates the surface during a drag. Call this once per frame,
-  /// before drawing and after the device has finished the last frame.
+  /// Takes the results of the background threads and moves the surface with the drag. Call this
+  /// once per frame, before drawing and after the device has finished the last frame.
   void update();
 
-  /// Returns whether the last edit is still settling, or actions wait until it has settled.
+  /// Returns true while the last edit is settling, or while postponed actions wait for it.
   bool waits() const;
   bool has_postponed() const { return !postponed_.empty(); }
-  /// Runs `act` once the edit has settled, after the actions that already wait. If actions wait,
-  /// undo only drops them. Redo and `go_to` drop them, too, and then change the state.
+  /// Runs `act` once the edit has settled, after all actions that were postponed earlier. While
+  /// actions are postponed, `undo` only discards them. `redo` and `go_to` discard them and then
+  /// change the state.
   void postpone(std::function<void()> act);
 
-  /// Returns whether the command was carried out. A command that `commits` waits until the last
-  /// edit has settled.
+  /// Carries out the command and returns whether it succeeded. If `commits(command)` is true, the
+  /// last edit must settle first, so the command is postponed until then.
   bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
@@ -76,17 +77,19 @@ class Editor {
   void replace_step(std::size_t index, const Step& step);
   /// Does the same with files that follow the surface from the open step on.
   void carry_along(const std::vector<std::filesystem::path>& files);
-  /// Runs `change`, which changes the session, and updates the view. Returns whether it succeeded.
+  /// Calls `change`, which modifies the session, and updates the view. Returns false if `change`
+  /// throws an Error.
   bool attempt(const std::function<void()>& change);
-  /// Keeps the result and clears the selection, once the last edit has settled.
+  /// Makes the result the rest shape and clears the selection, once the last edit has settled.
   void new_edit();
-  /// Performs the command that `change`, such as `grow`, returns for the active part.
+  /// Calls `change` (for example `grow`) with the active part, and performs the returned command.
   using PartChange = std::function<std::optional<Command>(const AppState&, const Part&)>;
   void change_part(const PartChange& change);
-  /// Turns mirroring on in the symmetry plane of the shape. Reports how symmetric the shape is.
+  /// Finds the symmetry plane of the surface and turns mirroring on in this plane. Reports how far
+  /// the surface is from its mirror image.
   void mirror_by_shape();
-  /// Returns whether handles have vertices outside the ROI. `enlarge_roi` adds them to it, with
-  /// some rings around for the surface to follow.
+  /// Returns whether handles have vertices outside the ROI. `enlarge_roi` adds these vertices and
+  /// some rings of neighbours to the ROI.
   bool handles_leave_roi() const;
   void enlarge_roi();
 
@@ -102,7 +105,7 @@ class Editor {
   void take(const ToolRow& row);
   /// Activates the action's tool. Returns whether it has one.
   bool take(Action action);
-  /// Activates a panel's tool, which must stay alive until `give_back`.
+  /// Activates a tool that a panel owns. The tool must stay alive until `give_back`.
   void lend(SceneTool& tool);
   void give_back(const SceneTool& tool);
   /// The part that the tools choose.
@@ -133,18 +136,18 @@ class Editor {
   /// The problems of the result that is shown.
   const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
-  /// Returns whether a drag shows its settled result as far as time allows. This needs the user's
-  /// preference (`wants_to_settle_while_dragging`) and settling in the parameters.
+  /// Returns whether the surface settles during a drag, within the time budget of a frame. This
+  /// requires the user's preference (`wants_to_settle_while_dragging`) and `parameters.settle`.
   bool settles_while_dragging() const { return continuous_ && state().parameters.settle; }
   bool wants_to_settle_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
-  /// Returns whether the surface follows the hand from a settled pose of the drag.
+  /// Returns whether the displayed surface starts from a settled pose of the current drag.
   bool shows_live_result() const;
 
   const ShownSurface& shown() const { return shown_; }
   ShownSurface& shown() { return shown_; }
   void show_before(bool before);
-  void set_feature_angle(double degrees);  ///< must not be called during a drag
+  void set_feature_angle(double degrees);  ///< does nothing during a drag
   /// Highlights vertices, until something is edited.
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
@@ -155,7 +158,7 @@ class Editor {
   const Positions& positions() const { return shown_.positions(); }
   /// Returns the bounds of everything that is drawn.
   Bounds bounds() const;
-  /// Returns the vertices of the active part or, if it has none, of the ROI.
+  /// Returns the vertices of the active part, or those of the ROI if the active part is empty.
   std::vector<Index> selected() const;
   const char* hint() const;  ///< what to do next
 
@@ -213,7 +216,7 @@ class Editor {
   std::vector<std::size_t> dragged_;
   std::vector<HandleMove> live_moves_;
   std::optional<LiveResult> live_;                        // last result of a drag
-  std::optional<std::vector<HandleMove>> resting_moves_;  // requested while the hand rests
+  std::optional<std::vector<HandleMove>> resting_moves_;  // requested while the mouse rests
   std::shared_ptr<const DragState> dragged_from_;         // pose before the drag
   bool classes_are_old_ = true;
   bool continuous_ = true;

@@ -10,7 +10,7 @@ namespace {
 
 using Role = Part::Role;
 
-// Returns the command that removes `part` if it is a handle; nullopt for other parts.
+// Returns the command that removes the handle `part`, or nullopt if `part` is not a handle.
 std::optional<Command> remove_handle(const AppState& state, const Part& part) {
   return part.role == Role::handle ? clear(state, part) : std::nullopt;
 }

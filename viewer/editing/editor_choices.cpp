@@ -1,5 +1,6 @@
-// Handles the choices of the user: the answers of tools, edits that begin elsewhere on the mesh,
-// and the gizmo's axes and pivot. Some actions wait until the last edit has settled.
+// This file carries out what the tools return, starts a new edit when the user chooses a part
+// elsewhere on the mesh, and sets the gizmo's axes and pivot. Actions that need the result of the
+// last edit are postponed until it has settled.
 
 #include <algorithm>
 #include <array>
@@ -55,7 +56,7 @@ void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
   drag_is_of_last_step_ = answer.command.has_value();
 }
 
-// `may_change` is true if the tool may still resize its choice, or if another stroke may follow.
+// `may_change` is true if the tool may still resize the chosen region, or extend it by a stroke.
 Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool may_change) {
   if (!answer.message.empty()) say_({answer.message, Tone::warning});
   if (answer.command) {
@@ -137,7 +138,7 @@ const char* Editor::hint() const {
 }
 
 void Editor::take_next_gizmo_axes() {
-  // The texts are in the order of GizmoAxes.
+  // Indexed by GizmoAxes.
   constexpr std::array kSaid{"the gizmo's axes are the world's",
                              "the gizmo's axes are the handle's own",
                              "the gizmo's z is along the normal of the handle"};

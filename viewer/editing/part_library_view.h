@@ -22,11 +22,11 @@ namespace lapwing::viewer {
 /// Returns the default folder of parts: lapwing/parts/ in $XDG_DATA_HOME, or in ~/.local/share.
 std::filesystem::path parts_folder();
 
-/// A folder of parts, to show in a strip. Reads and draws the parts in the background, one after
-/// the other, each once.
+/// Lists the parts in a folder, with thumbnails. Reads each part once and renders its thumbnail in
+/// the background.
 class PartLibraryView {
  public:
-  /// Draws pictures on `context`. Takes the other arguments of JobThread.
+  /// Renders the thumbnails on `context`. The other arguments are those of JobThread.
   PartLibraryView(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels,
                   std::function<void()> wake = {});
 
@@ -42,20 +42,21 @@ class PartLibraryView {
   void open(const std::filesystem::path& folder);
   const std::filesystem::path& folder() const { return folder_; }
   std::span<const Item> items() const { return items_; }
-  /// Returns a number that changes whenever an item changes. No other view has the same number.
+  /// Returns a number that changes whenever an item changes. It is unique among all views.
   std::uint64_t version() const { return version_; }
-  /// Says why the folder or an added part could not be read; empty otherwise.
+  /// Returns why the folder or an added part could not be read. Empty if both could be read.
   const std::string& message() const { return message_; }
 
   /// Copies a mesh file into the folder.
   void add(const std::filesystem::path& file);
-  /// Cuts `region` out of the surface of `state` and adds it as a part.
+  /// Copies `region` of the surface of `state` into a new part called `name`.
   void cut(const AppState& state, const RegionSpec& region, const std::string& name);
 
   bool busy() const { return working_; }
   /// Continues on another device, after the first was lost.
   void use_device(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels);
-  /// Takes finished work and starts more. Returns true if there is news. Call this when woken.
+  /// Takes the result of finished background work and starts the next. Returns true if an item or
+  /// `message` has changed. Call this after `wake`.
   bool update();
 
  private:

@@ -33,7 +33,7 @@ void ShownCarried::make(Object& object) const {
   object.paint->set_polygons(*mesh);
 }
 
-// Returns the positions of all points, or for a mesh of the vertices of its triangles.
+// Returns the positions of a point set, or of those vertices of a mesh that belong to triangles.
 Positions ShownCarried::shown_positions(const Object& object) {
   const Mesh* mesh = object.opened->mesh();
   return mesh == nullptr ? object.positions : surface_positions(object.positions, mesh->topology());

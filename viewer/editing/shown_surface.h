@@ -29,26 +29,26 @@ struct ViewFrame {
   bool operator==(const ViewFrame&) const = default;
 };
 
-/// Finds the triangle at a pixel in a picture, which it draws again only if the view or the surface
-/// has changed. The context must outlive the picker.
+/// Renders an image of triangle indices and finds the triangle at a pixel. Renders the image again
+/// only if the view or the surface has changed. The context must outlive the picker.
 class SurfacePicker {
  public:
   explicit SurfacePicker(gpu::Context& context) : picture_(context) {}
 
-  /// Returns whether the picture is up to date.
+  /// Returns whether the image is up to date.
   bool is_current(const EditSurface& surface, const ViewFrame& view) const {
     return view_ == view && version_ == surface.version();
   }
 
-  /// Returns the triangle at `pixel` of the last picture; nothing beside the surface.
+  /// Returns the triangle at `pixel` of the last image, or nullopt if there is none.
   std::optional<Index> triangle_at(const Eigen::Vector2d& pixel) const;
 
-  /// Returns the whole picture, which stays valid until the next call. Waits until it is drawn.
+  /// Returns the triangle index at each pixel, valid until the next call. Waits for the device.
   TrianglePicture picture(const EditSurface& surface, const ViewFrame& view);
 
  private:
   IdPicture picture_;
-  std::optional<ViewFrame> view_;  // of the picture
+  std::optional<ViewFrame> view_;  // of the last image
   std::uint64_t version_ = 0;      // of the surface in it
 };
 
@@ -59,14 +59,15 @@ struct FileColoring {
   std::shared_ptr<const Mesh> opened;     ///< before any step, with attributes, seams not joined
 };
 
-/// An edit on the screen: the surface on the device, its positions and colours, and what is under a
-/// pixel. Change it only after the device has finished drawing it.
+/// Displays the surface of an edit. Holds the surface on the device with its positions and colours,
+/// and finds the surface point under a pixel. Call non-const members only after the device has
+/// finished drawing the surface.
 ///
-/// Shows the first of these that applies: a preview; the opened mesh, after `show_before`; a drag;
-/// the surface of the state.
+/// Shows a preview if there is one. Otherwise it shows the opened mesh after `show_before`, the
+/// surface during a drag, or the surface of the state.
 class ShownSurface {
  public:
-  /// `opened` is the mesh before any step, to compare with.
+  /// `opened` is the mesh before all steps, for `show_before`.
   explicit ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring coloring = {});
 
   /// Release everything on the device, or make it there. In between only `take` may be called.
@@ -79,19 +80,19 @@ class ShownSurface {
   /// Shows the surface without a drag.
   void show_still();
 
-  /// Moves the surface with the handles by the response of `preparation`, if it has one.
+  /// Moves the surface by the handles' motions, if `preparation` has a response.
   void follow(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
-  /// Sets the pose from which `follow` starts. Null is the rest shape. The pose holds until the
-  /// surface is placed.
+  /// Sets the pose from which `follow` starts. A null pose means the rest shape. The pose remains
+  /// until EditSurface::place resets it.
   void follow_from(std::shared_ptr<const DragState> pose);
   const std::shared_ptr<const DragState>& pose() const { return device_->surface.pose(); }
   bool follows() const { return follows_; }
   /// The motions of the handles while it follows them; empty otherwise.
   const std::vector<Eigen::Affine3d>& followed() const { return followed_; }
 
-  /// Shows the result of an operation until `end_preview` or the next `take`. `classes`, one per
-  /// vertex, determine its colours. Without classes, the selection is coloured if the triangles are
-  /// the same.
+  /// Shows the result of an operation until `end_preview` or the next `take`. `classes` has one
+  /// entry per vertex, which determines its colour. If `classes` is empty and the triangles are
+  /// those of the state, the selection determines the colours.
   void show_preview(std::shared_ptr<const Mesh> preview, std::vector<VertexClass> classes = {});
   /// The same with other positions only: one upload.
   void show_preview(const Positions& positions);
@@ -106,8 +107,8 @@ class ShownSurface {
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
   const Topology& topology() const { return *device_->topology; }
 
-  /// An edge looks hard if its faces meet at a larger angle than this (SplitNormals). Setting
-  /// another angle rebuilds the surface on the device.
+  /// An edge is drawn sharp if the normals of its two faces differ by more than this angle
+  /// (SplitNormals). A change of the angle rebuilds the surface on the device.
   double feature_angle() const { return feature_angle_; }
   void set_feature_angle(double degrees);
 
@@ -128,21 +129,21 @@ class ShownSurface {
   void renew_measure();
   const ScalarRange& measure_range() const { return measure_range_; }
 
-  /// Returns what is visible at `pixel`, also in a drag; nothing beside the surface. Casts a ray,
-  /// so it neither draws nor waits for the device.
+  /// Returns the visible surface point at `pixel`, or nullopt if the surface does not cover the
+  /// pixel. Also works during a drag. Casts a ray on the CPU, so it does not wait for the device.
   std::optional<SurfacePoint> pick(const ViewFrame& view, const Eigen::Vector2d& pixel);
-  /// Returns the positions on the screen, including a drag under way. Valid until anything changes.
+  /// Returns the displayed positions, also during a drag. Valid until the next non-const call.
   const Positions& positions_on_screen();
-  /// Returns the number of the triangle at each pixel (SurfacePicker).
+  /// Returns the triangle index at each pixel (SurfacePicker).
   TrianglePicture picture(const ViewFrame& view);
 
   const EditSurface& device() const { return device_->surface; }
-  /// Returns the positions of the state, or of a preview with the same triangles. A drag does not
-  /// change them.
+  /// Returns the positions of the preview if it has the same triangles as the state, otherwise
+  /// those of the state. A drag does not change them.
   const Positions& positions() const {
     return previews() && has_triangles_of_state() ? preview_positions_ : positions_;
   }
-  /// Returns the bounds of all that it shows without a drag, and of the opened mesh.
+  /// Returns the bounds of the displayed surface without a drag and of the opened mesh.
   Bounds bounds() const;
   const Bounds& opened_bounds() const { return opened_bounds_; }
 

@@ -12,8 +12,8 @@
 
 namespace lapwing::viewer {
 
-/// A transplant made by hand: the parts to choose from, the one in hand, and what the editor shows
-/// of it. That is the part itself while it is carried or dragged, then the result of the step.
+/// Lets the user make a transplant. Holds the library of parts, the current part and its preview.
+/// The preview is the part alone while the user moves it, and the result of the step afterwards.
 /// Reports errors to `say`.
 class TransplantTool {
  public:
@@ -22,30 +22,30 @@ class TransplantTool {
   PartLibraryView& library() { return library_; }
   const PartLibraryView& library() const { return library_; }
 
-  /// Reads a part in the background and takes it in hand, in place of the last one.
+  /// Reads a part in the background and makes it the current part.
   void take_part(const std::filesystem::path& file);
-  /// Takes the part after the current one in the library, or the first part if there is none.
+  /// Takes the next readable part of the library. After the last part, or if there is no current
+  /// part, takes the first one.
   void take_next_part();
-  /// Edits the `index`th step of the recipe again. Reports an error.
+  /// Opens the recipe step at `index` for editing. Does nothing if it is not a transplant.
   void take_up(const Editor& editor, std::size_t index);
-  /// The same for the last transplant.
+  /// Likewise, for the last transplant of the recipe.
   void take_up_last(const Editor& editor);
   std::optional<std::size_t> taken_up() const { return taken_up_; }
-  /// Drops what was not applied.
+  /// Discards the current part unless its step was applied.
   void close(Editor& editor);
 
-  /// Whether a part is being read or in hand.
+  /// Returns whether there is a current part or one is being read.
   bool is_open() const { return begin_ || is_reading_ || has_part(); }
   bool has_part() const { return tool_.stage() != PlaceTool::Stage::empty; }
   bool is_reading() const { return begin_ || is_reading_; }
   PlaceTool& tool() { return tool_; }
   const PlaceTool& tool() const { return tool_; }
   const TransplantPreview& preview() const { return preview_; }
-  /// The hole's loop in the surface; empty while it is unknown.
+  /// Returns the boundary loop of the hole in the surface. Empty while it is unknown.
   std::span<const Eigen::Vector3d> hole() const;
 
-  /// Whether the ROI is the hole, also when it changes. Otherwise the hole is a disk around the
-  /// part.
+  /// Returns whether the ROI is the hole. Otherwise the hole is a disk around the part.
   bool takes_roi() const { return takes_roi_; }
   void take_roi(bool on);
 
@@ -59,7 +59,7 @@ class TransplantTool {
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
  private:
-  // How to take a part in hand; runs in the background.
+  // The functions that read the current part. They run in the background.
   struct Begin {
     std::function<AppState(const AppState& now, Kernels&, const Progress&)> host;
     std::function<TransplantDraft(const AppState& host)> draft;
@@ -67,7 +67,7 @@ class TransplantTool {
   struct InHand {
     TransplantDraft draft;
     TransplantHost host;
-    // The surface, followed by the part as it is in its file.
+    // The vertices of the surface, followed by those of the part at their positions in its file.
     std::shared_ptr<const Mesh> mesh;
   };
   enum class Shown { nothing, carried, result };
@@ -90,7 +90,7 @@ class TransplantTool {
   bool is_reading_ = false;
   bool lends_ = true;  // whether reading activates the tool
   std::optional<std::size_t> taken_up_;
-  // The editor's surface for which the part in hand was read.
+  // The editor's surface for which the current part was read.
   std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const MovedVertices> settled_;
 
@@ -102,7 +102,7 @@ class TransplantTool {
 
   Shown shown_ = Shown::nothing;
   std::uint64_t shown_version_ = 0;     // of the part's placement
-  std::optional<std::size_t> applies_;  // `done()` of the history before a step under way
+  std::optional<std::size_t> applies_;  // `done()` of the history before the step began
   TransplantPreview preview_;
   Job<InHand> reader_;
 };

@@ -36,8 +36,8 @@ struct ListingFilter {
 /// case.
 bool comes_before(std::string_view a, std::string_view b);
 
-/// Lists `folder`. Follows links and leaves out broken ones. Calls check_cancelled, so a Job can
-/// cancel it.
+/// Lists `folder`. Follows symbolic links and omits broken ones. Calls `check_cancelled`, so that a
+/// Job can cancel it.
 FolderListing list_folder(const std::filesystem::path& folder, const ListingFilter& filter);
 
 }  // namespace lapwing::viewer

@@ -19,9 +19,10 @@ std::string with_tilde(const std::filesystem::path& path);
 /// Does not access the disk.
 std::filesystem::path path_of(std::string_view typed, const std::filesystem::path& folder);
 
-/// Completes `typed` as far as all matching names on the disk agree: "a" becomes "arm-" for
-/// "arm-1.ply" and "arm-2.ply". Corrects the case if no name matches as typed. Skips hidden names
-/// unless their dot is typed. Returns `typed` unchanged if nothing matches. Reads one folder.
+/// Extends `typed` to the longest common prefix of the matching file names. For example, "a"
+/// becomes "arm-" if the folder contains "arm-1.ply" and "arm-2.ply". If no name matches, ignores
+/// case and corrects it in the result. Ignores hidden files unless the user has typed their dot.
+/// Returns `typed` if nothing matches. Reads one folder from the disk.
 std::string completed(std::string_view typed, const std::filesystem::path& folder);
 
 /// Returns the local time, as in "2004-07-08 14:05".

@@ -7,15 +7,15 @@
 namespace lapwing::viewer {
 
 /// Motions of a camera by the mouse. They keep its field of view and projection, and leave its near
-/// and far planes to `fit_depth`. Pixels are from the upper left corner of a picture of `size`
+/// and far planes to `fit_depth`. Pixels are from the upper left corner of an image of `size`
 /// pixels.
 
-/// Returns the up direction of the camera and the direction from its target to its eye.
+/// Returns the camera's up direction and the direction from its target to its eye.
 ViewAxes axes_of(const Camera& camera);
 
 /// Turns the camera around its target after the cursor moved by `pixels`. Sideways motion turns
 /// around the world's `upward` direction. Vertical motion turns towards it or away, at most until
-/// the camera looks along it. The picture's height is half a turn.
+/// the camera looks along it. The height of the image corresponds to 180 degrees.
 Camera orbited(const Camera& camera, const Eigen::Vector2d& pixels, const Eigen::Vector2d& size,
                const Eigen::Vector3d& upward);
 

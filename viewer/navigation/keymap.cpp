@@ -108,7 +108,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
       "save pictures from all around, or a video of them"},
      {'Q', kControl, Action::quit, "quit"}});
 
-// The texts are in the order of Motion.
+// Indexed by Motion.
 constexpr std::array<std::string_view, 3> kMotions{"turn the view", "move the view sideways",
                                                    "zoom"};
 
@@ -124,7 +124,7 @@ std::string words(const Modifiers& modifiers) {
   return text;
 }
 
-// The names are in the order of Key.
+// Indexed by `key - kEscape`.
 constexpr std::array<std::string_view, 12> kKeyNames{"Escape", "Enter", "Tab",  "Backspace",
                                                      "Delete", "Home",  "End",  "Left",
                                                      "Right",  "Up",    "Down", "F1"};

@@ -172,7 +172,7 @@ void renew_mirror(AppState& state) {
     }
     state.mirrored = std::make_shared<const MirroredEdit>(std::move(edit));
   } catch (const InputError&) {
-    // The edit is not complete yet. The preparation reports what is missing.
+    // The edit is still incomplete. Preparation reports what is missing.
   }
 }
 

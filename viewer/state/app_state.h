@@ -52,16 +52,16 @@ struct MovedVertices {
   }
 };
 
-/// Returns the vertices whose bits differ between `before` and `after`, two poses of one mesh, with
-/// their positions in `after`.
+/// `before` and `after` are two poses of one mesh. Returns the vertices whose positions are not
+/// bitwise identical, with their positions in `after`.
 MovedVertices moved_vertices(const Positions& before, const Positions& after);
-/// Copies the positions of the moved vertices to `positions`. Leaves the other vertices in place.
+/// Writes the positions of the moved vertices to `positions`. Does not change other vertices.
 void place(const MovedVertices& moved, Positions& positions);
 
-/// The result of a whole step: moved vertices, or a mesh with other triangles.
+/// Holds the result of a whole step: the moved vertices, or a new mesh if the connectivity changed.
 using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 
-/// How a handle moves, the path to that move, and whether its orientation is free.
+/// Describes how a handle moves, on which path, and whether its orientation is free.
 struct HandleMove {
   Move move;
   HandleOrientation orientation = HandleOrientation::kept;
@@ -88,13 +88,13 @@ struct MirroredEdit {
   std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, which turn about them
 };
 
-/// Everything that a user edits, as a value. Copies share large data, so copying a state costs as
-/// much as copying its selection.
+/// Holds everything that a user edits. Copies share meshes and results through pointers, so copying
+/// a state costs little more than copying its selection.
 ///
-/// The user chooses parts on the mesh `rest` and moves the handles (`moves`). The result arrives as
-/// `settled`. When the user chooses another part, the settled surface becomes the rest shape of the
-/// next edit. The edit becomes one of the `steps`. Other operations are whole steps (`Apply`),
-/// which may change the triangles.
+/// The user chooses parts on the mesh `rest` and moves the handles (`moves`). The deformed surface
+/// is stored in `settled` once it is computed. When the user then chooses another part, the edit is
+/// appended to `steps`, and the settled surface becomes the rest shape of the next edit. All other
+/// operations are whole steps (`Apply`), which may change the connectivity.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
   std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null if it has no seam
@@ -102,10 +102,10 @@ struct AppState {
   EditParameters parameters;
   std::vector<HandleMove> moves;       ///< one per handle, from the rest shape
   std::vector<CarriedObject> carried;  ///< carried by the open step or an earlier one
-  /// The selection on both sides of the mirror (`renew_mirror`). Null if mirroring is off or the
-  /// edit is incomplete.
+  /// The selection on both sides of the mirror plane, computed by `renew_mirror`. Null if mirroring
+  /// is off or the edit is incomplete.
   std::shared_ptr<const MirroredEdit> mirrored;
-  /// The result of `moves`. Null while nothing is moved, and until it is computed.
+  /// The result for `moves`. Null if no handle has moved or the result is not yet computed.
   std::shared_ptr<const MovedVertices> settled;
   /// The steps from the opened mesh to `rest`. They name files by absolute paths.
   std::vector<std::shared_ptr<const Step>> steps;
@@ -116,15 +116,15 @@ struct AppState {
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
 
-/// Sets the rest shape and joins its seams. Joins the same vertices as before if the faces are the
-/// same and the seams are still closed.
+/// Sets the rest shape and joins its seams. If the faces are those of the previous rest shape and
+/// the previous seams are still closed, joins the same vertices as before.
 void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
 
-/// Returns null if seams are left as they are, or if there is none.
+/// Returns null if the parameters do not join seams, or if there are none.
 const JoinedSurface* joined_seams(const AppState& state);
-/// Returns what is shown, chosen on and edited: the rest shape, with its seams joined if the
-/// parameters say so. Joining keeps the numbers of the vertices. A vertex that follows another one
-/// is in no triangle.
+/// Returns the mesh that the user sees and edits: the rest shape, with its seams joined if the
+/// parameters say so. Joining does not renumber the vertices. A vertex that is joined to another
+/// one belongs to no triangle.
 std::shared_ptr<const Mesh> surface_of(const AppState& state);
 
 /// Computes `mirrored` from the selection. Takes up to a second.
@@ -145,21 +145,23 @@ CarriedFiles carried_of(const AppState& state);
 /// is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// Returns the motions for `DeformSolver::solve`. If mirroring is on, they include the handles of
-/// both sides. A handle with free orientation has the rotation of the result.
+/// Returns the motions for `DeformSolver::solve`. If mirroring is on, they include the handles on
+/// both sides of the plane. If the orientation of a handle is free and the state has a result, the
+/// handle's rotation is taken from the result.
 HandleMotions motions_of(const AppState& state);
 /// Returns the path to these motions, for `DeformSolver::solve_along`.
 std::vector<HandleMotions> path_of(const AppState& state);
-/// Sets `maps` to these motions for a frame of a drag, with `handle` moved by `move`. Allocates
-/// nothing once `maps` has one entry per handle.
+/// Writes the motions for a frame of a drag to `maps`, with `handle` moved by `move`. Does not
+/// allocate memory if `maps` already has the capacity for all handles.
 void maps_of(const AppState& state, std::size_t handle, const Move& move,
              std::vector<Eigen::Affine3d>& maps);
-/// Returns the handle's move on the surface of `positions_of`. If the orientation of the handle is
-/// free, the move has the rotation of the result.
+/// Returns the move that the handle has made on the surface of `positions_of`. If the orientation
+/// of the handle is free and the state has a result, the rotation is taken from the result.
 Move shown_move(const AppState& state, std::size_t handle);
-/// Sets `dragged` to the handles that a frame moves while `handle` is dragged, in ascending order.
-/// If frames start `from_rest`, this includes handles that have already been moved. Allocates only
-/// if `dragged` must grow.
+/// Writes to `dragged`, in ascending order, the handles that move in each frame while `handle` is
+/// dragged: the handle itself and, with mirroring, its image. If frames start `from_rest`, also
+/// adds all handles that were moved earlier, with their images. Allocates memory only if `dragged`
+/// must grow.
 void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
                      std::vector<std::size_t>& dragged);
 /// Returns the centroid of the handle's vertices at rest. A move without a pivot turns about it.

@@ -14,7 +14,7 @@ namespace lapwing::viewer {
 struct CarriedObject {
   std::shared_ptr<const AttachmentFile> opened;  ///< as it was read
   std::shared_ptr<const AttachmentFile> rest;    ///< where the open step finds it
-  bool follows = true;                           ///< whether the open step carries it along
+  bool follows = true;                           ///< whether it follows the open step
 
   const std::filesystem::path& file() const { return rest->file(); }
   bool operator==(const CarriedObject&) const = default;
@@ -37,9 +37,9 @@ std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects);
 std::vector<AttachmentFile> carried_at_rest(std::span<const CarriedObject> objects);
 CarriedFiles share(std::vector<AttachmentFile> files);
 
-/// Returns the input of an AttachmentDeformer for an edit of `region` that moved `rest` to
-/// `positions`. If `joined` is given, `region` and `rest_stretch` refer to `rest` with its seams
-/// joined.
+/// Returns the input of an AttachmentDeformer for an edit of `region` that moved the vertices of
+/// `rest` to `positions`. If `joined` is not null, `region` and `rest_stretch` refer to
+/// `joined->surface`.
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
                      Positions positions, std::vector<Eigen::Matrix3d> rest_stretch);
 

@@ -7,8 +7,8 @@
 
 namespace lapwing::viewer {
 
-/// The changes of the state by one step, enough to go in either direction: differences of sets, and
-/// positions of moved vertices. Holds both meshes if the triangles change.
+/// Stores the difference of two states, so that one step can be undone and redone. Stores set
+/// differences and the positions of moved vertices, or both meshes if the connectivity changes.
 class Change {
  public:
   Change() = default;
@@ -57,7 +57,7 @@ class Change {
   Both<std::vector<HandleMove>> moves_;
   Both<Settled> settled_;
   Both<std::vector<CarriedObject>> carried_;
-  Both<MovedVertices> rest_;                     // positions of the vertices that differ
+  Both<MovedVertices> rest_;                     // only the vertices whose positions differ
   Both<std::shared_ptr<const Mesh>> triangles_;  // instead of `rest_`
   bool surface_moved_ = false;                   // by the change of the rest shape
   std::size_t kept_steps_ = 0;

@@ -346,8 +346,8 @@ struct Applier {
   }
 };
 
-// Returns whether a command may change what the mirrored edit depends on: surface, selection or
-// parameters. `Revise` is not among them, because a revised state comes with its mirrored edit.
+// Returns whether the command may change an input of the mirrored edit: the surface, the selection
+// or the parameters. Returns false for `Revise`, because its state contains the new mirrored edit.
 bool changes_choice(const Command& command) {
   return !is_one_of<MoveHandle, MoveHandles, Settle, CarryAlong, StopCarrying, Revise>(command);
 }

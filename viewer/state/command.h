@@ -12,7 +12,7 @@ namespace lapwing::viewer {
 struct Part {
   enum class Role { roi, handle, belt };
   Role role = Role::roi;
-  std::size_t handle = 0;  ///< index from 0; the number of handles means a new one
+  std::size_t handle = 0;  ///< index from 0; equal to the number of handles for a new handle
 
   bool operator==(const Part&) const = default;
 };
@@ -31,7 +31,7 @@ struct Paint {
   VertexSet removed;
 };
 
-/// Sets how firmly the handle holds.
+/// Sets the weight and the falloff of the handle.
 struct SetFalloff {
   std::size_t handle = 0;
   Falloff falloff;
@@ -51,8 +51,8 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
-/// Moves the handle from its rest position. The path of `to` holds the waypoints since the last
-/// move of the handle. They extend its path in the state (`extend_path`).
+/// Sets the handle's move from its rest position. `to.path` contains the waypoints since the
+/// handle's last move. `extend_path` extends the path in the state by them.
 struct MoveHandle {
   std::size_t handle = 0;
   HandleMove to;
@@ -113,12 +113,12 @@ bool is_one_of(const Command& command) {
   return (std::holds_alternative<Kinds>(command) || ...);
 }
 
-/// Returns the state after `command`. Choosing, painting and applying first commit what is settled,
-/// so that parts are chosen on the visible surface. When the ROI changes, handles, and a belt
-/// chosen by hand, lose the vertices outside it. Moves, parameters, the belt's width and carried
-/// files require a new result from the same rest shape. Throws what `resolve` throws. Throws
-/// InputError if the command does not fit the state, for example a choice while a drag waits for
-/// its result.
+/// Returns the state after `command`. Commands that choose, paint or apply first make the settled
+/// surface the rest shape, so that parts are chosen on the visible surface. If the ROI changes,
+/// vertices outside it are removed from the handles and from a belt that the user has chosen. If
+/// moves, parameters, the belt's width or carried files change, the rest shape stays and a new
+/// result is needed. Throws what `resolve` throws. Throws InputError if the state does not allow
+/// the command, for example a choice while the result of a drag is not yet computed.
 AppState apply(AppState state, const Command& command);
 
 /// Returns the command's name in the history panel: "ROI: disk", "move handle 1", "settle".

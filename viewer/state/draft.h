@@ -23,18 +23,19 @@ struct Draft {
 
 Draft draft_of(const AppState& state);
 
-/// Returns whether the whole step can be chosen and moved by hand: it has no targets.
+/// Returns whether the user can make the whole step in the viewer, because it has no targets.
 bool is_selection(const DeformRequest& step);
 
-/// Returns the recipe of the current surface: the steps so far, and the open one if it is settled.
-/// Steps name files relative to `base_directory`, to which `mesh` must already be relative.
+/// Returns the recipe of the current surface. It consists of the past steps, and of the open step
+/// if it has settled. File names in the steps become relative to `base_directory`. `mesh` must
+/// already be relative to `base_directory`.
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
                  const std::filesystem::path& base_directory);
 
 /// Computes the result of a state's moves.
 using Solve = std::function<std::shared_ptr<const MovedVertices>(const AppState&)>;
 
-/// Solves the open step as `run_recipe` does, with substeps if the step uses them. Throws what
+/// Computes the result of the open step as `run_recipe` does, including substeps. Throws what
 /// `run_recipe` throws.
 std::shared_ptr<const MovedVertices> solve_open_step(const AppState& state, Kernels& kernels,
                                                      const Progress& progress = {});
@@ -52,18 +53,18 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 /// that are new; throws what `open_carried` throws.
 void carry_along(History& history, const std::vector<CarrySpec>& files);
 
-/// Carries out a step. A deform that `is_selection` becomes the commands that a user would give, so
-/// that each can be undone. Any other step is one command. Without `solve`, the handles of a deform
-/// move, but the deform does not settle.
+/// Carries out a step. If the step is a deform and `is_selection` is true, performs the commands
+/// that a user would give, so that each of them can be undone. Performs any other step as one
+/// command. If `solve` is null, the handles of a deform move, but the surface does not settle.
 void perform(History& history, const DeformRequest& step, const Solve& solve);
 void perform(History& history, const Step& step, const CarryOut& carry_out);
-/// Carries out the steps of a recipe. A deform at the end stays the open step. Looks for files in
-/// the recipe's base directory.
+/// Carries out the steps of a recipe. If the last step is a deform, it remains the open step. File
+/// names are relative to the recipe's base directory.
 void perform(History& history, const Recipe& recipe, const CarryOut& carry_out);
 
-/// Return the history that leads from `start` to the draft, or through the steps of the recipe. The
-/// mesh of `start` may differ from the mesh of the recipe. Throw what `apply` and `carry_out`
-/// throw.
+/// Return the history that begins at `start` and carries out the steps of the draft or recipe. The
+/// mesh of `start` may differ from the mesh that the recipe names. Throw what `apply` and
+/// `carry_out` throw.
 History from_draft(AppState start, const Draft& draft, const CarryOut& carry_out);
 History from_recipe(AppState start, const Recipe& recipe, const CarryOut& carry_out);
 

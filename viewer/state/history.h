@@ -24,9 +24,10 @@ class History {
 
   const AppState& state() const { return state_; }
 
-  /// Carries out `command` and drops undone steps. A command that changes nothing adds no step. If
-  /// the state waits for a result, this result joins the step that requested it, and undone steps
-  /// stay. Throws what `apply` throws, and then changes nothing.
+  /// Carries out `command` as a new step and discards undone steps. A command without effect adds
+  /// no step and discards none. If the command is the result for which the state waits, the result
+  /// becomes part of the last step, and undone steps remain. Throws what `apply` throws; the
+  /// history is then unchanged.
   void perform(const Command& command, Joining joining = Joining::own_step);
 
   bool can_undo() const { return done_ > 0; }

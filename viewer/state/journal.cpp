@@ -36,7 +36,7 @@ bool write_all(int file, std::string_view bytes) {
 }
 
 // Appends `bytes` and flushes them to the disk. On failure, sets errno, restores the file's length
-// and returns false. A partial line would corrupt the lines after it.
+// and returns false. The length is restored because later lines would be appended to a partial one.
 bool append_to(FileDescriptor& file, std::string_view bytes) {
   const off_t before = ::lseek(file.get(), 0, SEEK_END);
   if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return true;
@@ -46,7 +46,7 @@ bool append_to(FileDescriptor& file, std::string_view bytes) {
   return false;
 }
 
-// Flushes the entries of the folder, because a power failure may otherwise lose a new file.
+// Flushes the folder's directory entries, so that a new file survives a power failure.
 void flush_folder(const fs::path& folder) {
   const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (file.is_open()) ::fsync(file.get());
@@ -160,7 +160,7 @@ Json json_of(std::uint64_t key, const KeptResult& where) {
   return {{"result", key}, {"start", where.start}, {"vertices", where.vertices}};
 }
 
-// A step in substeps or without settling gives the same bits when it is carried out again.
+// A step with substeps or without settling is bitwise reproducible.
 bool wants_result(const AppState& state) {
   return state.settled && state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }

@@ -29,13 +29,14 @@ std::filesystem::path journal_folder();
 
 struct InterruptedEdit;
 
-/// An append-only record of one edit, so that a crash loses no step. Each line is JSON: first the
-/// mesh, then what each step changed in the draft, and where its settled surface is in the results
-/// file (kept_results.h). When `record` returns, the step is on the disk.
+/// Records one edit in an append-only file, so that a crash loses no step. Each line is JSON. The
+/// first line describes the mesh. Each later line stores the change of the draft by one step, and
+/// the position of the settled surface in the results file (kept_results.h). When `record` returns,
+/// the step is on the disk.
 class Journal {
  public:
-  /// Starts a journal in `folder`, and creates the folder if it is missing. Locks the journal while
-  /// it is open. Throws IoError. Throws InputError if the mesh's name is not UTF-8.
+  /// Creates a journal in `folder`, and creates the folder if necessary. The file remains locked
+  /// while the journal exists. Throws IoError. Throws InputError if the mesh's name is not UTF-8.
   Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -48,10 +49,10 @@ class Journal {
   /// Copies the results of an edit that is restored. Call before the first `record`.
   void keep_results_of(const InterruptedEdit& edit);
 
-  /// Copies the mesh file beside the journal, because the steps start from it. Call this before the
-  /// result replaces the file. Later calls do nothing. Throws IoError.
+  /// Copies the opened mesh file into the journal's folder, because the steps start from this mesh.
+  /// Call this before the result overwrites the file. Further calls do nothing. Throws IoError.
   void keep_mesh() { keep_mesh(mesh_.path); }
-  /// Copies `mesh`, from which the steps start, if the opened file was already replaced.
+  /// Copies `mesh` instead. Use this if the opened file has already been overwritten.
   void keep_mesh(const std::filesystem::path& mesh);
 
   /// Ends the edit, saved or given up: deletes the journal and the files beside it.
@@ -78,18 +79,18 @@ struct InterruptedEdit {
   std::filesystem::path opened;               ///< the mesh file that was opened
   MeshStamp mesh;                             ///< where the steps start: that file, or a copy of it
   bool mesh_is_unchanged = false;             ///< whether the file still matches `mesh`
-  Draft draft;                                ///< the steps that `restore_after_crash` carries out
+  Draft draft;                                ///< the steps for `restore_after_crash`
   KeptResults results;                        ///< in the results file
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
   /// Returns whether the file was saved over, so that `mesh` is a copy of the original.
   bool has_copy() const { return mesh.path != opened; }
-  /// Returns the number of committed edits. Counts the open edit, too, if a handle has moved.
+  /// Returns the number of committed edits, plus one if a handle of the open edit has moved.
   std::size_t step_count() const;
 };
 
-/// Returns the kept result of the state's open step, or nothing if none was kept.
+/// Returns the stored result of the state's open step, or nullopt if there is none.
 std::optional<MovedVertices> kept_result(const InterruptedEdit& edit, const AppState& state);
 
 /// Reads a journal, also while its program runs. Returns nothing if it cannot be read. Ignores an
@@ -100,8 +101,8 @@ std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
 /// have ended.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
-/// Deletes the journal files of an edit that the user gave up, or that was restored and has a new
-/// journal.
+/// Deletes the journal of the edit and the files beside it. Call this if the user gives up the
+/// edit, or after the restored edit has a new journal.
 void discard(const InterruptedEdit& edit);
 
 }  // namespace lapwing::viewer

@@ -10,8 +10,8 @@
 
 namespace lapwing::viewer {
 
-// A results file beside each journal holds the settled surfaces of its deforms. They are kept
-// because repeating a drag need not give the same bits.
+// Each journal has a results file, which stores the settled surfaces of its deforms. They are
+// stored because recomputing a drag does not always give bitwise identical positions.
 
 /// The place of one result in the results file.
 struct KeptResult {

@@ -32,7 +32,8 @@ struct Message {
 /// Shows a message to the user. An empty one clears the last.
 using Say = std::function<void(Message)>;
 
-/// Runs `act`. If it throws an Error, reports that to `say`. Returns whether `act` succeeded.
+/// Calls `act` and returns true. If `act` throws an Error, passes its message to `say` and returns
+/// false.
 template <class Act>
 bool say_errors(const Say& say, const Act& act) {
   try {

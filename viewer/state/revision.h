@@ -16,9 +16,9 @@ struct Revision {
   bool starts_at_step() const { return changed == 0; }
 };
 
-/// Returns the revision that replaces the `index`th step (from 0) of the history's state by `step`.
-/// A settled open step counts as the last step. Throws InputError if the step does not exist, or if
-/// the open step would no longer be a deform.
+/// Returns the revision that replaces step `index` (from 0) of the history's state with `step`. If
+/// the open step has settled, it counts as the last step. Throws InputError if there is no step
+/// `index`, or if `step` would replace the open deform by another operation.
 Revision revision_of(const History& history, std::size_t index, const Step& step);
 
 /// Carries out the steps. A selection that is not settled stays if its vertices still exist, and is

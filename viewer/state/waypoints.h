@@ -15,14 +15,14 @@ bool uses_substeps(const EditParameters& parameters, std::span<const HandleMove>
 /// Returns the diagonal of the ROI at rest, the unit of distances. Linear in its vertices.
 double region_size(const AppState& state);
 
-/// Returns whether the surface may need a waypoint between the moves to reach the same minimum.
-/// This is true if the handle turns by 30 degrees, moves by a tenth of the region's size, or
-/// stretches by a quarter.
+/// Returns whether the moves differ so much that solving from `from` directly to `to` may find a
+/// different minimum, so that the path needs a waypoint. This is true if the handle rotates by 30
+/// degrees, moves by a tenth of `region_size`, or stretches by a quarter.
 bool are_far_apart(const Move& from, const Move& to, const Eigen::Vector3d& handle_centroid,
                    double region_size);
 
-/// Returns whether a handle turns by more than 90 degrees between the moves. The direction of the
-/// turn is then ambiguous.
+/// Returns whether the handle rotates by more than 90 degrees between the moves. The direction of
+/// rotation is then ambiguous.
 bool is_jump(const Move& from, const Move& to);
 
 /// Selects waypoints from the successive moves of a gesture: each is far from the one before, the

@@ -29,10 +29,10 @@ struct CarriedOut {
   std::vector<std::string> warnings;
 };
 
-/// Carries out `step` on the surface of `state`, which is settled if the state has a result. Gives
-/// the same bits as `run_recipe`. `Apply` makes the result a step. Looks for sources in
-/// `base_directory`. Throws what `run_recipe` throws. Throws InputError while a drag waits for its
-/// result.
+/// Carries out `step` on the settled surface of `state`, or on its rest shape if no handle has
+/// moved. The result is bitwise identical to that of `run_recipe`. Pass it to `Apply` to add it as
+/// a step. The file names of sources are relative to `base_directory`. Throws what `run_recipe`
+/// throws. Throws InputError if the result of a drag is not yet computed.
 CarriedOut apply_step(const AppState& state, const Step& step,
                       const std::filesystem::path& base_directory, Kernels& kernels,
                       const Progress& progress = {});

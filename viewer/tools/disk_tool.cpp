@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 // The cursor moves less than this during a click.
 constexpr double kClickPt = 4.0;
 
-// Radius of a disk that is clicked before any was dragged, as a share of the mesh's diagonal.
+// Radius of a clicked disk if none was dragged before, as a fraction of the mesh's diagonal.
 constexpr double kFirstRadius = 0.1;
 
 constexpr double kFactorOfSize = 1.1;
@@ -63,7 +63,8 @@ std::array<Vector3d, 2> directions_at(Index vertex, const Topology& topology,
   return {across, normal.cross(across).normalized()};
 }
 
-// Returns the index of the grip nearest to `pixel` among those within reach that face the eye.
+// Returns the index of the nearest grip that faces the camera and lies within kGripReachPt of
+// `pixel`.
 std::optional<std::size_t> grip_at(std::span<const RimGrip> grips, const Vector2d& pixel,
                                    const Projection& projection) {
   std::optional<std::size_t> nearest;
@@ -175,7 +176,8 @@ std::optional<std::size_t> DiskTool::grip_at_cursor(const Vector2d& pixel,
   return at;
 }
 
-// Shows grips only if the surface is settled and the state still has this disk.
+// Updates the grips. There are none during a drag, while a result is missing, or if the disk is no
+// longer the chosen region.
 void DiskTool::renew_grips(const ToolScene& scene) {
   if (dragging_ || center_ == kNoIndex || needs_settling(scene.state) ||
       !is_chosen(scene.state.selection)) {

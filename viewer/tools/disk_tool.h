@@ -7,15 +7,15 @@
 
 namespace lapwing::viewer {
 
-/// Returns at most eight grips where `distances` from vertex `center` reach `radius`, in evenly
-/// spaced directions. `distances` has one entry per vertex, which is infinite if the vertex cannot
-/// be reached.
+/// Returns at most eight grips on the rim of the geodesic disk, in evenly spaced directions.
+/// `distances` has one entry per vertex, its distance from the vertex `center`. The entries of
+/// unreachable vertices are infinite.
 std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                                std::span<const double> distances, Index center, double radius);
 
-/// Chooses a geodesic disk: press on its centre and drag to its rim, or click. [ and ], Control +
-/// wheel, and the grips on its rim resize the last disk, even while the user chooses the next part.
-/// Escape cancels a drag.
+/// Selects a geodesic disk. Press on its centre and drag to its rim, or click. The keys [ and ],
+/// Control + wheel, and the grips on its rim resize the last disk. This remains possible while the
+/// user chooses the next part. Escape cancels a drag.
 class DiskTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -25,17 +25,16 @@ class DiskTool final : public SceneTool {
   std::size_t count_with(const VertexSet& chosen) const override {
     return dragging_ ? live().size() : chosen.size();
   }
-  /// Returns whether a click made the last disk. The user may then still choose its radius.
+  /// Returns true if the last disk was made by a click, so that the user may still set its radius.
   bool may_change_choice() const override {
     return center_ != kNoIndex && !dragging_ && !has_moved_;
   }
-  /// Returns the grips of the last disk, if it is still chosen.
+  /// Returns the grips of the last disk, or none if it is no longer the chosen region.
   ToolMarks marks() const override;
   bool follows_cursor() const override { return hover_changed_; }
-  /// Returns whether a press at `pixel` would start to drag a grip.
+  /// Returns whether a press at `pixel` would start a drag of a grip.
   bool is_at_grip(const Eigen::Vector2d& pixel, const ToolScene& scene);
 
-  /// Forgets the last disk.
   void reset() { *this = {}; }
 
  private:

@@ -18,9 +18,9 @@ enum class GizmoPart { none, x, y, z, without_x, without_y, without_z, view };
 /// Returns the axis of an arm, ring or plane, 0 to 2; -1 for `view` and `none`.
 int axis_of(GizmoPart part);
 bool is_plane(GizmoPart part);
-/// Returns the arm or ring of the axis or, for a `plane`, the plane across the axis.
+/// Returns the plane perpendicular to the axis if `plane` is true, otherwise the axis itself.
 GizmoPart part_of_axis(int axis, bool plane);
-/// Returns the mode that the key W, E or Q chooses; nullopt for other keys.
+/// Returns the mode for the keys W, E and Q, and nullopt for other keys.
 std::optional<GizmoMode> mode_of_key(int key);
 
 /// Three axes at a handle.
@@ -40,9 +40,10 @@ struct GizmoLine {
   bool closed = false;  ///< a loop; a plane can also be picked inside it
 };
 
-/// The lines of a gizmo: arms with the planes between them, or the halves of rings that face the
-/// eye. Leaves out arms along the line of sight and planes seen from the edge. Empty if the gizmo
-/// is behind the eye. Reuses its memory from frame to frame.
+/// Computes the lines of a gizmo on the screen: arms with the planes between them, or the halves of
+/// the rings that face the camera. Omits arms that are parallel to the line of sight and planes
+/// that are seen edge-on. There are no lines if the gizmo is behind the camera. Reuses its memory
+/// in later frames.
 class GizmoLines {
  public:
   GizmoLines() = default;

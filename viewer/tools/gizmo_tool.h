@@ -10,11 +10,12 @@
 
 namespace lapwing::viewer {
 
-/// Moves a handle. Drag a part of the gizmo, or press G, R or S and move the mouse. X, Y or Z
-/// restricts the drag to an axis of the gizmo, and with Shift to a plane. The same key again
-/// switches to local axes if the gizmo has the world's axes, and otherwise to the world's. A third
-/// press frees the drag. The user can type a number. Control snaps. W, E and Q (R in Maya) choose
-/// the gizmo. Enter or a click ends a drag. Escape or the right button cancels it.
+/// Moves a handle. The user drags an arm, ring or plane of the gizmo, or presses G, R or S and
+/// moves the mouse. X, Y or Z restricts the drag to an axis, and with Shift to the plane
+/// perpendicular to it. A second press of the same key switches between world axes and local axes.
+/// A third press removes the restriction. The user can also type an exact value. Control snaps to
+/// round values. W, E and Q (R in Maya) choose the gizmo. Enter or a click ends a drag. Escape or
+/// the right mouse button cancels it.
 class GizmoTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -25,8 +26,8 @@ class GizmoTool final : public SceneTool {
   void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
   /// The handle's move during a drag.
   const std::optional<Move>& move() const { return move_; }
-  /// Returns the handle's orientation after the drag. If the user drags the handle itself, its
-  /// orientation is free unless the user has turned it before.
+  /// Returns whether the handle's orientation is free after the drag. It is free if the user drags
+  /// the handle itself and has not rotated the handle before.
   HandleOrientation orientation() const {
     return pulls_ ? HandleOrientation::free : HandleOrientation::kept;
   }
@@ -44,8 +45,9 @@ class GizmoTool final : public SceneTool {
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
   /// Returns the gizmo as drawn. It follows its handle.
   Gizmo gizmo(const AppState& state, std::size_t handle) const;
-  /// Writes the status line of a drag, as in "turn 45 degrees about x", and a warning if the handle
-  /// turns by more than kLargestSettledTurnDegrees. The surface may not follow a larger turn.
+  /// Writes the status line of a drag to `text`, for example "turn 45 degrees about x". Adds a
+  /// warning if the handle rotates by more than kLargestSettledTurnDegrees, because the surface may
+  /// not follow a larger rotation.
   void read_out(std::string& text) const;
 
  private:

@@ -47,7 +47,7 @@ struct InputEvent {
   double scroll = 0.0;  ///< for scroll events; positive away from the user
 };
 
-/// Returns whether the event comes from the mouse rather than the keyboard.
+/// Returns true for mouse events and false for keyboard events.
 inline bool is_of_pointer(const InputEvent& event) {
   return event.kind != InputKind::key && event.kind != InputKind::text;
 }

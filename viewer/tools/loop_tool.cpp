@@ -118,8 +118,8 @@ bool LoopTool::is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) co
   return first && (*first - pixel).norm() < scene.projection.in_pixels(kClosingPt);
 }
 
-// Returns the vertices of the line so far, up to the cursor. A closed line ends with its first
-// vertex.
+// Returns the vertices of the polyline drawn so far, including the segment to the cursor. If the
+// line is closed, its first vertex is repeated at the end.
 std::vector<Index> LoopTool::line() const {
   std::vector<Index> line;
   const auto append = [&line](const std::vector<Index>& piece) {

@@ -140,8 +140,8 @@ ToolAnswer PlaceTool::handle_scroll(const InputEvent& event) {
   return ToolAnswer::only_taken();
 }
 
-// Changes the draft. For a carried part, also changes `way_`, so that the next move of the cursor
-// keeps the change.
+// Applies `change` to the draft. While the part follows the cursor, also applies it to `way_`, from
+// which the next cursor event computes the draft.
 template <class Change>
 void PlaceTool::change(const Change& change) {
   if (drag_) return;

@@ -17,10 +17,11 @@ struct TransplantHost {
   std::shared_ptr<const SurfaceSnap> surface;
 };
 
-/// Places a part on a surface. At first the part follows the cursor on the surface. [ and ], or
-/// Control + wheel, scale it; Shift + wheel turns it. A click sets it down. Then a gizmo along the
-/// part's axes adjusts it (W, E, Q; Control snaps), and G picks it up again. Enter applies it.
-/// Escape cancels the drag or, without a drag, the placement.
+/// Places a part on a surface. At first the part follows the cursor on the surface. The keys [ and
+/// ] or Control + wheel scale the part, and Shift + wheel rotates it. A click fixes it in place.
+/// The user can then adjust it with a gizmo (W, E, Q; Control snaps), whose axes are those of the
+/// part, or press G to move it with the cursor again. Enter applies the transplant. Escape cancels
+/// the drag, or the placement if there is no drag.
 class PlaceTool final : public SceneTool {
  public:
   enum class Stage { empty, carried, set_down };

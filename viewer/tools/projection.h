@@ -18,8 +18,8 @@ struct Ray {
 /// Maps between space and the window, in pixels from its upper left corner.
 /// `Camera::projection(aspect) * Camera::view()` gives the matrix: y down, depth 1 near and 0 far.
 ///
-/// Sizes on the screen, such as the reach of a click, are in points. Their names end in `Pt` or
-/// `_pt`. A point is one pixel on a desktop without scaling.
+/// Sizes on the screen, such as the pick radius of a click, are in points. Their names end in `Pt`
+/// or `_pt`. One point is one pixel if the desktop's scale factor is 1.
 class Projection {
  public:
   Projection(const Eigen::Matrix4d& clip_from_world, const Eigen::Vector2d& size_in_pixels,

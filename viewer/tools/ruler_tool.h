@@ -19,8 +19,8 @@ class RulerTool final : public SceneTool {
 
   bool is_begun() const { return from_ != kNoIndex; }
   bool has_both_ends() const { return to_ != kNoIndex; }
-  /// Measures again on the surface at `positions`. `still` is false while the surface moves.
-  /// Removes the measure if its ends are not vertices of `topology`.
+  /// Updates the distances for the surface at `positions`. `still` is false while the surface
+  /// moves. Removes the measurement if its end points are not vertices of `topology`.
   void follow(const std::shared_ptr<const Topology>& topology,
               std::span<const Eigen::Vector3d> positions, bool still);
 

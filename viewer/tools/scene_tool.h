@@ -12,7 +12,7 @@
 
 namespace lapwing::viewer {
 
-/// Decides what the key R does. It rotates in Blender and scales in Maya.
+/// Determines the meaning of the key R: rotate as in Blender, or scale as in Maya.
 enum class GizmoKeys { blender, maya };
 
 /// The scene that a tool works on.
@@ -30,17 +30,18 @@ struct ToolScene {
   std::function<std::optional<SurfacePoint>(const Eigen::Vector2d& pixel)> pick_still = {};
 };
 
-/// Returns whether the surface hides `place`, a point on the surface that projects to `pixel`. The
-/// surface must be nearer to the eye by more than the tip that a pin pulls out.
+/// `place` is a point on the surface that projects to `pixel`. Returns whether another part of the
+/// surface hides it. That part must be nearer to the camera by more than a tolerance, so that the
+/// tip that a dragged pin forms does not hide the pin.
 bool is_hidden(const Eigen::Vector3d& place, const Eigen::Vector2d& pixel, const ToolScene& scene);
 
 /// The response of a tool to one event.
 struct ToolAnswer {
-  bool taken = false;                     ///< no one else should handle the event
+  bool taken = false;                     ///< whether the tool has handled the event
   std::optional<Command> command = {};    ///< to perform
   std::string message = {};               ///< for the user, if something failed
   std::optional<std::size_t> holds = {};  ///< handle to select after the command
-  bool drags_held = false;                ///< drag it in the view plane until the button goes up
+  bool drags_held = false;                ///< drag this handle until the button is released
   bool resizes = false;                   ///< the command only resizes the last choice
 
   static ToolAnswer passed_on() { return {}; }
@@ -52,7 +53,7 @@ struct RimGrip {
   Eigen::Vector3d position;
   Eigen::Vector3d normal;  ///< unit normal of the surface
 
-  /// Whether the surface faces the eye at the grip. Something nearer may still hide it.
+  /// Returns whether the surface at the grip faces the camera. A nearer part may still hide it.
   bool faces_eye(const Projection& projection) const {
     return normal.dot(projection.toward_eye(position)) > 0.0;
   }
@@ -60,35 +61,35 @@ struct RimGrip {
 
 /// The marks that a tool draws over the surface.
 struct ToolMarks {
-  std::vector<Index> line = {};  ///< the vertices of a drawn line
+  std::vector<Index> line = {};  ///< the vertices of a polyline
   bool line_is_done = false;
   std::vector<Index> dots = {};
-  std::vector<RimGrip> grips = {};            ///< points that the user can drag
-  std::optional<std::size_t> grip = {};       ///< index of the grip under the cursor
-  std::vector<Eigen::Vector2d> outline = {};  ///< a closed line, in pixels
-  double brush_pt = 0.0;                      ///< radius of a circle around the cursor
+  std::vector<RimGrip> grips = {};            ///< the grips that resize a disk
+  std::optional<std::size_t> grip = {};       ///< index in `grips` of the grip under the cursor
+  std::vector<Eigen::Vector2d> outline = {};  ///< a closed polyline, in pixels
+  double brush_pt = 0.0;                      ///< radius of the brush circle at the cursor
 };
 
-/// What the left button does on the surface. It is one of the window's tools
-/// (editing/tool_table.h), or one that a panel lends to the editor.
+/// Determines what the left mouse button does on the surface. The tools are those of
+/// editing/tool_table.h and those that panels lend to the editor.
 class SceneTool {
  public:
   virtual ~SceneTool() = default;
 
   virtual ToolAnswer handle(const InputEvent& event, const ToolScene& scene) = 0;
-  /// Whether a stroke is under way, which nothing else may interrupt.
+  /// Returns whether a stroke or drag is in progress, which no other tool may interrupt.
   virtual bool is_dragging() const { return false; }
   /// Whether the tool works on its own preview, even if its triangles are not those of the state.
   virtual bool draws_preview() const { return false; }
   /// Returns what to do next to choose `part` of `state`.
   virtual const char* hint(const AppState& state, const Part& part) const = 0;
 
-  /// The vertices of the stroke under way, and whether it erases them.
+  /// Return the vertices of the current stroke, and whether it erases them.
   virtual VertexSet live() const { return {}; }
   virtual bool erases() const { return false; }
   /// Returns how many vertices would be chosen, instead of `chosen`, if the stroke ended now.
   virtual std::size_t count_with(const VertexSet& chosen) const { return chosen.size(); }
-  /// Whether the last choice may still change, so that nothing else should follow yet.
+  /// Returns whether the user may still change the last selection, so that it is not yet final.
   virtual bool may_change_choice() const { return false; }
 
   virtual ToolMarks marks() const { return {}; }

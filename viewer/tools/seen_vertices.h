@@ -7,17 +7,18 @@
 
 namespace lapwing::viewer {
 
-/// A picture with 1 + the number of the triangle that shows at each pixel, 0 for the background
-/// (IdPicture). Rows go from the top. `ids` must outlive this.
+/// An image that stores 1 + the index of the visible triangle at each pixel, or 0 for the
+/// background (IdPicture). The first row is at the top. `ids` must outlive this object.
 struct TrianglePicture {
   std::span<const std::uint32_t> ids;
   Index width = 0;
   Index height = 0;
 };
 
-/// Tells which vertices are visible in a picture. A vertex is visible if, at its pixel or a
-/// neighbour, the drawn triangle is not in front of the vertex. A tolerance allows for the rounding
-/// to pixels. The arguments of the constructor must outlive this object.
+/// Determines which vertices are visible in an image of triangle indices. A vertex is visible if
+/// the triangle at its pixel, or at an adjacent pixel, is not in front of the vertex. The depth
+/// comparison has a tolerance for the rounding to pixels. The arguments of the constructor must
+/// outlive this object.
 class SeenVertices {
  public:
   SeenVertices(const TrianglePicture& picture, const Topology& topology,

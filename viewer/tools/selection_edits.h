@@ -6,8 +6,8 @@
 
 namespace lapwing::viewer {
 
-/// Return the region and the vertices of `part`. Both are empty for a handle that does not exist
-/// yet.
+/// Return the region of `part` and its vertices. Both are empty if `part` is a handle that the user
+/// has not chosen yet.
 const ChosenRegion& region_of(const EditSelection& selection, const Part& part);
 const VertexSet& vertices_of(const EditSelection& selection, const Part& part);
 

@@ -61,9 +61,10 @@ TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double di
 /// state before it. Throws what `cut_hole` and `place_part` throw.
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host);
 
-/// Returns the mean outward normal of the triangles within `radius` along the surface, so that
-/// small detail does not tilt a part. Nearer triangles weigh more. Returns the normal of the
-/// point's triangle if the mean is zero.
+/// Returns a weighted mean of the outward normals of the triangles within the geodesic distance
+/// `radius` of `point`. Nearer triangles have larger weights. The mean is used because small detail
+/// of the surface would tilt a placed part. If the mean is zero, returns the normal of the triangle
+/// that contains the point.
 Eigen::Vector3d normal_around(const SurfacePoint& point, double radius, const Topology& topology,
                               const Positions& positions);
 

@@ -1,4 +1,4 @@
-// Draws the Display tab: colours, background and preferences.
+// Draws the Display tab.
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ void choose_in_pairs(const char* label, Value& value,
 }  // namespace
 
 std::optional<PoseMeasure> measure_of(Coloring coloring) {
-  // The measures are in the order of Coloring, whose first two values show no measure.
+  // The order is that of Coloring, without its first two values, which display no measure.
   constexpr std::array kMeasures{PoseMeasure::displacement, PoseMeasure::rotation,
                                  PoseMeasure::detail, PoseMeasure::stretch};
   const auto number = static_cast<std::size_t>(coloring);
@@ -87,7 +87,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SetNextItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
   ImGui::SliderFloat("Feature angle", &choices.feature_angle, 0.0F, 180.0F, "%.0f degrees",
                      ImGuiSliderFlags_AlwaysClamp);
-  // Another angle rebuilds the surface, which takes too long for each frame of the drag.
+  // A new angle rebuilds the surface, which takes too long to do in every frame of the slider drag.
   if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_feature_angle(choices.feature_angle);
   explain("Edges whose faces meet at a larger angle look hard.");
   choose_in_pairs(

@@ -24,9 +24,9 @@ enum class BannerWish {
   open_another,
 };
 
-/// A banner over the picture with what the doctor found in the opened mesh. It marks the faulty
-/// vertices and previews a repair. If the user keeps a repair, it is saved to a new file, because a
-/// recipe begins with a file.
+/// Draws a banner over the 3D view with the defects that the mesh doctor found in the opened mesh.
+/// Marks the faulty vertices and previews a repair. If the user accepts a repair, the repaired mesh
+/// is saved to a new file, because a recipe must start from a file.
 class DoctorBanner {
  public:
   /// `report` lists all places in `mesh`. `wake` is called on another thread when a repair is
@@ -34,11 +34,11 @@ class DoctorBanner {
   DoctorBanner(std::string name, std::shared_ptr<const Mesh> mesh, CheckReport report,
                std::function<void()> wake);
 
-  /// Returns whether the mesh has no faces. The banner then says that there is nothing to see.
+  /// Returns whether the mesh has no faces. The banner then tells the user that the view is empty.
   bool is_empty() const { return report_.find(DefectKind::no_faces) != nullptr; }
 
-  /// Call this once a frame, before `draw`. Takes a finished repair, and gives up its picture if an
-  /// edit or `others_preview` has replaced it.
+  /// Call this once per frame, before `draw`. Shows the preview of a finished repair. Ends this
+  /// preview if the user edits the mesh or `others_preview` is true.
   void update(Editor& editor, bool others_preview);
   /// Draws the banner at `corner`, at most `free_size` large. For an empty mesh it is centred in
   /// that area. May change what `editor` shows.
@@ -47,12 +47,12 @@ class DoctorBanner {
   /// Returns the banner's height in the last frame, in ImGui's units.
   double height() const { return height_; }
 
-  /// Whether the picture marks the faulty vertices.
+  /// Returns whether the view marks the faulty vertices.
   bool marks() const { return state_ == State::marking; }
-  /// Whether the picture shows marks or a repair instead of the edit.
+  /// Returns whether the view shows these marks or a repair instead of the edit.
   bool has_picture() const { return marks() || state_ == State::previewing; }
   std::span<const Index> places() const { return places_; }
-  /// Direction from which the places show (side_of).
+  /// Returns the direction from which `places` are visible (side_of).
   const std::optional<Eigen::Vector3d>& side() const { return side_; }
   /// Returns the repaired mesh while it is previewed, else null.
   std::shared_ptr<const Mesh> repair() const;

@@ -7,10 +7,10 @@
 
 namespace lapwing::viewer {
 
-/// Draws `gizmo` over the picture. Highlights `taken_part`, which is under the cursor or dragged.
-/// Reuses the memory of `lines`.
+/// Draws `gizmo` over the 3D view. Highlights `taken_part`, the part under the cursor or the
+/// dragged part. `lines` is a buffer that is reused in every frame.
 void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& lines);
-/// Draws the gizmo of the current handle. Writes beside it how far the user has dragged.
+/// Draws the gizmo of the current handle and, during a drag, the status line beside it.
 void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout);
 
 /// Draws the mode, axes and pivot of the gizmo, and whether the handle sticks to the surface. These

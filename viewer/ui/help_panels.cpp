@@ -1,4 +1,5 @@
-// Draws the guide over the picture, the list of controls, and the device with its timings.
+// Draws the guide over the 3D view, the list of controls, and the panel with the device and the
+// timings of a frame.
 
 #include <imgui.h>
 

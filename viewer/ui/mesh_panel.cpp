@@ -1,4 +1,4 @@
-// Draws the Mesh tab: sizes, findings of the mesh doctor, and carried objects.
+// Draws the Mesh tab.
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +11,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// This must equal the colour of carried objects in shaders/target.glsl.
+// This must be the colour of carried objects in shaders/target.glsl.
 const ImVec4 kCarriedColor{0.36F, 0.68F, 0.58F, 1.0F};
 
 // Returns true if the object's button was pressed.

@@ -48,10 +48,11 @@ enum class Task { deform, coat, mix, transplant, mesh, display };
 /// Returns the height of the status line, in ImGui's units.
 float status_height();
 
-/// Draws name, sizes and the findings of the mesh doctor. Lengths have `unit`, unless it is empty.
+/// Draws the mesh's name, its sizes and the defects that the mesh doctor found. Appends `unit` to
+/// lengths if it is not empty.
 void draw_mesh_panel(const Document& document, const std::string& unit);
 
-/// A rectangle of the window, in ImGui's units unless stated otherwise.
+/// Describes a rectangle of the window, in ImGui's units unless stated otherwise.
 struct PictureArea {
   Eigen::Vector2d corner;  ///< upper left
   Eigen::Vector2d size;
@@ -81,21 +82,21 @@ struct ResultWish {
 /// shown.
 ResultWish draw_result_panel(Editor& editor, bool points);
 
-/// The pictures of a shelf's parts on the device.
+/// Holds the thumbnails of a library's parts on the device.
 class PartPictures {
  public:
-  /// Updates the pictures to those of `shelf`, on `context`, which must outlive them. Call it
-  /// before panels are laid out.
+  /// Uploads the thumbnails of `library` if they have changed. `context` must outlive them. Call
+  /// this before the panels are laid out.
   void renew(const PartLibraryView& library, gpu::Context& context);
   /// Releases everything on the device.
   void release();
 
-  /// Returns the picture of the shelf's item `k`; null if it has none.
+  /// Returns the thumbnail of item `k` of the library, or null if it has none.
   const UiPicture* of(std::size_t k) const { return pictures_[k].get(); }
 
  private:
   std::vector<std::unique_ptr<UiPicture>> pictures_;
-  std::uint64_t version_ = 0;  // of the shelf
+  std::uint64_t version_ = 0;  // of the library
 };
 
 /// Draws the parts, the one being placed, and how it is joined. Returns the purpose if the user
@@ -126,7 +127,7 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
 enum class Coloring { plain, regions, displacement, rotation, detail, stretch };
 std::optional<PoseMeasure> measure_of(Coloring coloring);
 
-/// How the picture looks.
+/// The choices in the Display tab.
 struct DisplayChoices {
   SurfaceStyle style{.file_colors = true};
   Background background = Background::gradient;
@@ -142,18 +143,18 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor);
 void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings& timings,
                         const Certificate* certificate, bool& open);
 
-/// Draws all messages, the newest last, in a separate window. Sets `open` to false when the user
-/// closes it.
+/// Draws all messages in a separate window, oldest first. Sets `open` to false if the user closes
+/// this window.
 void draw_messages_panel(const Messages& messages, bool& open);
-/// Draws warnings and errors at the upper right corner of the picture until they are closed, and
-/// the note at the lower left corner, where it lets the mouse through.
+/// Draws warnings and errors in the upper right corner of the 3D view until the user closes them.
+/// Draws the current note in the lower left corner, where it does not capture mouse events.
 void draw_toasts(Messages& messages, const PictureArea& area);
 
 /// Draws theme, mouse, unit, guide and file dialogs.
 void draw_preferences_panel(Preferences& preferences);
 
-/// Draws marks over the picture and under the panels: gizmo, outlines of the tools, vertices
-/// pointed at. Reuses its memory from frame to frame.
+/// Draws marks over the scene and under the panels: the gizmo, outlines of the tools and
+/// highlighted vertices. Reuses its memory in later frames.
 class EditMarks {
  public:
   /// `pixels_per_unit` is the number of pixels of `view` per unit of ImGui.
@@ -175,8 +176,8 @@ class EditMarks {
   std::vector<Eigen::Vector2d> points_;
 };
 
-/// Draws the steps of the task and what to do now at the lower left corner of the picture, where it
-/// lets the mouse through. Returns its height.
+/// Draws the steps of the task and the next action in the lower left corner of the 3D view, where
+/// they do not capture mouse events. Returns the height of the guide.
 double draw_guide(const Guide& guide, const PictureArea& area);
 
 /// Draws the list of controls in a separate window. Sets `open` to false when the user closes it.
@@ -195,22 +196,22 @@ struct StartOffer {
 /// it; if `open` is null, it cannot be closed.
 std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open);
 
-/// A picture to save.
+/// The settings of an image to save.
 struct PicturePlan {
   bool open = false;  ///< whether the panel is shown
   int width = 0;      ///< in pixels, both at least 1
   int height = 0;
 };
-/// Asks for its size in a separate window. Returns true if the file is to be asked for.
+/// Asks for the image size in a separate window. Returns true if the user wants to choose the file.
 bool draw_picture_panel(PicturePlan& plan);
 
-/// A turntable to save: pictures from all around.
+/// The settings of a turntable to save, a series of images from all around the mesh.
 struct TurntablePlan {
-  PicturePlan picture;  ///< size of each picture
+  PicturePlan picture;  ///< size of each image
   int count = 120;      ///< at least 1
   double per_second = 30.0;
 };
-/// Asks for these in a separate window. Returns true if the file is to be asked for.
+/// Asks for these settings in a separate window. Returns true if the user wants to choose the file.
 bool draw_turntable_panel(TurntablePlan& plan);
 /// Draws the progress in a modal window and returns true if the user cancels. If `recording` is
 /// null, closes the window. Must be called in every frame.

@@ -84,8 +84,9 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   if (chosen) editor.perform(SetBeltWidth{0.01 * *chosen});
 }
 
-// Draws a box that makes a handle soft and, for a soft handle, a slider for its weight. Sets
-// `let_go` when a click or a drag of the slider ends. Returns whether the weight has changed.
+// Draws a checkbox that makes a handle soft and, for a soft handle, a slider for its weight. Sets
+// `let_go` to true if the user clicks the checkbox or releases the slider. Returns whether the
+// weight has changed.
 bool draw_handle_weight(std::optional<double>& weight, bool& let_go) {
   bool is_soft = weight.has_value();
   bool changed = ImGui::Checkbox(is_soft ? "##soft" : "soft", &is_soft);

@@ -11,13 +11,14 @@
 
 namespace lapwing::viewer {
 
-/// Saves a turntable: draws its pictures between the window's frames, and writes them on another
-/// thread. If it is destroyed early, the numbered pictures written so far stay, but no video.
+/// Saves a turntable. Renders its images between the window's frames and writes them on another
+/// thread. If it is destroyed before the end, the numbered images written so far remain. A video is
+/// then not saved.
 class TurntableRecording {
  public:
   struct Order {
     std::filesystem::path output;  ///< for open_frames
-    int count = 1;                 ///< number of pictures
+    int count = 1;                 ///< number of images
     double per_second = 30.0;
   };
 
@@ -26,8 +27,8 @@ class TurntableRecording {
   TurntableRecording(Order order, const Turntable& way, gpu::Context& context,
                      const RenderOptions& options, std::function<void()> wake);
 
-  /// Call this once a frame. Draws the next picture, unless one waits to be written. Throws, once,
-  /// what writing threw.
+  /// Call this once per frame. Renders the next image, unless the previous one waits to be written.
+  /// If writing has failed, rethrows the exception once.
   void go_on(Surface& surface, const SurfacePaint& paint, std::span<const CarriedDrawing> carried);
 
   const Order& order() const { return order_; }
@@ -40,14 +41,14 @@ class TurntableRecording {
   Order order_;
   Turntable way_;
   ImageRenderer renderer_;
-  std::unique_ptr<FrameWriter> writer_;  // the job uses it
+  std::unique_ptr<FrameWriter> writer_;  // used by `job_`
   int drawn_ = 0;
-  std::shared_ptr<const Image> waiting_;  // the drawn picture that the job has not yet taken
+  std::shared_ptr<const Image> waiting_;  // a rendered frame that is not yet passed to `job_`
   int written_ = 0;
   bool is_writing_ = false;
   bool done_ = false;
   bool failed_ = false;
-  Job<bool> job_;  // declared last, because it uses the writer; returns whether it is at the end
+  Job<bool> job_;  // returns whether the video is finished; declared last, as it uses `writer_`
 };
 
 }  // namespace lapwing::viewer

@@ -19,7 +19,7 @@ inline constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
 inline constexpr ImU32 kGround = IM_COL32(20, 20, 24, 225);
 inline constexpr double kThickPt = 2.5;
 
-/// Draws text on a dark background, so that it is readable over any picture.
+/// Draws text on a dark background, so that it is legible on any scene.
 inline void draw_words(ImDrawList& list, const Eigen::Vector2d& place, const std::string& words) {
   const ImVec2 from = to_imgui(place);
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
@@ -30,7 +30,8 @@ inline void draw_words(ImDrawList& list, const Eigen::Vector2d& place, const std
   list.AddText(from, kLine, words.c_str());
 }
 
-/// Draws over the scene and under the panels. Places are in pixels of the picture, sizes in points.
+/// Draws over the scene and under the panels. Positions are in pixels of the rendered image, sizes
+/// in points.
 class Pen {
  public:
   Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Eigen::Vector2d>& points,
@@ -44,7 +45,7 @@ class Pen {
 
   const Projection& projection() const { return projection_; }
 
-  /// Draws a wider dark line first, so that the line is visible on every surface.
+  /// Draws the line over a wider dark line, so that it is visible on any surface.
   void line(std::span<const Eigen::Vector2d> pixels, bool closed, ImU32 color,
             double thickness_pt) {
     if (pixels.size() < 2) return;
@@ -70,13 +71,14 @@ class Pen {
     list_.AddCircleFilled(at(pixel), units(4.0), color);
   }
 
-  /// Draws text whose upper left corner is at `offset_pt` from the pixel.
+  /// Draws text. Its upper left corner is at `pixel` plus `offset_pt`.
   void text(const Eigen::Vector2d& pixel, const Eigen::Vector2d& offset_pt,
             const std::string& words) {
     draw_words(list_, (corner_ + pixel) / unit_ + units_per_point_ * offset_pt, words);
   }
 
-  /// Returns the pixels of the points in front of the eye, valid until the next call.
+  /// Projects the points to pixels. Omits points behind the camera. The span is valid until the
+  /// next call.
   std::span<const Eigen::Vector2d> pixels_of(std::span<const Eigen::Vector3d> points) {
     points_.clear();
     for (const Eigen::Vector3d& point : points) {
@@ -85,7 +87,7 @@ class Pen {
     return points_;
   }
 
-  /// Returns the pixels of the vertices in front of the eye, valid until the next call.
+  /// Projects the vertices to pixels, likewise.
   std::span<const Eigen::Vector2d> pixels_of(const Editor& editor,
                                              std::span<const Index> vertices) {
     points_.clear();

@@ -25,24 +25,24 @@
 
 namespace lapwing::viewer {
 
-/// A picture to save once the mesh is on the screen. Then the program ends, with an error if there
-/// is one.
+/// Requests an image that is saved after the first frame with the mesh. The program then exits. Its
+/// exit code reports whether the image was saved.
 struct PictureOrder {
   std::filesystem::path path;
   std::optional<VkExtent2D> size;  ///< the window's by default
 };
 
-/// Where the viewer keeps files between runs. It keeps nothing for an empty path.
+/// The paths of the files that the viewer keeps between runs. An empty path disables a file.
 struct KeptFiles {
   std::filesystem::path journals;  ///< a folder
   std::filesystem::path preferences;
   std::filesystem::path recent;
 };
 
-/// The viewer: the open document, its view, and the panels around it. Each source file handles one
-/// concern: viewer_app (the document), viewer_files (reading and writing), viewer_pictures,
-/// viewer_input (mouse and keys), viewer_menus, viewer_sidebar, viewer_dialogs (over the picture),
-/// and viewer_frame (the rest of a frame).
+/// Runs the viewer: holds the open document and its 3D view, and draws the panels. Each source file
+/// has one purpose: viewer_app (the document), viewer_files (reading and writing), viewer_pictures
+/// (images and turntables), viewer_input (mouse and keys), viewer_menus, viewer_sidebar,
+/// viewer_dialogs (dialogs and the banner), and viewer_frame (the rest of a frame).
 class ViewerApp final : public App {
  public:
   ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);
@@ -50,14 +50,14 @@ class ViewerApp final : public App {
   void order(PictureOrder picture) { order_ = std::move(picture); }
   /// Returns the open document; null if there is none.
   const Document* document() const { return document_.get(); }
-  /// Whether the desktop's dialog or the browser asks for a path.
+  /// Returns whether the desktop's dialog or the browser is open.
   bool asks_for_path() const { return chooser_.is_open(); }
   /// Offers to restore edits that a crash interrupted.
   void offer_interrupted();
 
   bool handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override { open(file, {}); }
-  /// The files in `carry` follow the surface from the first edit by hand on.
+  /// The files in `carry` follow the surface from the first edit in the viewer on.
   void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry,
             std::optional<PathPurpose> asked_for = {});
   void resize(const Eigen::Vector2d& size, double pixels_per_point) override;
@@ -72,30 +72,31 @@ class ViewerApp final : public App {
  private:
   // Files.
   using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
-  /// What is loaded, and for which purpose. If it cannot be loaded, the user is asked again.
+  /// The file that is being loaded. If loading fails, the user is asked for another file for the
+  /// purpose `asked_for`.
   struct Loading {
     std::filesystem::path file;
     std::optional<PathPurpose> asked_for = {};
   };
-  /// Starts `load` on another thread, and gives up what is still being loaded.
+  /// Starts `load` on another thread. Cancels the previous load if it is not finished.
   void load(Loading what, Load load);
   void show(LoadedFile file);
   void go_on_with(LoadedFile replay);
   void take_loaded();
-  /// Runs `action`, which closes the document, once nothing is lost by that.
+  /// Runs `action`, which closes the document. If there are unsaved changes, asks the user first.
   void leave_for(std::function<void()> action);
   void ask_for_path(PathPurpose purpose);
-  /// Says what is wrong with `path`, and asks for another one for `purpose`.
+  /// Tells the user why `path` cannot be used, and asks for another path for `purpose`.
   void ask_again(PathPurpose purpose, const std::filesystem::path& path, std::string trouble);
   std::string suggested_name(PathPurpose purpose) const;
   std::filesystem::path folder_to_ask_in(PathPurpose purpose) const;
   std::vector<BrowserPlace> places(PathPurpose purpose) const;
-  /// Runs `write`. If `file` exists, asks the user first, and runs `otherwise` after a no.
+  /// Runs `write`. If `file` exists, first asks the user whether to overwrite it. If the user
+  /// declines, runs `otherwise` instead.
   void write_to(const std::filesystem::path& file, std::function<void()> write,
                 std::function<void()> otherwise = {});
   void answer_overwriting(bool writes);
-  /// Runs `action` once the surface has settled, now or in a later frame. If it does not settle,
-  /// says that nothing was saved.
+  /// Runs `action` once the surface has settled. If settling fails, reports that nothing was saved.
   void once_settled(std::function<void()> action);
   void take_settled();
   void take_recipe_check();
@@ -115,9 +116,9 @@ class ViewerApp final : public App {
   void say_of_colors();
   void take_preferred_tools();
 
-  // Pictures and turntables.
+  // Images and turntables.
   PicturePlan window_picture() const;
-  /// Returns the options of a picture as the view shows it.
+  /// Returns the options for rendering the current view into an image of `size` pixels.
   RenderOptions picture_options(VkExtent2D size) const;
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void save_chosen_picture(const std::filesystem::path& path);
@@ -147,7 +148,7 @@ class ViewerApp final : public App {
   bool is_inside(const Bounds& bounds) const;
   double covered_share() const;
   double sidebar_pixels() const;
-  /// Returns the part of the window that shows the source of a coat or mix, in pixels.
+  /// Returns the rectangle of the window, in pixels, in which the source of a coat or mix is shown.
   std::optional<PictureArea> source_area() const;
   std::optional<bool> handle_source(const InputEvent& event);
 

@@ -1,4 +1,4 @@
-// Opens the dialogs, handles their answers, and draws the banner over the picture.
+// Opens the dialogs, carries out what the user chooses in them, and draws the mesh doctor's banner.
 
 #include <cmath>
 #include <utility>
@@ -9,7 +9,8 @@
 namespace lapwing::viewer {
 namespace {
 
-// The picture is this much larger than what the doctor shows.
+// The view zooms out by this factor from the marked defects, because the banner covers a part of
+// it.
 constexpr double kRoomForBanner = 1.4;
 
 // Returns a camera that looks from `side`, turned a little towards the view before, so that the
@@ -104,7 +105,6 @@ double ViewerApp::draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector
       camera_before_ = camera_;
       if (banner.side()) camera_ = looking_at_side(camera_, *banner.side(), upward());
       frame(banner.places());
-      // The banner covers a part of the picture.
       zoom_by(1.0 / kRoomForBanner, 0.5 * size_);
       break;
     case BannerWish::look_back:

@@ -1,4 +1,5 @@
-// Saves pictures and turntables. Draws their dialogs and the pictures of a recording.
+// Draws the dialogs for saving images and turntables. Renders the images and the frames of a
+// recording.
 
 #include <utility>
 
@@ -10,7 +11,7 @@
 
 namespace lapwing::viewer {
 
-// Returns a plan for a picture as large as the window.
+// Returns a plan for an image of the window's size.
 PicturePlan ViewerApp::window_picture() const {
   return {document_ != nullptr, static_cast<int>(size_.x()), static_cast<int>(size_.y())};
 }
@@ -21,7 +22,7 @@ RenderOptions ViewerApp::picture_options(VkExtent2D size) const {
   options.height = size.height;
   options.background = display_.background;
   options.style = shown_style();
-  // Lines keep their share of the picture, as in the window.
+  // Scale the line widths with the image size, so that they look as in the window.
   options.style.pixels_per_point =
       static_cast<float>(pixels_per_point_ * static_cast<double>(size.height) / size_.y());
   if (options.style.color == SurfaceColor::scalar) {
@@ -33,7 +34,7 @@ RenderOptions ViewerApp::picture_options(VkExtent2D size) const {
 void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) const {
   const Editor& editor = document_->editor;
   Camera camera = view_frame().camera;
-  // No panel covers a part of this picture.
+  // No panel covers a part of this image.
   camera.target_across = 0.0;
   write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera,
                                picture_options(size), editor.carried().drawn()));

@@ -19,12 +19,12 @@ inline constexpr ImGuiWindowFlags kFixed =
 /// Flags of a window that does not scroll.
 inline constexpr ImGuiWindowFlags kWithoutScrolling =
     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-/// Flags of a dialog, which adapts its size to its contents.
+/// Flags of a dialog whose size adapts to its contents.
 inline constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_AlwaysAutoResize |
                                             ImGuiWindowFlags_NoCollapse |
                                             ImGuiWindowFlags_NoSavedSettings;
 
-/// The colours of the parts of an edit on the surface (shaders/surface.glsl).
+/// The colours of the ROI, handles and belt must be those in shaders/surface.glsl.
 inline const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
 inline const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
 inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
@@ -56,12 +56,12 @@ bool choose(const char* label, Value& value,
 bool toggle_button(const char* label, bool on);
 float button_width(const char* label);
 
-/// Stays on the line if an item of `width` still fits there, up to `right` on the screen.
+/// Keeps the next item on the current line if an item of `width` fits to the left of the screen
+/// coordinate `right`.
 void stay_on_line(float width, float right);
-/// Returns the right end of the line on the screen. Call this only at the start of a line.
+/// Returns the screen coordinate of the right end of the current line. Call this at its start.
 float right_end();
 
-/// Draws wrapped text in the colour of `tone`.
 void draw_colored(Tone tone, const std::string& text);
 
 /// Adds a tooltip to the last item: `what` it is or does, and `more` below in grey. Lines wrap.
@@ -69,10 +69,10 @@ void explain(std::string_view what, std::string_view more = {});
 /// Likewise, with the description and the key of an action.
 void explain(Action action);
 
-/// Places the next window in the middle of the viewer.
+/// Places the next window in the centre of the main window.
 void center_next_window(ImGuiCond when = ImGuiCond_Always);
-/// Returns whether `key` was pressed in the current window. The key that opened the window does not
-/// count.
+/// Returns whether `key` was pressed while the current window was open. Ignores the key press that
+/// opened the window.
 bool is_pressed(ImGuiKey key);
 
 ImVec2 to_imgui(const Eigen::Vector2d& vector);

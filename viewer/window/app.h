@@ -51,8 +51,8 @@ struct FrameTimings {
   double normals_ms = 0.0;  ///< their normals, on the device
   double draw_ms = 0.0;     ///< the surface, on the device
   double ui_ms = 0.0;       ///< the panels, on the device
-  double panels_ms = 0.0;   ///< laying the panels out, on the processor
-  double frame_ms = 0.0;    ///< from the first event to the picture handed to the screen
+  double panels_ms = 0.0;   ///< the layout of the panels, on the CPU
+  double frame_ms = 0.0;    ///< from the first event to the presentation of the image
 };
 
 /// The interface that the main loop calls, always on one thread.

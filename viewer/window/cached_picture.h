@@ -12,30 +12,31 @@
 
 namespace lapwing::viewer {
 
-/// How a frame gets the picture under the panels.
+/// Where the image of the scene in a frame comes from.
 enum class PictureSource {
-  keep,   ///< shows the last one
-  quick,  ///< draws it without antialiasing, and coarsely if that would take too long
-  fine,   ///< draws it in full quality
+  keep,   ///< shows the cached image
+  quick,  ///< renders it without antialiasing, and at a lower resolution if that takes too long
+  fine,   ///< renders it in full quality
 };
 
-/// The conditions that decide it.
+/// The conditions that determine the PictureSource.
 struct PictureNeed {
-  bool changed = true;             ///< the scene's contents differ from the picture's
+  bool changed = true;             ///< the scene has changed since the cached image was rendered
   bool only_view_changed = false;  ///< only the cameras differ
-  bool is_quick = false;           ///< the picture was drawn quickly
+  bool is_quick = false;           ///< the cached image has quick quality
   bool moving = false;             ///< Scene::moving
   bool at_rest = false;            ///< nothing in the scene has changed for a while
-  bool fine_is_slow = false;       ///< a fine picture takes longer than a frame may
+  bool fine_is_slow = false;       ///< a fine image takes longer than kLongestFrame
 };
 
-/// Returns how to get the picture. Changed contents are drawn quickly while something moves. They
-/// are also drawn quickly if the view jumps, as by the wheel, and antialiasing is slow. At rest,
-/// they are drawn finely.
+/// Returns whether to reuse the cached image or to render it in quick or fine quality. Changed
+/// contents are rendered in quick quality while something moves. This also applies if only the
+/// camera has changed and a fine image is slow. Otherwise they are rendered in fine quality. Once
+/// the scene has been at rest for a while, a fine image replaces a cached quick one.
 PictureSource picture_way(const PictureNeed& need);
 
-/// Chooses the resolution while something moves: coarser if frames take too long, and finer again
-/// if there is time to spare. Persists from one motion to the next.
+/// Chooses the resolution while something moves. Lowers it if frames take too long, and raises it
+/// again if they take much less time. The next motion begins with the last resolution.
 class MovingResolution {
  public:
   /// In milliseconds on the device. A longer frame is noticeable.
@@ -53,14 +54,15 @@ class MovingResolution {
   std::uint32_t pixels_ = 1;
   int slow_ = 0;  ///< frames in a row that took too long
   int fast_ = 0;  ///< frames in a row with time to spare
-  /// Value of fast_ at which the picture gets finer. Doubles whenever it gets coarser, so that a
-  /// mesh whose triangles take the time, and not its pixels, does not go back and forth.
+  /// The value of fast_ at which the resolution is raised. It doubles whenever the resolution is
+  /// lowered. This prevents oscillation if the number of triangles, not pixels, determines the
+  /// time.
   int patience_ = 4;
 };
 
-/// Identifies the contents of a picture: surfaces, carried objects and their colours (by revision),
-/// cameras, styles and background. Includes neither the quality (`Scene::moving`,
-/// `SurfaceStyle::sides`) nor the panels and marks over the picture.
+/// Identifies the contents of a rendered image: cameras, styles, background, and the revisions of
+/// surfaces, carried objects and their colours. Does not include the quality (`Scene::moving`,
+/// `SurfaceStyle::sides`) or what is drawn over the image, such as panels and marks.
 class SceneContents {
  public:
   /// Takes the contents of `scene`. Allocates nothing if as much is carried as before.

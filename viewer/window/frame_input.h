@@ -19,9 +19,10 @@ struct DesktopEvent {
   Eigen::Vector2d scroll = Eigen::Vector2d::Zero();
 };
 
-/// The input that the panels get for one frame. The panels read the state of mouse and keys once
-/// per frame. So they would miss a click within one frame, or count two clicks as one. An event
-/// that does not fit waits until the panels have been laid out.
+/// Collects the input events of one frame for the panels. The panels read the state of the mouse
+/// and the keys once per frame. They would therefore miss a click that begins and ends within one
+/// frame, or count two clicks as one. An event that does not fit waits until
+/// the panels have been laid out with the earlier events.
 class FrameInput {
  public:
   /// Whether the panels can tell `event` from the events since the last layout, in this order. The

@@ -34,10 +34,11 @@ class WindowGraphics final : public Graphics {
   bool was_open_ = false;
 };
 
-/// Shows `app` in `window` until the user or the app quits. Draws only after events, so an idle
-/// window takes no time. `context` is from `graphics`; `app` uses it too. Reopens a lost screen,
-/// and a device that is lost or out of memory (`App::use_device`). Throws GpuError if the device
-/// cannot draw into the window, or if the screen or the device fails repeatedly.
+/// Runs `app` in `window` until the user or the app quits. Draws only after events, so an idle
+/// window uses no CPU time. `context` must come from `graphics` and be the one that `app` uses.
+/// Recreates the swapchain if it is lost. Recreates the device if it is lost or out of memory
+/// (`App::use_device`). Throws GpuError if the device cannot draw into the window, or if recreation
+/// fails repeatedly.
 void run_main_loop(Window& window, Graphics& graphics, std::shared_ptr<gpu::Context> context,
                    App& app);
 

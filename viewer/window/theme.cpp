@@ -29,7 +29,7 @@ ImVec4 gray(float level, float opacity = 1.0F) {
   return {level, level, std::min(1.02F * level, 1.0F), opacity};
 }
 
-// The themes differ in these gray levels.
+// The light and the dark theme differ in these gray levels.
 struct Grays {
   float text;
   float quiet_text;

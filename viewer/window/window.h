@@ -38,8 +38,9 @@ class Window {
   /// Creates a surface, which the caller must destroy. Throws GpuError.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// Makes the loss of the display end the program at once, with exit code `code` and a message on
-  /// standard error. A normal shutdown would wait for the lost display.
+  /// Installs a handler that ends the program at once if the connection to the display is lost. It
+  /// prints a message to standard error and exits with `code`. A normal shutdown would wait for the
+  /// lost display.
   static void exit_when_display_goes(int code);
 
   /// Waits for an event, at most `seconds`.

@@ -10,20 +10,21 @@
 
 namespace lapwing::viewer {
 
-/// Carries objects along with successive deforms of a surface, with the same bits as a run of the
-/// recipe. Attaches each object to the rest surface only once. Threads may share a cache.
+/// Moves carried objects with successive deforms of one surface. The positions are bitwise
+/// identical to those of a run of the recipe. Caches the attachment of each object to the rest
+/// surface. All members are thread-safe.
 class AttachmentCache {
  public:
-  /// Returns where `objects`, at rest with the surface of `rest`, are after it moved to `deformed`,
-  /// in their order; nothing for one that stays. Throws what SurfaceContacts throws, and Cancelled
-  /// if `progress`, asked once per object, says so.
+  /// Returns `objects`, in their order, after the surface of `rest` has moved to `deformed`. The
+  /// entry of an object that does not move is empty. Throws what SurfaceContacts throws. Calls
+  /// `progress` once per object, and throws Cancelled if `progress` cancels.
   std::vector<std::optional<CarriedPoints>> carry(std::span<const CarriedObject> objects,
                                                   const std::shared_ptr<const Mesh>& rest,
                                                   const Deformed& deformed,
                                                   const Progress& progress);
 
-  /// The cache keeps at most this many attachment shares per object, which are 128 MB. An object
-  /// that needs more is attached again for each deform.
+  /// Limits the number of attachment weights that are cached per object. This many weights take
+  /// 128 MB. If an object needs more, its attachment is recomputed for each deform.
   static constexpr std::size_t kMostShares = 8'000'000;
 
  private:

@@ -20,22 +20,23 @@ struct DraggedFrame {
   bool is_same_as(const DraggedFrame& other) const;
 };
 
-/// Computes the positions of carried objects during a drag on a background thread
-/// (AttachmentCache). Computes one frame at a time and skips the frames that arrive meanwhile. Call
-/// all members from the window's thread. They return at once, except the destructor, which waits
-/// until the current object is done.
+/// Computes the positions of carried objects during a drag on a background thread, with an
+/// AttachmentCache. Computes one frame at a time and ignores frames that are requested meanwhile.
+/// Call all members from the window's thread. They do not block, except the destructor, which waits
+/// until the current object is finished.
 class AttachmentFollower {
  public:
   /// `wake` is called on the worker when a frame is done.
   explicit AttachmentFollower(std::function<void()> wake = {});
 
-  /// Requests the positions of the objects of `state` in `frame`. Does nothing if the last request
-  /// was the same, or if a frame is under way.
+  /// Requests the positions of the carried objects of `state` in `frame`. Does nothing if `frame`
+  /// equals the last request, or if another frame is still being computed.
   void follow(const AppState& state, const Preparation& preparation, const DraggedFrame& frame);
-  /// Returns the computed positions once, in the order of AppState::carried. Returns nullopt until
-  /// they are computed. Throws the exception of the computation, once.
+  /// Returns the positions of the requested frame, in the order of AppState::carried. Returns
+  /// nullopt before they are computed and after they were taken. If the computation has thrown an
+  /// exception, rethrows it once.
   std::optional<std::vector<Positions>> take() { return job_.take(); }
-  /// Cancels the frame under way and drops one that was not taken.
+  /// Cancels the current computation and discards positions that were not taken.
   void cancel();
 
  private:

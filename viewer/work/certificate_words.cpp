@@ -7,9 +7,9 @@
 namespace lapwing::viewer {
 namespace {
 
-// If a one-ring grows or shrinks by more than this factor, details are crowded or pulled apart.
+// If a one-ring grows or shrinks by more than this factor, details look stretched or compressed.
 constexpr double kMostRingScale = 2.0;
-// If more than this share of the detail is lost, the difference from the rest shape is visible.
+// If more than this fraction of the detail is lost, the difference from the rest shape is visible.
 constexpr double kMostDetailLost = 0.25;
 
 std::string formatted(const char* format, double a) {

@@ -7,7 +7,8 @@
 namespace lapwing::viewer {
 namespace {
 
-// Returns the pose of a drag whose surface is at `positions`, the result of the state's moves.
+// Returns the pose of a drag that has reached the moves of `state`. `positions` are those of
+// `moved` and of all other vertices at rest.
 DragState pose_at(AppState state, const MovedVertices& moved, const Positions& positions) {
   state.settled = std::make_shared<const MovedVertices>(moved);
   DragState pose;
@@ -19,7 +20,8 @@ DragState pose_at(AppState state, const MovedVertices& moved, const Positions& p
   return pose;
 }
 
-// Returns `kept`, bit for bit. Its certificate is that of the minimum found from there.
+// Returns a result with exactly the positions of `kept`. Its certificate is that of the minimum
+// that the solver finds when it starts from these positions.
 std::shared_ptr<const MovedVertices> result_again(const AppState& state, const MovedVertices& kept,
                                                   Kernels& kernels, const Progress& progress) {
   Positions positions = state.rest->positions;

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the file with which the edit began. If it was saved over, the stamp is that of its copy,
-// from which the steps start.
+// Returns the file from which the edit was started. If it was overwritten, the stamp is that of its
+// copy, from which the steps start.
 MeshStamp file_of(const InterruptedEdit& edit) {
   if (!edit.has_copy()) return edit.mesh;
   return {edit.opened, edit.mesh.bytes, edit.mesh.modified};
@@ -37,7 +37,7 @@ bool same_surface(const AppState& a, const AppState& b) {
          a.carried == b.carried;
 }
 
-// Returns whether the mesh was read from a .gltf with numbers in other files.
+// Returns whether the mesh was read from a .gltf file with external buffers.
 bool has_external_buffers(const Mesh& mesh) {
   if (!mesh.source || !mesh.source->gltf) return false;
   return std::ranges::any_of(mesh.source->gltf->file.buffers(), [](const GltfBuffer& buffer) {
@@ -45,8 +45,8 @@ bool has_external_buffers(const Mesh& mesh) {
   });
 }
 
-// Writes `original` to `folder` as NAME-original.EXT. A file of that name with other content stays,
-// and the copy gets a number.
+// Writes `original` to `folder` as NAME-original.EXT. If a file with this name and other contents
+// exists, appends a number to the name.
 fs::path write_copy(std::string_view original, const fs::path& folder, const fs::path& mesh) {
   for (int number = 1;; ++number) {
     const std::string suffix = number == 1 ? "-original" : "-original-" + std::to_string(number);
@@ -67,7 +67,8 @@ bool has_path(const Step& step) {
          });
 }
 
-// Returns the largest distance of a vertex, as a share of the diagonal; 1 for other vertices.
+// Returns the largest distance of a vertex, divided by the diagonal of `b`. Returns 1 if the
+// numbers of vertices differ.
 double relative_distance(const Positions& a, const Positions& b) {
   if (a.size() != b.size()) return 1.0;
   double largest = 0.0;
@@ -261,7 +262,7 @@ std::shared_ptr<const DragState> EditSession::pose() const {
 
 void EditSession::settle_live(std::span<const HandleMove> moves,
                               std::shared_ptr<const DragState> from, bool rests) {
-  // A copy of the state costs as much as the selection, so make it only if it is used.
+  // Copying the state takes time, so copy it only if the request will be accepted.
   if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
   AppState dragged = state();
   dragged.moves.assign(moves.begin(), moves.end());

@@ -23,15 +23,15 @@ struct StepTaken {
   std::vector<std::string> warnings;
 };
 
-/// Edits one mesh without drawing it. Holds its history, its journal and two workers. One worker
-/// prepares and settles, and the other carries out whole steps.
+/// Edits one mesh without drawing it. Owns the history, the journal and two background threads. One
+/// thread prepares and settles deforms, and the other carries out whole steps.
 class EditSession {
  public:
-  /// `file` is what was opened. Without it, for a generated mesh, there is no journal. `journals`
-  /// is a folder. If `restored` is given, `history` must be the history that `restore_after_crash`
-  /// returned for this edit. The session then copies the results and the mesh of this edit. Its
-  /// files may be deleted by `discard` afterwards, unless there is a `warning`. The other arguments
-  /// are those of Preparation.
+  /// `file` is the opened mesh file. A generated mesh has no file, and then there is no journal.
+  /// `journals` is the folder of the journals. If `restored` is not null, `history` must be the
+  /// result of `restore_after_crash` for that edit. The constructor then copies the stored results
+  /// and the mesh of that edit to the new journal. If `warning` is empty afterwards, the caller may
+  /// `discard` the restored edit. The other arguments are those of Preparation.
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
               Preparation::Upload upload = {}, const InterruptedEdit* restored = nullptr);
@@ -39,12 +39,13 @@ class EditSession {
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
   const Preparation& preparation() const { return preparation_; }
-  /// Returns the path of the opened file, to which the user saves. Empty for a generated mesh.
+  /// Returns the path of the opened file, which is the default for saving. Empty for a generated
+  /// mesh.
   std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
-  /// Performs a command. Throws what `apply` throws. If the state then waits for a result, as it
-  /// may after undo and redo, requests the result. The computation starts from the pose `shown`,
-  /// the surface on the screen, if it is given.
+  /// Performs a command. If the new state has no result for its moves, requests this result. Undo
+  /// and redo do the same. The computation starts from the displayed pose `shown` if it is not
+  /// null. Throws what `apply` throws.
   void perform(const Command& command, Joining joining = Joining::own_step,
                std::shared_ptr<const DragState> shown = nullptr);
   void undo();
@@ -76,32 +77,35 @@ class EditSession {
   /// Sets the handles that the next drag moves (Preparation::drag_by).
   void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
 
-  /// Requests the result of a drag under way (Preparation::settle_live). `moves` has one entry per
-  /// handle. Does nothing while something else settles, so call this whenever the moves change.
-  /// Steps, undo, redo and `cancel_settling` cancel the request.
+  /// Requests the settled surface for the current frame of a drag (Preparation::settle_live).
+  /// `moves` has one entry per handle. Does nothing while another result is computed, so call this
+  /// in every frame. Steps, undo, redo and `cancel_settling` cancel the request.
   void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const DragState> from,
                    bool rests = false);
   /// Returns that result, once. It is never a step of the history.
   std::optional<LiveResult> take_live_result() { return preparation_.take_live_result(); }
 
-  /// Carries out `step` on the present surface in the background. Cancels a step that is under way.
-  /// `take_step` makes the result one step of the history. Looks for files in `folder()`. Throws
-  /// InputError while a drag waits for its result.
+  /// Carries out `step` on the current surface on the background thread. Cancels the previous step
+  /// if it is still being carried out. `take_step` adds the result to the history as one step. File
+  /// names in `step` are relative to `folder()`. Throws InputError if the result of a drag is not
+  /// yet computed.
   void carry_out(const Step& step);
-  /// Replaces the `index`th step of the recipe by `step`, and carries out the steps from there on
-  /// in the same way. Also throws what `revision_of` throws.
+  /// Replaces step `index` of the recipe with `step`. Carries out this step and all later ones on
+  /// the background thread, like `carry_out`. Also throws what `revision_of` throws.
   void replace_step(std::size_t index, const Step& step);
-  /// Reads `files` from `folder()` in the background, to carry them from the open step on. Each
-  /// file is one step of the history. Throws InputError while a step is under way.
+  /// Reads `files`, relative to `folder()`, on the background thread. Their points and meshes
+  /// follow the surface from the open step on. Each file becomes one step of the history. Throws
+  /// InputError while a step is being carried out.
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// Cancels the step under way, without any change.
   void cancel_step();
   /// Returns whether a step is under way, until it is taken or cancelled.
   bool is_carrying_out() const { return carried_out_on_.has_value(); }
   WorkStatus step_status() const { return carrying_out_.status(); }
-  /// Adds a step that has been carried out to the history, or throws its exception once. A step is
-  /// cancelled if the surface changes meanwhile. `replace_step` is also cancelled if the selection
-  /// changes. Call this after `wake`.
+  /// If the background thread has finished a step, adds it to the history. If the step has failed,
+  /// rethrows its exception once. A change of the surface cancels the step. A change of the
+  /// selection or the parameters also cancels a step that was started by `replace_step`. Call this
+  /// after `wake`.
   std::optional<StepTaken> take_step();
 
   /// Returns the folder for the files of steps: the mesh file's folder, or the current one.
@@ -110,21 +114,24 @@ class EditSession {
   /// Returns the certificate of the state's result; null without a result.
   const Certificate* certificate() const;
 
-  /// Writes the surface to `path`, and the carried files beside it as a run does. Throws what
-  /// `write_mesh` and `require_targets` throw. Throws InputError while a drag waits for its result,
-  /// or if a step reads `path`. Also throws InputError if `path` is the opened file and a .gltf
-  /// with numbers in other files, because a copy would not keep those.
+  /// Writes the surface to `path`, and the carried files to the same folder, as a run of the recipe
+  /// does. Throws what `write_mesh` and `require_targets` throw. Throws InputError if the result of
+  /// a drag is not yet computed, or if a step reads `path`. Also throws InputError if `path` is the
+  /// opened file and a .gltf file with external buffers, because a copy of the original would not
+  /// include these buffers.
   WriteReport save(const std::filesystem::path& path);
   /// The same without the surface.
   WriteReport save_carried(const std::filesystem::path& path) const;
-  /// Writes the recipe, which names the opened mesh relative to `path`. If `save` has replaced the
-  /// opened mesh, the recipe starts from a copy of the original beside it. Otherwise a run would
-  /// apply the edit twice. Returns the path of the copy, or an empty path without one. Throws
-  /// IoError. Throws InputError without a file or while a drag waits for its result.
+  /// Writes the recipe to `path`. The recipe names the opened mesh file relative to `path`. If
+  /// `save` has overwritten this file, a run of the recipe would apply the edit twice. The recipe
+  /// then starts from a copy of the original, which is written beside the recipe. Returns the path
+  /// of this copy, or an empty path if there is none. Throws IoError. Throws InputError if the mesh
+  /// has no file, or if the result of a drag is not yet computed.
   std::filesystem::path save_recipe(const std::filesystem::path& path);
-  /// Returns, once, the distance of the surface from a run of the last saved recipe, relative to
-  /// the mesh's diagonal. The recipe runs in the background, and only if a handle has a path.
-  /// Throws the exception of the run, once. Call this after `wake`.
+  /// After `save_recipe`, the recipe is run in the background if a handle has a path. Returns,
+  /// once, the largest distance of a vertex of the surface from the result of this run, divided by
+  /// the diagonal of the mesh. If the run fails, rethrows its exception once. Call this after
+  /// `wake`.
   std::optional<double> take_recipe_check();
 
   /// Ends the edit, saved or given up. Nothing is left to restore.

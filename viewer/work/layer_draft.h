@@ -33,7 +33,8 @@ struct LayerDraft {
   static FileSource nothing();
 };
 
-/// Returns whether a patch is chosen. An empty list of vertices means that none is chosen.
+/// Returns whether the user has chosen a patch, that is, whether `patch` is not an empty list of
+/// vertices.
 bool is_chosen(const RegionSpec& patch);
 
 /// Returns the step of the draft. Throws InputError, which says what is still missing.
@@ -42,11 +43,11 @@ Step step_of(const LayerDraft& draft);
 /// Returns the draft of a recipe's step, to change it; nothing for other operations.
 std::optional<LayerDraft> layer_draft_of(const Step& step);
 
-/// Returns whether the drafts differ only in the detail sizes and, for a coat, the amplitude. A
-/// change of these needs no new preparation.
+/// Returns whether the drafts are equal except for the detail sizes and, for a coat, the amplitude.
+/// LayerPreview can then reuse its preparation.
 bool same_but_for_sliders(const LayerDraft& a, const LayerDraft& b);
 
-/// Returns the initial detail size, a few times the mean edge length of the patch.
+/// Returns the default detail size, a few times the mean edge length of the patch.
 double usual_detail_size(const VertexSet& patch, const Mesh& mesh);
 
 /// Returns the vertex on the border of the patch nearest to `vertex`. Throws what `disk_patch`

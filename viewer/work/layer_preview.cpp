@@ -91,7 +91,7 @@ bool LayerPreview::take_result() {
   return place();
 }
 
-// Returns whether there is another result already.
+// Returns whether a new result is available immediately.
 bool LayerPreview::go_on() {
   if (!wanted_ || wanted_ == failed_) return false;
   const auto alike = [this](const std::optional<Wanted>& other) {
@@ -103,7 +103,7 @@ bool LayerPreview::go_on() {
   return false;
 }
 
-// Answers a request for which `prepared_` still serves.
+// Updates the result for a request that can reuse `prepared_`.
 bool LayerPreview::slide() {
   if (!same_sizes(shown_->draft, wanted_->draft)) {
     change_sizes(*wanted_);

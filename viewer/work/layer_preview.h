@@ -11,9 +11,10 @@
 
 namespace lapwing::viewer {
 
-/// The result of a coat or mix while the user still changes it. The preparation runs in the
-/// background. After it, a coat's amplitude takes effect at once. For another detail size, the
-/// first result takes one back-substitution and keeps the old transition. The exact result follows.
+/// Computes a preview of a coat or mix while the user edits it. The preparation runs in the
+/// background. Afterwards, a change of a coat's amplitude is shown immediately. A change of the
+/// detail size first shows an approximation, which takes one back-substitution and uses the
+/// previous transition. The exact result follows.
 class LayerPreview {
  public:
   /// Takes the arguments of JobThread.
@@ -77,7 +78,7 @@ class LayerPreview {
   std::optional<Wanted> asked_;  // the request under way
   bool changes_sizes_ = false;   // it changes sizes of `prepared_` instead of preparing
   std::optional<Wanted> shown_;  // the request of `prepared_` and `positions_`
-  bool is_exact_ = false;        // false after `change_sizes`
+  bool is_exact_ = false;        // whether `prepared_` is not the result of `change_sizes`
   std::optional<Wanted> failed_;
   Result prepared_;
   Positions positions_;

@@ -16,14 +16,14 @@ constexpr std::array<std::string_view, 11> kStages{
     "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
     "analyze", "normal_matrix", "factor", "shares",    "response"};
 
-// Counts all stages alike, because their times depend on the mesh and the device.
+// All stages count equally, because their relative times depend on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
   const auto found = std::ranges::find(kStages, stage);
   if (found == kStages.end()) return 1.0;
   return (static_cast<double>(found - kStages.begin()) + fraction) / kStages.size();
 }
 
-// Returns whether drags settle frame by frame, which substeps rule out.
+// Returns whether each frame of a drag can settle. This is not possible with substeps.
 bool settles_frames(const AppState& state) {
   return state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
@@ -56,8 +56,8 @@ Preparation::~Preparation() {
   ++settle_ticket_;
 }
 
-// Cancels everything and returns what was ready. The caller destroys it without the lock, because
-// freeing large factors takes time.
+// Cancels all work, clears the results and returns the previous `ready_`. The caller should destroy
+// it after releasing the lock, because freeing large factors takes time.
 Preparation::Ready Preparation::let_go() {
   ++ticket_;
   ++settle_ticket_;
@@ -94,8 +94,8 @@ void Preparation::drag_by(std::span<const std::size_t> handles) {
   worker_.notify();
 }
 
-// Returns the handles of the next drags, without those that the edit does not have. Returns the
-// first handle if none is left.
+// Returns the handles of the next drags without indices that are out of range. Returns the first
+// handle if no index remains.
 std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const {
   std::vector<std::size_t> handles = dragged_;
   std::erase_if(handles, [&](std::size_t h) { return h >= handle_count; });
@@ -103,8 +103,8 @@ std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const
   return handles;
 }
 
-// Returns whether the ready response has columns for all handles of the next drags. Call with the
-// lock held.
+// Returns whether the current response has columns for all handles of the next drags. The caller
+// must hold the lock.
 bool Preparation::has_columns() const {
   const std::vector<std::size_t>& there = ready_.drag_by.response->handles();
   const std::size_t handle_count = ready_.exact->region().handles.size();
@@ -126,7 +126,7 @@ void Preparation::settle(const AppState& state, std::shared_ptr<const DragState>
 
 bool Preparation::will_settle() const {
   const std::lock_guard lock(worker_.mutex());
-  // A cancelled request stays under way until the worker notices the cancellation.
+  // After a cancellation, the phase is still `settling` until the worker notices it.
   const bool is_wanted = wanted_ticket_ == settle_ticket_;
   const bool is_under_way = to_settle_ || result_ || status_.phase == Phase::settling;
   return is_wanted && is_under_way && status_.phase != Phase::failed &&
@@ -160,7 +160,7 @@ void Preparation::cancel_settling() {
   ++settle_ticket_;
   result_.reset();
   live_result_.reset();
-  // If the worker already has the request, it drops the request and updates the status.
+  // In phase `settling`, the worker discards the request and updates the status.
   if (status_.phase != Phase::settling) to_settle_.reset();
 }
 
@@ -252,7 +252,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     ready.drag_by = {ready.preview->response(), upload(*ready.preview->response()), false};
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
-    // The deleter holds the kernels and the topology, which must outlive the solver.
+    // The deleter owns the kernels and the topology, because they must outlive the solver.
     ready.exact = std::shared_ptr<const DeformSolver>(
         new DeformSolver(*ready.preview, *ready.exact_kernels, progress),
         [kernels = ready.exact_kernels,
@@ -263,7 +263,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
       ready.drag_by = response_of(ready, dragged(), progress);
     }
     if (!publish(ticket, ready, Phase::ready)) return;
-    // Prepares the session now, so that the first drag need not wait for it.
+    // The first drag would otherwise wait for this.
     if (ready.drag) ready.drag->prepare();
   } catch (const Cancelled&) {
     // The call that cancelled the work has already set the status.
@@ -283,7 +283,7 @@ Preparation::ToDragBy Preparation::response_of(const Ready& ready,
   return {std::move(response), std::move(on_device), is_exact};
 }
 
-// Computes the columns of the response for the handles of the next drags.
+// Computes the response for the handles of the next drags.
 void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
   const Progress progress = worker_.progress(
       ticket_, ticket, [](std::string_view, double) {}, false);
@@ -300,13 +300,14 @@ void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
     // The call that cancelled the work has already set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
-    // Another request would fail again.
+    // Restore the handles of the old response, so that the worker does not repeat the failure.
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ == ticket) dragged_ = ready.drag_by.response->handles();
   }
 }
 
-// Throws Cancelled if `state` is no longer followed.
+// Returns the data to reuse for the topology of `state`. Throws Cancelled if the request with
+// `ticket` is no longer current.
 std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
                                                          std::uint64_t ticket) {
   std::shared_ptr<Kept> before;
@@ -324,7 +325,7 @@ bool Preparation::publish(std::uint64_t ticket, Ready ready, Phase phase) {
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ != ticket) return false;
     ready_ = std::move(ready);
-    // If a result is requested, the phase becomes `settling` directly, without `ready` in between.
+    // If a result is already requested, skip the phase `ready`.
     status_.phase = phase == Phase::ready && to_settle_ ? Phase::settling : phase;
     if (phase == Phase::ready) status_.fraction = 1.0;
   }
@@ -340,7 +341,7 @@ void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& mes
 }
 
 void Preparation::settle_now(const Request& request, const Ready& ready) {
-  // A live result takes too little time for a progress bar.
+  // A live result is too fast for a progress bar.
   const Progress progress = worker_.progress(
       settle_ticket_, request.ticket,
       [this](std::string_view stage, double fraction) {
@@ -361,10 +362,10 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
                               *attachment_cache_, progress);
     }
   } catch (const Cancelled&) {
-    // The result is no longer wanted.
+    // `result` and `live` remain empty.
   } catch (const std::exception& error) {
     message = error.what();
-    // Another request would fail again.
+    // The live result is marked as done, because the same request would fail again.
     if (request.is_live) live = LiveResult{state.moves, request.from, true};
   }
   if (live && live->pose) {
@@ -383,7 +384,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
 LiveResult Preparation::live_result(const Request& request, const Ready& ready,
                                     const Progress& progress) {
   AppState state = request.state;
-  // AttachmentFollower moves the carried objects during a drag.
+  // During a drag, AttachmentFollower moves the carried objects instead.
   state.carried.clear();
   if (ready.drag && settles_frames(state)) return follow_drag(request, *ready.drag, progress);
   state.settled = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,

@@ -23,46 +23,47 @@ class BlendResponse;
 
 namespace lapwing::viewer {
 
-/// The state of the worker, for a progress bar and a line of text.
+/// Describes the current work of the background thread, for a progress bar and a status line.
 struct PreparationStatus {
   enum class Phase {
     idle,        ///< nothing to prepare, or cancelled
-    previewing,  ///< prepares the preview
-    solving,     ///< the preview is ready; prepares the exact solver
+    previewing,  ///< the preview is being prepared
+    solving,     ///< the preview is ready; the exact solver is being prepared
     ready,       ///< both are ready
-    settling,    ///< both are ready; computes a result
+    settling,    ///< both are ready; a result is being computed
     failed,      ///< `message` says why
   };
   Phase phase = Phase::idle;
   std::string stage;      ///< a name of the engine's stages: "factor"
   double fraction = 0.0;  ///< of the whole preparation by stages, or of settling; 0 to 1
-  std::string message;    ///< says why the last work failed; empty if none failed
+  std::string message;    ///< the error of the last work; empty if it did not fail
 };
 
-/// The result of a drag under way.
+/// The settled surface for one frame of a drag.
 struct LiveResult {
-  std::vector<HandleMove> moves;  ///< those of the state that asked
-  /// The surface at those moves, from which the drag continues. Null, the rest shape, if nothing
-  /// could be computed.
+  std::vector<HandleMove> moves;  ///< those of the requesting state
+  /// The settled pose for `moves`, from which the drag continues. If the computation fails, this is
+  /// the pose from which it started, where null means the rest shape.
   std::shared_ptr<const DragState> pose;
-  bool is_done = false;  ///< another request for the same moves would change nothing
+  bool is_done = false;  ///< whether the same request again would return the same pose
   Bounds bounds = {};    ///< of the vertices that move, at `pose`
 };
 
-/// Time budget of a live result. The rest of the 16.7 ms of a frame is for uploading the pose and
-/// drawing.
+/// Time budget of a live result. The remainder of a 16.7 ms frame is for the upload of the pose and
+/// for drawing.
 inline constexpr double kLiveBudgetMs = 12.0;
-/// Time budget while the hand rests. With longer frames, the surface settles sooner.
+/// Time budget of a live result while the mouse does not move. With longer frames, the surface
+/// reaches the minimum sooner.
 inline constexpr double kRestBudgetMs = 50.0;
 
-/// Prepares and settles an edit on a background thread. Prepares the preview of a drag first, then
-/// the exact solver. Call all members from the window's thread. They return at once, except the
-/// destructor, which waits for the end of a stage.
+/// Prepares the solver of an edit and computes results on a background thread, the worker. Prepares
+/// the preview of a drag first, then the exact solver. Call all members from the window's thread.
+/// They do not block, except the destructor, which waits until the current stage is finished.
 class Preparation {
  public:
-  /// Creates the kernels. The worker calls this function.
+  /// A function that creates the kernels. It is called on the worker.
   using MakeKernels = std::function<std::unique_ptr<Kernels>()>;
-  /// Uploads a response to the device that draws. The worker calls this function.
+  /// A function that uploads a response to the device that draws. It is called on the worker.
   using Upload = std::function<std::shared_ptr<BlendResponse>(const DragResponse&)>;
 
   /// `wake` is called on the worker whenever the status has changed; it must not call back.
@@ -72,60 +73,64 @@ class Preparation {
   Preparation(const Preparation&) = delete;
   Preparation& operator=(const Preparation&) = delete;
 
-  /// Prepares `state` if it has an ROI and a handle. Cancels earlier work if selection, parameters
-  /// or rest shape differ from those of the state followed last. On the same ROI, the next
-  /// preparation reuses ordering and analysis.
+  /// Prepares `state` if it has an ROI and a handle. Does nothing if the selection, the parameters
+  /// and the rest shape are those of the last call. Otherwise cancels the previous work. If the ROI
+  /// is the same, the new preparation reuses the fill-reducing ordering and the symbolic analysis.
   void follow(const AppState& state);
 
-  /// Sets the handles that the next drags move. Before the first call, this is the first handle.
-  /// The worker computes missing columns of the response before it settles anything.
+  /// Sets the handles that the next drags move, in ascending order. The default is the first
+  /// handle. If the response has no columns for some of these handles, the worker computes them
+  /// before it computes any result.
   void drag_by(std::span<const std::size_t> handles);
 
-  /// Computes the result of the moves of `state`, which must be the followed state, once the exact
-  /// solver is ready. Starts from the pose `from`, or follows the path of the moves if that is
-  /// null. Replaces an earlier request.
+  /// Requests the result for the moves of `state`. The worker computes it once the exact solver is
+  /// ready. `follow` must have been called with `state`. The computation starts from the pose
+  /// `from`. If `from` is null, it follows the path of the moves. A new request replaces the
+  /// previous one.
   void settle(const AppState& state, std::shared_ptr<const DragState> from = nullptr);
-  /// Returns the result, once.
+  /// Returns the result once it is computed. Returns nullopt before that and after it was taken.
   std::optional<SettledResult> take_result();
-  /// Returns whether a result is requested, under way or ready. Returns false after it was
-  /// cancelled or has failed.
+  /// Returns true from the request of a result until the result is taken. Returns false if the
+  /// request was cancelled or has failed.
   bool will_settle() const;
 
-  /// Requests the live result of `state`, which holds the moves of a drag under way. Continues from
-  /// the pose `from`, which is the last live pose or that of a settled state. Without a pose,
-  /// starts as `settle` does. Continuing has the time budget kLiveBudgetMs, or kRestBudgetMs if the
-  /// hand `rests`. If repeated until `is_done`, the result equals that of `settle` within the
-  /// tolerance. Returns false, without a request, while anything settles or a result waits to be
+  /// Requests the live result for one frame of a drag. `state` has the moves of this frame. `from`
+  /// is the last live pose or the pose of a settled state. The computation continues from `from`
+  /// within the time budget kLiveBudgetMs, or kRestBudgetMs if the mouse `rests`. If `from` is
+  /// null, it starts from the rest shape. If the parameters require substeps, it computes the
+  /// complete result without a time budget. If the caller repeats the request until `is_done` is
+  /// true, the result equals that of `settle` within the tolerance. Returns false and ignores the
+  /// request if the solver is not ready, another result is being computed, or a result has not been
   /// taken.
   bool settle_live(const AppState& state, std::shared_ptr<const DragState> from,
                    bool rests = false);
-  /// Returns the live result, once.
+  /// Like `take_result`, for the live result.
   std::optional<LiveResult> take_live_result();
 
-  /// Cancels requests and drops all results that were not taken, including a live one.
+  /// Cancels all requests and discards results that were not taken, including live results.
   void cancel_settling();
-  /// Cancels everything and drops what was prepared. The next `follow` prepares again.
+  /// Cancels all work and discards the preparation. The next `follow` prepares again.
   void cancel();
-  /// Cancels everything and continues with other kernels, after the device was lost.
+  /// Calls `cancel` and uses other kernels from then on. Call this after the device was lost.
   void use_kernels(MakeKernels make_kernels, Upload upload = {});
 
   PreparationStatus status() const;
 
-  /// Return what was prepared, or null until it is ready. It stays valid while the caller holds the
-  /// pointer.
+  /// Return the prepared preview and solver, or null while they are not ready.
   std::shared_ptr<const DragPreview> preview() const;
   std::shared_ptr<const DeformSolver> exact() const;
 
-  /// Returns the attachments of carried objects, which results and drags share.
+  /// Returns the cached attachments of carried objects. Results and drags use the same cache.
   const std::shared_ptr<AttachmentCache>& attachment_cache() const { return attachment_cache_; }
 
   struct ToDragBy {
     std::shared_ptr<const DragResponse> response;
     std::shared_ptr<BlendResponse> on_device;  ///< null without Upload
-    bool is_exact = false;                     ///< false for the preview's response
+    bool is_exact = false;                     ///< false if the preview computed the response
   };
-  /// Returns the best response that is ready, or null. It is for the handles of the last `drag_by`
-  /// whose columns are computed.
+  /// Returns the most accurate response that is ready. Its pointers are null if there is none.
+  /// After `drag_by`, it is the response for the previous handles until the new columns are
+  /// computed.
   ToDragBy drag_response() const;
 
  private:
@@ -133,11 +138,11 @@ class Preparation {
     std::shared_ptr<const DragPreview> preview;
     std::shared_ptr<const DeformSolver> exact;
     std::shared_ptr<Kernels> exact_kernels;
-    std::shared_ptr<DragSession> drag;  // only the worker uses it; null unless drags settle
+    std::shared_ptr<DragSession> drag;  // only for the worker; null if drags do not settle
     ToDragBy drag_by;
   };
 
-  // What the worker keeps from one preparation to the next.
+  // Data that the next preparation on the same topology reuses.
   struct Kept {
     explicit Kept(std::shared_ptr<const Topology> of)
         : topology(std::move(of)), region(*topology) {}
@@ -149,8 +154,8 @@ class Preparation {
     AppState state;
     std::uint64_t ticket = 0;
     bool is_live = false;
-    std::shared_ptr<const DragState> from;  // null without a start pose
-    bool rests = false;                     // whether the hand rests
+    std::shared_ptr<const DragState> from;  // the start pose, or null
+    bool rests = false;                     // whether the mouse does not move
   };
 
   Worker::Work next();
@@ -172,12 +177,13 @@ class Preparation {
 
   const std::shared_ptr<AttachmentCache> attachment_cache_ = std::make_shared<AttachmentCache>();
 
-  // The worker's mutex guards everything below. Work counts only if its ticket is the current one.
+  // The worker's mutex guards the following members. The result of a computation is discarded if
+  // its ticket is no longer the current one.
   MakeKernels make_kernels_;
   Upload upload_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
-  std::uint64_t wanted_ticket_ = 0;  // of the last request, void if another is current
+  std::uint64_t wanted_ticket_ = 0;  // of the last request; cancelled if != `settle_ticket_`
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::vector<std::size_t> dragged_{0};  // ascending
@@ -188,8 +194,8 @@ class Preparation {
   std::shared_ptr<Kept> kept_;
   Ready ready_;
 
-  std::shared_ptr<const DragState> last_live_;  // only the worker uses it
-  Worker worker_;                               // declared last, because it uses all the others
+  std::shared_ptr<const DragState> last_live_;  // only for the worker
+  Worker worker_;                               // declared last, because it uses all other members
 };
 
 }  // namespace lapwing::viewer

@@ -24,7 +24,7 @@ std::shared_ptr<const MovedVertices> certified_result(const AppState& state,
   return std::make_shared<const MovedVertices>(std::move(moved));
 }
 
-// In substeps, each part but the first needs a new preparation.
+// Substeps do not use `solver`, because each substep after the first needs its own preparation.
 SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels,
                              AttachmentCache& contacts, const Progress& progress) {

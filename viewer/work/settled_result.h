@@ -12,20 +12,21 @@
 
 namespace lapwing::viewer {
 
-/// The result of settling.
+/// The settled surface for the moves of a state.
 struct SettledResult {
-  std::vector<HandleMove> moves;               ///< those of the state that asked
-  std::shared_ptr<const MovedVertices> moved;  ///< certified
+  std::vector<HandleMove> moves;               ///< those of the requesting state
+  std::shared_ptr<const MovedVertices> moved;  ///< includes a certificate
 };
 
-/// Computes the result of the state's moves with `solver`, which was prepared for it: from the pose
-/// `from` if that is of the same region, and otherwise as a run of the recipe does. Throws what
-/// these throw.
+/// Computes the result for the moves of `state` with `solver`, which must have been prepared for
+/// this state. Starts from the pose `from` if it is a pose of the same region. Otherwise computes
+/// the result as a run of the recipe does. Throws what the solver throws.
 SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels,
                              AttachmentCache& contacts, const Progress& progress);
 
-/// Makes `solved` the result of the state, and carries along the files that follow the surface.
+/// Converts `solved` into a result for `state`, with its certificate and the positions of the
+/// carried objects. Throws what AttachmentCache::carry throws.
 std::shared_ptr<const MovedVertices> certified_result(const AppState& state,
                                                       const DeformSolver& solver,
                                                       DeformResult solved,

@@ -25,8 +25,8 @@ void make_noun_singular(std::string& words) {
   }
 }
 
-// Handles phrases with a verb, such as "faces that repeat a vertex". A verb in the past tense does
-// not change.
+// Appends -s to the verb after "that", so that "face that repeat a vertex" becomes "face that
+// repeats a vertex". A verb in the past tense ends in -ed and does not change.
 void make_verb_singular(std::string& words) {
   constexpr std::string_view kThat = " that ";
   const std::size_t that = words.find(kThat);

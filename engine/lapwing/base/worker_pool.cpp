@@ -42,7 +42,7 @@ void pause() {
 #endif
 }
 
-// Number of forks that led to this process since the program created its first pool.
+// Counts the forks between the process that created the first pool and this process.
 std::atomic<unsigned> forks{0};
 
 void count_forks() {
@@ -82,8 +82,8 @@ WorkerPool::WorkerPool(unsigned threads) {
 
 WorkerPool::~WorkerPool() {
   if (is_of_parent()) {
-    // The threads do not exist in this process. Joining them, or destroying the condition variables
-    // on which they sleep, would block forever, so both are left to the end of the process.
+    // The helper threads exist only in the parent process. Joining them, or destroying the
+    // condition variables on which they sleep, would block forever. Both are leaked instead.
     static_cast<void>(new std::vector<std::thread>(std::move(helpers_)));
     static_cast<void>(sleep_.release());
     return;
@@ -115,12 +115,12 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   taken_ = false;
 }
 
-// Returns whether a parent process created the pool. The threads then do not exist in this one.
+// Returns whether a parent process created the pool. If so, this process has no helper threads.
 bool WorkerPool::is_of_parent() const {
   return forks_ != forks;
 }
 
-// Keeps helpers off the caller's processor. On systems that report no shared caches, such as many
+// Keeps helpers off the caller's CPU. On systems that report no shared caches, such as many
 // virtual machines, the kernel would put a woken thread there, to wait until the caller has
 // finished.
 void WorkerPool::keep_helpers_off(int processor) {

@@ -28,8 +28,8 @@ class WorkerPool {
   int size() const { return static_cast<int>(helpers_.size()) + 1; }
 
   /// Calls job(0) on the caller and job(1), job(2), ... on helpers as they wake. Returns when all
-  /// calls that began have returned. The job must not throw. Sleeping helpers wake on other
-  /// processors than the caller's. Allocates nothing.
+  /// calls that began have returned. The job must not throw. Sleeping helpers wake on CPUs other
+  /// than the caller's. Allocates nothing.
   void run(const std::function<void(int thread)>& job);
 
  private:
@@ -46,7 +46,7 @@ class WorkerPool {
   std::atomic<std::uint64_t> round_ = 0;
   std::atomic<bool> quit_ = false;
 
-  /// Sleeping threads wait on these. The child of a fork must never destroy them.
+  /// Sleeping threads wait on these condition variables. The child of a fork must not destroy them.
   struct Sleep {
     std::mutex mutex;
     std::condition_variable wake;
@@ -57,13 +57,13 @@ class WorkerPool {
   std::atomic<bool> caller_sleeps_ = false;
   std::vector<std::thread> helpers_;
 
-  cpu_set_t allowed_;  ///< processors available to the program
-  int kept_off_ = -1;  ///< processor that helpers must not use
-  unsigned forks_;     ///< value of the fork counter when the pool was created
+  cpu_set_t allowed_;  ///< CPUs available to the program
+  int kept_off_ = -1;  ///< CPU that helpers must not use
+  unsigned forks_;     ///< fork count when the pool was created
 };
 
-/// While a SerialScope exists, its thread uses no helpers of any pool. For threads that divide the
-/// processors among themselves.
+/// While a SerialScope exists, its thread uses no helpers of any pool. Threads that divide the CPUs
+/// among themselves use it.
 class SerialScope {
  public:
   SerialScope();

@@ -53,8 +53,8 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
   return groups;
 }
 
-// Assigns jobs to workers. A worker stays with its group until no job of the group is left. Then it
-// takes an untouched group if there is one. Thread-safe.
+// Assigns jobs to workers. A worker stays with its group until all jobs of the group are assigned.
+// It then takes a group without assigned jobs if one is left. The class is thread-safe.
 class JobQueue {
  public:
   static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
@@ -63,8 +63,9 @@ class JobQueue {
   explicit JobQueue(std::vector<std::vector<std::size_t>> groups)
       : groups_(std::move(groups)), given_(groups_.size(), 0) {}
 
-  // Returns the next job for a worker. `group` is the group of the worker's last job (kNoGroup at
-  // first), and becomes that of the returned job. Returns nothing when all jobs are assigned.
+  // Returns the next job for a worker. `group` is the group of the worker's last job, initially
+  // kNoGroup. The call sets it to the group of the returned job. Returns nothing when all jobs are
+  // assigned.
   std::optional<std::size_t> next(std::size_t& group) {
     const std::lock_guard lock(mutex_);
     if (group == kNoGroup || left(group) == 0) {
@@ -91,8 +92,8 @@ class JobQueue {
   std::mutex mutex_;
   std::vector<std::vector<std::size_t>> groups_;
   std::vector<std::size_t> given_;   //< per group, the number of assigned jobs
-  std::size_t first_untouched_ = 0;  //< first group without assigned jobs
-  std::vector<std::size_t> begun_;   //< started groups that may have jobs left
+  std::size_t first_untouched_ = 0;  //< every earlier group is started or empty
+  std::vector<std::size_t> begun_;   //< started groups that may have unassigned jobs
 };
 
 // A running batch.

@@ -12,9 +12,9 @@ namespace lapwing {
 
 /// Many edits of one or more recipes with values that vary from job to job.
 struct BatchRequest {
-  std::filesystem::path jobs = {};    ///< file of jobs (JobFile)
+  std::filesystem::path jobs = {};    ///< the job file (JobFile)
   std::filesystem::path recipe = {};  ///< for jobs that name none
-  std::filesystem::path folder = {};  ///< receives the results
+  std::filesystem::path folder = {};  ///< folder for the results
   BatchOutput output = {};
   bool resume = false;                 ///< continue from the results in the folder
   std::filesystem::path sandbox = {};  ///< the only folder that recipes may use; empty: any
@@ -34,19 +34,20 @@ struct BatchCount {
 
 /// Callbacks of a batch; both may be empty.
 struct BatchMonitor {
-  /// Called at the start with the jobs done before, and after every job. Calls do not overlap.
+  /// Called at the start, with the number of jobs done earlier, and after every job. Calls do not
+  /// overlap.
   std::function<void(const BatchCount&)> count = {};
   /// Called often, by several threads at once. Returning false ends the batch and discards the jobs
   /// in progress.
   std::function<bool()> go_on = {};
 };
 
-/// Runs the jobs on the processor, one job per thread. A thread takes the jobs of one region one
-/// after another, so that it prepares once for them (Session). Each file is written in one step and
+/// Runs the jobs on the CPU, one job per thread. A thread runs all jobs of a region one after
+/// another, so that it prepares the region only once (Session). Each file is written atomically and
 /// before the line of its job (ResultFolder, ResultWriter), so that an interruption loses no
-/// finished job. The results have the same bits for any threads, shards and interruptions, as long
-/// as a thread has the memory for exact preparations. A job that fails becomes a line of
-/// failed.jsonl. The batch is complete unless BatchMonitor::go_on ended it.
+/// finished job. The results are bitwise identical for any number of threads, shards and
+/// interruptions, if every thread has enough memory for exact preparations. A job that fails adds a
+/// line to failed.jsonl. The batch is complete unless BatchMonitor::go_on ended it.
 ///
 /// Throws InputError before the first job if JobFile or ResultFolder do. Throws IoError if a file
 /// of the batch cannot be read or written; finished jobs stay.

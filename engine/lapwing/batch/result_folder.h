@@ -33,7 +33,8 @@ class ResultFolder {
   ResultFolder(std::filesystem::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
                bool resume);
 
-  /// Returns the path of failed.jsonl, or of a file like failed-2-of-8.jsonl for a shard.
+  /// Returns the path of failed.jsonl in `folder`; for a shard, the name is like
+  /// failed-2-of-8.jsonl.
   static std::filesystem::path failed_file(const std::filesystem::path& folder,
                                            const std::optional<Shard>& shard);
 

@@ -16,7 +16,7 @@
 
 namespace lapwing {
 
-/// Whether a step may change the triangles of its patch.
+/// Determines whether a step may change the triangles of its patch.
 enum class Remeshing {
   automatic,  ///< if the patch is too coarse for the detail
   none,
@@ -84,7 +84,7 @@ struct MixOf {
   std::array<Source, 2> sources = {};
   MixWeight weight = {};
   TransferMode transfer = TransferMode::coating;
-  std::vector<MovedHandle> handles = {};  ///< in the patch; the mix's solve moves them
+  std::vector<MovedHandle> handles = {};  ///< in the patch; moved by the solve of the mix
   /// With TransferMode::shape, the target's frames are free of detail below `smooth_target`; 0
   /// stands for the mean of the sources' detail sizes, scaled to the target.
   CoatParameters parameters = {};

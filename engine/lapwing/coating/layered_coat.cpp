@@ -291,7 +291,8 @@ void LayeredCoat::note_held_scales() {
   }
 }
 
-// Detail points inward if only one of the two surfaces faces outward. Tells the user why.
+// Adds warnings about surfaces that face inward. If only one of source and target faces inward, the
+// transferred detail points inward.
 void LayeredCoat::note_inward_sides() {
   const auto note = [&](const std::string& where, const char* effect, Facing facing) {
     const bool is_closed = facing == Facing::inside_out;

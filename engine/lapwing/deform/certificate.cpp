@@ -29,7 +29,7 @@ Vector3d area_normal(const Triangle& t, std::span<const Vector3d> p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
 }
 
-// Whether the height over the longest side exceeds kThinnestTriangle.
+// Returns true if the ratio of the smallest height to the longest side exceeds kThinnestTriangle.
 bool is_not_degenerate(const Triangle& t, std::span<const Vector3d> p) {
   const double longest =
       std::max({(p[t[1]] - p[t[0]]).squaredNorm(), (p[t[2]] - p[t[1]]).squaredNorm(),
@@ -77,7 +77,8 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
   return free;
 }
 
-// Sets the extreme scales and the largest rotation, each with the first vertex that has it.
+// Sets the smallest and largest scale and the largest rotation. If several vertices have the same
+// extreme value, the first one is stored.
 void set_extremes(std::span<const Index> roi, std::span<const double> scales,
                   std::span<const double> angles, Certificate& certificate) {
   double largest_angle = 0.0;

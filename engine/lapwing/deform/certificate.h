@@ -14,15 +14,15 @@ struct Certificate {
   /// |N u - b| / |b| of the linear system, in 2-norms. 0 if nothing moves or if the surface
   /// settles.
   double relative_residual = 0.0;
-  /// The value of MinimizerResult::relative_gradient; 0 without settling.
+  /// MinimizerResult::relative_gradient of the minimization; 0 without settling.
   double relative_gradient = 0.0;
-  /// Largest distance of a handle vertex from its prescribed position, in mesh units.
+  /// The largest distance of a handle vertex from its prescribed position, in mesh units.
   double handle_error = 0.0;
   /// The largest prescribed displacement of a handle vertex or target, in mesh units; summed over
   /// the parts of an edit.
   double prescribed_motion = 0.0;
-  /// Diagonal of the bounds of the surface at rest, without isolated vertices; 0 if nothing was
-  /// measured.
+  /// The diagonal of the bounding box of the surface at rest, without isolated vertices. It is 0 if
+  /// nothing was measured.
   double rest_diagonal = 0.0;
   /// The largest distance of a target's point from its prescribed position, in mesh units.
   double target_error = 0.0;
@@ -32,25 +32,26 @@ struct Certificate {
   double largest_scale = 1.0;
   Index smallest_scale_vertex = kNoIndex;
   Index largest_scale_vertex = kNoIndex;
-  /// Largest angle by which a ring has turned, in degrees, 0 to 180.
+  /// The largest rotation angle of a ring, in degrees from 0 to 180.
   double largest_rotation_degrees = 0.0;
   Index largest_rotation_vertex = kNoIndex;
-  /// Number of triangles that face against their rest normal, after the mean rotation of their
-  /// corners is applied to it. Triangles thinner than kThinnestTriangle at rest do not count. The
-  /// list holds the first kListedTriangles.
+  /// The number of triangles whose normal points away from the rest normal, rotated by the mean
+  /// rotation of the corners. Triangles thinner than kThinnestTriangle at rest are not counted. The
+  /// list holds the first kListedTriangles of them.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
-  /// Share of the region's area that is inside out (`measure_inversion`), 0 to 1, and a vertex
-  /// there. Measured if triangles are flipped or a ring has turned by more than 90 degrees.
+  /// The fraction of the region's area that is inside out (`measure_inversion`), and a vertex in
+  /// that area. It is measured only if triangles are flipped or a ring has turned by more than 90
+  /// degrees.
   double inside_out_share = 0.0;
   Index inside_out_vertex = kNoIndex;
-  /// Whether the region consists of whole connected components of the mesh.
+  /// True if the region consists of whole connected components of the mesh.
   bool region_is_whole = false;
-  /// `detail_error` over the free vertices. It is 0 if details are kept, 1 if they are lost, and
-  /// NaN if the surface has none.
+  /// The function `detail_error`, evaluated over the free vertices. It is 0 if details are
+  /// preserved, 1 if they are lost, and NaN if the surface has no details.
   double detail_error = 0.0;
-  /// `edge_stretch` of the region, and the largest stretch of a single edge, with the ends of that
-  /// edge. The ends are kNoIndex if every edge keeps its length.
+  /// The `edge_stretch` of the region, and the largest stretch of a single edge with the two
+  /// vertices of that edge. The vertices are kNoIndex if no edge changes its length.
   double edge_stretch = 0.0;
   double largest_edge_stretch = 0.0;
   std::array<Index, 2> largest_edge_stretch_vertices{kNoIndex, kNoIndex};
@@ -70,10 +71,11 @@ inline constexpr double kThinnestTriangle = 1e-3;
 /// Length of the list of flipped triangles.
 inline constexpr std::size_t kListedTriangles = 8;
 
-/// Measures size, scales, rotations, flips, edge stretch and finiteness from the shapes alone, in
-/// linear time. For a pose that is not finite, this function sets only `all_finite`. It measures
-/// the vertices of `roi` and the triangles that touch them. `asked` is the prescribed rest stretch,
-/// as in `detail_error`. Returns the rotations of the rings, per vertex of the mesh.
+/// Sets the measurements that depend only on the rest shape and the current shape: size, scales,
+/// rotations, flipped triangles and edge stretch. Measures the vertices of `roi` and the triangles
+/// that touch them. If the pose is not finite, sets only `all_finite`. `asked` is the prescribed
+/// rest stretch, the argument `stretch` of `detail_error`. Returns the rotations of the rings, per
+/// vertex of the mesh. Takes linear time.
 std::vector<Eigen::Matrix3d> measure_shape(std::span<const Index> roi, const Topology& topology,
                                            std::span<const Eigen::Vector3d> rest,
                                            std::span<const Eigen::Vector3d> current,

@@ -11,16 +11,16 @@ namespace lapwing {
 /// triangles, inside-out surface, long edges. Empty for a good result.
 std::vector<std::string> warnings_of(const Certificate& certificate);
 
-/// `warnings_of` warns if a larger share of the region is inside out.
+/// `warnings_of` adds a warning if more than this fraction of the region is inside out.
 inline constexpr double kMostInsideOut = 0.01;
 
 /// `warnings_of` warns of an edge longer than this factor times its prescribed length.
 inline constexpr double kLongEdge = 3.0;
 
-/// Whether the handle error exceeds 1% of the mesh's diagonal or a quarter of the prescribed
-/// motion. The first limit is about 8 pixels of a window that shows the whole mesh. The second
-/// limit matters if the region is small compared with the mesh. Handles without a weight miss by
-/// less than a hundredth of their motion (DeformOptions).
+/// Returns true if the handle error exceeds 1% of the mesh's diagonal or a quarter of the
+/// prescribed motion. The first limit is about 8 pixels in a window that shows the whole mesh. The
+/// second limit matters if the region is small compared with the mesh. For handles without a
+/// weight, the error is less than a hundredth of their motion (DeformOptions).
 bool misses_handles(const Certificate& certificate);
 
 }  // namespace lapwing

@@ -24,17 +24,17 @@ struct CoarseRegion {
 /// cannot be decimated (CoarseSurfaces), or if the remaining vertices no longer anchor it.
 std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count);
 
-/// If the last step of a frame is longer than this, the surface is far from its minimum. The unit
-/// is the mean edge length. The last steps of proxies are 0.0003 to 0.02 in simple motions, and up
-/// to 3 if limbs cross or twist.
+/// In mean edge lengths. If the last step of a frame is longer than this, the surface is considered
+/// far from its minimum. The last steps of proxies are 0.0003 to 0.02 in simple motions, and up to
+/// 3 if limbs cross or twist.
 inline constexpr double kLongStep = 0.05;
 
 /// The coarse proxy of a drag is the same edit on a few thousand vertices. One iteration takes half
 /// a millisecond, whatever the size of the region. The drag prolongates the proxy to the fine
-/// surface and smooths the result. It then restricts the remaining gradient of the fine surface,
-/// which acts on the proxy as a force. Both surfaces then have the same minimum although their
-/// energies differ (defect correction; Brandt, Dinar, "Multigrid solutions to elliptic flow
-/// problems", 1979).
+/// surface and smooths the result. It then restricts the remaining gradient of the fine surface to
+/// the proxy, where it acts as a force. Because of this force, both surfaces reach the same minimum
+/// although their energies differ (defect correction; Brandt, Dinar, "Multigrid solutions to
+/// elliptic flow problems", 1979).
 class CoarseProxy {
  public:
   /// Returns null if no proxy is needed, or if the region cannot be decimated. `fine` must outlive
@@ -44,11 +44,11 @@ class CoarseProxy {
   /// Starts at the fine surface, displaced by `u` for `target`. Both belong to the fine mesh.
   void begin(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Minimizes the proxy for `target` by four to eight iterations and prolongates to `u`. If the
-  /// last call ended far from the minimum, the iterations use the Hessian of the pose. More than
-  /// four iterations run only if `budget` covers another one, the prolongation and the `next_ms`
-  /// that the caller needs afterwards. If `next_ms` does not fit in any case, iterations may use
-  /// its time.
+  /// Minimizes the proxy for `target` in four to eight iterations and prolongates the result to
+  /// `u`. If the last call ended far from the minimum, the iterations use the Hessian of the pose.
+  /// More than four iterations run only if `budget` suffices for another iteration, the
+  /// prolongation and the `next_ms` that the caller needs afterwards. If `budget` does not suffice
+  /// for `next_ms` anyway, iterations may use that time.
   void step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
             std::span<Eigen::Vector3d> u);
 
@@ -87,7 +87,7 @@ class CoarseProxy {
   double prolongation_ms_ = 0.0;  ///< time of the last prolongation
 
   CoarseEmbedding::Pose pose_;
-  std::vector<Eigen::Vector3d> prescribed_;  ///< displacements of held vertices in pose_
+  std::vector<Eigen::Vector3d> prescribed_;  ///< displacements of the constrained vertices in pose_
   Predictor predictor_;
   std::vector<Eigen::Vector3d> forces_;
   // Storage for the spans of the proxy's target.

@@ -23,8 +23,8 @@ namespace lapwing {
 /// How a deformation was computed, and its quality.
 struct DeformReport {
   std::string solver;
-  double turn_degrees = 0.0;  ///< largest turn of a handle as written, e.g. 260
-  /// Accumulated rotation of the surface about the same axis (winding.h).
+  double turn_degrees = 0.0;  ///< largest turn of a handle in the request, e.g. 260
+  /// The accumulated rotation of the surface about the same axis (winding.h).
   std::optional<double> winding_degrees = {};
   std::size_t commits = 1;  ///< number of parts; the result of each is the rest shape of the next
   /// Measured from the surface before the request to the one after it. Residual and settling are
@@ -46,10 +46,10 @@ struct Deformed : DeformReport {
   StageTimings timings;  ///< of all parts together
 };
 
-/// Carries out `request` on a polygon mesh, on the CPU. Coincident seam vertices move together
-/// unless the request says otherwise. The result has the polygons of `mesh`. Use DeformSolver for
-/// repeated edits of one region. Throws InputError for a request that does not fit the mesh. Also
-/// throws the errors of DeformSolver.
+/// Carries out `request` on a polygon mesh, on the CPU. Coincident vertices along seams move
+/// together unless the request says otherwise. The polygons of `mesh` do not change. Use
+/// DeformSolver for repeated edits of one region. Throws InputError for a request that does not fit
+/// the mesh. Also throws the errors of DeformSolver.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
@@ -72,9 +72,9 @@ struct DeformWorkspace {
   std::optional<JoinedSurface> joined = {};       ///< set after the search for seams
 };
 
-/// The same on any device. `kernels` must outlive `workspace`. So must a mesh that shares the
-/// topology of `mesh`, for example the result. Reports the stages "mirror", "region", those of
-/// DeformSolver, "solve", and "certify" if there are several parts.
+/// The same on any device. `kernels` must outlive `workspace`. A mesh with the topology of `mesh`,
+/// for example the result, must also outlive it. Reports the stages "mirror", "region", those of
+/// DeformSolver, "solve", and "certify" if the edit is split into substeps.
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

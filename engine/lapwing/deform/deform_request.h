@@ -32,8 +32,8 @@ struct DeformParameters : DeformOptions {
 
 /// A file that follows the surface (AttachmentDeformer), and where its result is saved.
 struct CarrySpec {
-  std::filesystem::path file;       ///< as written
-  std::filesystem::path save = {};  ///< as written; empty: beside the result
+  std::filesystem::path file;       ///< path as in the recipe
+  std::filesystem::path save = {};  ///< as in the recipe; empty: next to the result
   bool operator==(const CarrySpec&) const = default;
 };
 
@@ -43,9 +43,9 @@ struct MovedHandle {
   Falloff falloff = {};
   HandleOrientation orientation = HandleOrientation::kept;
   /// Waypoints before `move`, each a move from the rest position. Entries with the same index in
-  /// all handles belong together. Far moves have several minima; the path decides which one is
-  /// found. All paths have the same length; a handle without a path moves in equal shares of
-  /// `move`. A request that is carried out in several parts ignores the paths.
+  /// all handles belong together. For large moves, the energy has several minima, and the path
+  /// determines which one is found. All paths have the same length; a handle without a path moves
+  /// in equal fractions of `move`. A request that is split into substeps ignores the paths.
   std::vector<Move> path = {};
   bool operator==(const MovedHandle&) const = default;
 };
@@ -59,10 +59,10 @@ struct DeformRequest {
   DeformParameters parameters = {};
   /// Applies the edit on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};
-  /// Files that follow the surface. Steps of recipes carry them; `deform` itself throws InputError
-  /// if there are any.
+  /// Files that follow the surface. Steps of recipes move them; `deform` itself throws InputError
+  /// if the list is not empty.
   std::vector<CarrySpec> carry = {};
-  std::string where = "deform";  ///< as in RegionSpec; no part of the value
+  std::string where = "deform";  ///< as in RegionSpec; ignored by ==
   bool operator==(const DeformRequest& other) const {
     return roi == other.roi && belt == other.belt && handles == other.handles &&
            targets == other.targets && parameters == other.parameters && mirror == other.mirror &&

@@ -27,7 +27,7 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
   return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress);
 }
 
-// Whether all prescribed displacements are 0.
+// Returns true if all prescribed displacements are 0.
 bool rests(const EditSystem& edit, std::span<const Vector3d> prescribed) {
   return std::ranges::all_of(prescribed, [](const Vector3d& d) { return d.isZero(0.0); }) &&
          std::ranges::all_of(edit.laplacian->springs(),
@@ -95,7 +95,8 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
   return pose;
 }
 
-// Measures the prescribed motion of handles and targets, and how far they miss its end.
+// Measures the prescribed motion of handles and targets, and their distance from the prescribed
+// positions.
 void measure_constraints(const EditSystem& edit, std::span<const Vector3d> u,
                          std::span<const Vector3d> prescribed, const Positions& positions,
                          Certificate& certificate) {

@@ -25,12 +25,13 @@ struct DeformSolverState;
 struct EditSystem;
 
 struct DeformResult {
-  Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
+  Positions positions;  ///< of the whole mesh; exact for vertices that do not move
   Certificate certificate;
-  /// The S_i that the handles ask for (rest_stretch.h), per vertex of the mesh; empty for the
-  /// identity.
+  /// The S_i that the handles prescribe (rest_stretch.h), per vertex of the mesh. Empty if all are
+  /// the identity.
   std::vector<Eigen::Matrix3d> rest_stretch = {};
-  /// The motions asked for. A handle with free orientation has the rotation that was found.
+  /// The requested motions. For a handle with free orientation, the rotation is that of the
+  /// minimum.
   HandleMotions motions = {};
 };
 
@@ -41,57 +42,59 @@ struct DeformResult {
 ///     mesh.positions = solver.solve(motions).positions;
 ///
 /// The solver is immutable, so several threads may call its members. `topology` and `kernels` must
-/// outlive it. With settling, it takes about 4 kB per vertex, and 8 kB after the first
-/// minimization. Without settling, it takes 8 kB per vertex.
+/// outlive it. With settling, the solver takes about 4 kB per vertex before the first minimization
+/// and 8 kB after it. Without settling, it takes 8 kB per vertex.
 class DeformSolver {
  public:
   /// Factors the n x n system and, without settling, the 3n x 3n system (LinearResponse). Reports
   /// the stages "pattern", "order" and "laplacian". Without settling, "assemble", "analyze",
   /// "normal_matrix" and "factor" follow. The last stage is "shares". Throws InputError for a
-  /// region that does not fit the mesh. Throws SolverError if a component is not anchored or memory
-  /// is short. Also throws GpuError and Cancelled.
+  /// region that does not fit the mesh. Throws SolverError if a component is not anchored or the
+  /// memory does not suffice. Also throws GpuError and Cancelled.
   DeformSolver(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Reuses the data in `prepared`; results have the same bits as without reuse. The stage
-  /// "constraints" replaces "pattern" and "order". Stages without work are not reported.
+  /// Reuses the data in `prepared`. The results are bitwise identical to those without reuse. The
+  /// stage "constraints" replaces "pattern" and "order". Stages that have nothing to do are not
+  /// reported.
   DeformSolver(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Shares the prepared edit of `preview`. This constructor may run on another thread while a drag
-  /// uses `preview`.
+  /// Shares the data that `preview` has prepared. This constructor may run on another thread while
+  /// a drag uses `preview`.
   DeformSolver(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~DeformSolver();
   DeformSolver(DeformSolver&&) noexcept;
   DeformSolver& operator=(DeformSolver&&) noexcept;
 
   /// Returns the surface for one motion per handle, with its certificate. Reports stage "settle" if
-  /// the options settle. Identity motions return the rest positions bit for bit. Throws InputError
-  /// if the number of motions is wrong or a motion is too far. Throws SolverError if the
-  /// certificate does not hold. Also throws Cancelled.
+  /// the options settle. If all motions are the identity, returns exactly the rest positions.
+  /// Throws InputError if the number of motions is wrong or a motion is too large. Throws
+  /// SolverError if the certificate does not hold. Also throws Cancelled.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for accumulated turns. The surface winds with its handles, as far as it can keep the
-  /// winding. Free orientations require settling with soft constraints.
+  /// The same for accumulated turns. The surface winds with its handles, up to the largest winding
+  /// that is stable. Free orientations require settling with soft constraints.
   DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
 
-  /// Minimizes at each motion of `path` in turn and then at `motions`, each from the previous
-  /// minimum. Far motions have several minima; the path decides which one is found. Large regions
-  /// follow the path on their coarse proxy. If a handle turns by more than 90 degrees to the next
-  /// motion, that minimization starts from rest again.
+  /// Minimizes for each entry of `path` in order and then for `motions`. Each minimization starts
+  /// from the previous minimum. For large motions, the energy has several minima, and the path
+  /// determines which one is found. Large regions follow the path on their coarse proxy. If a
+  /// handle turns by more than 90 degrees from one entry to the next, the minimization for the next
+  /// entry starts from rest.
   DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
                            const Progress& progress = {}) const;
 
-  /// Starts from a pose of this region (DragSession::state), so that the result is the minimum near
-  /// the drag's last frame. Ignores the pose if it is empty, if the options do not settle, or if a
-  /// handle has turned by more than 90 degrees since then.
+  /// Starts the minimization from a pose of this region (DragSession::state), so that the result is
+  /// the minimum near the last frame of the drag. Ignores the pose if it is empty, if the options
+  /// do not settle, or if a handle has turned by more than 90 degrees since that pose.
   DeformResult solve_from(const DragState& pose, const HandleMotions& motions,
                           const Progress& progress = {}) const;
 
-  /// Returns the linear response to `handles`, for Drag. Reports stage "response". Solves 12
-  /// right-hand sides per handle with the 3n x 3n system. If the options settle, this call factors
-  /// that system. If the system then exceeds the memory limit, the columns are those of a
-  /// DragPreview (DragResponse::why_not_exact).
+  /// Returns the linear response to `handles`, for Drag. Solves 12 right-hand sides per handle with
+  /// the 3n x 3n system. If the options settle, this call factors that system first. If the system
+  /// exceeds the memory limit, the columns are those of a DragPreview
+  /// (DragResponse::why_not_exact). Reports stage "response".
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
                                                   const Progress& progress = {}) const;
   /// The same for all handles.
@@ -100,7 +103,8 @@ class DeformSolver {
   /// The rest stretch for these motions, as in DeformResult; empty if no handle scales.
   std::vector<Eigen::Matrix3d> rest_stretch(std::span<const Eigen::Affine3d> motions) const;
 
-  /// Whether a solver constructed from these arguments would give the same bits.
+  /// Returns true if a solver constructed from these arguments would give bitwise identical
+  /// results.
   bool is_of(std::span<const Eigen::Vector3d> rest, const Topology& topology,
              const EditRegion& region, const DeformOptions& options, const Kernels& kernels) const;
 

@@ -20,7 +20,7 @@ struct EditSystem;
 struct DragState {
   /// The handles' motions. A handle with free orientation has the rotation that was found.
   HandleMotions motions;
-  Positions displacement;       ///< of the whole mesh, from rest
+  Positions displacement;       ///< from rest, per vertex of the mesh
   MinimizerResult last_result;  ///< of the last frame's minimization
 
   bool empty() const { return motions.maps.empty(); }
@@ -44,8 +44,9 @@ class DragResponse {
   /// for another number of motions. Allocates nothing.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
-  /// States the required and the allowed memory if the 3n x 3n system exceeded the limit. The
-  /// columns are then those of the n x n system. Otherwise empty, also for a DragPreview.
+  /// If the 3n x 3n system exceeded the memory limit, this message states the required and the
+  /// allowed memory. The columns are then those of the n x n system. Otherwise the message is
+  /// empty, also for a DragPreview.
   const std::string& why_not_exact() const { return why_not_exact_; }
 
   /// Returns the pose of this region at `positions` of the whole mesh, for handles moved by
@@ -66,7 +67,7 @@ std::vector<std::size_t> in_order(std::span<const std::size_t> handles);
 /// A linear drag from rest or from a pose:
 ///
 ///     Drag drag(solver.response());
-///     drag.move(motions, positions);                       // on the processor
+///     drag.move(motions, positions);                       // on the CPU
 ///     surface.blend(on_device, drag.parameters(motions));  // or where it is drawn
 class Drag {
  public:
@@ -75,8 +76,8 @@ class Drag {
   explicit Drag(std::shared_ptr<const DragResponse> response,
                 std::shared_ptr<const DragState> pose = nullptr);
 
-  /// Returns the coefficient of each column for `motions`, one map from rest per handle of the
-  /// edit. The span is valid until the next call. Allocates nothing.
+  /// Returns the coefficient of each column for `motions`, which holds one map from rest per handle
+  /// of the edit. The span is valid until the next call. Allocates nothing.
   std::span<const double> parameters(std::span<const Eigen::Affine3d> motions);
   /// Writes the new positions of the vertices that can move; `positions` is of the whole mesh.
   /// Allocates nothing.

@@ -16,13 +16,14 @@ namespace lapwing {
 
 struct EditSystem;
 
-/// A linear drag that is ready long before the exact response. It needs only the n x n system and
-/// four columns per handle (laplacian_response), instead of the 3n x 3n system and twelve columns.
-/// It is exact for translations, but details do not rotate.
+/// Prepares a linear drag that is ready long before the exact response. It needs only the n x n
+/// system and four columns per handle (laplacian_response). The exact response needs the 3n x 3n
+/// system and twelve columns. The preview is exact for translations, but in rotations its details
+/// do not rotate.
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options);
-///     Drag drag(preview.response());          // drags while another thread prepares
-///     DeformSolver solver(preview, kernels);  // the exact one, which then takes over
+///     Drag drag(preview.response());          // drags while the solver is prepared
+///     DeformSolver solver(preview, kernels);  // on another thread; then replaces the preview
 class DragPreview {
  public:
   /// Reports the stages "pattern", "order", "laplacian" and "preview". `topology` must outlive the
@@ -30,14 +31,14 @@ class DragPreview {
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
   /// The same, but reuses the data in `prepared`. The stage "constraints" then replaces "pattern"
-  /// and "order". If `handles` is set, response() has columns for these handles only.
+  /// and "order". If `handles` is set, response() has columns only for these handles.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options,
               std::optional<std::span<const std::size_t>> handles = {},
               const Progress& progress = {});
 
-  /// Corresponds to DeformSolver::response. Poses of a preview and of its solver are
-  /// interchangeable.
+  /// Returns the linear response to all handles, as DeformSolver::response does. Poses of a preview
+  /// can be used with the solver made from it, and vice versa.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
   /// The same for `handles`. Solves four right-hand sides per handle.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;

@@ -27,19 +27,19 @@ struct DragSession::State {
   std::shared_ptr<MinimizerWorkspace> workspace;  // null while it is lent to the solver
 
   DragState pose;
-  std::vector<double> parameters;        // of pose.motions
-  std::vector<Vector3d> prescribed;      // prescribed by pose.motions
+  std::vector<double> parameters;        // parameters of pose.motions
+  std::vector<Vector3d> prescribed;      // displacements prescribed by pose.motions
   std::vector<Eigen::Matrix3d> stretch;  // S_i of pose.motions; empty for the identity
-  Positions next;  // the displacement of the current frame; spare memory between frames
-  std::vector<Vector3d> next_prescribed;  // spare memory between frames
+  Positions next;  // the displacement in the current frame; reused memory between frames
+  std::vector<Vector3d> next_prescribed;  // for `next`; its memory is reused
 
   Predictor predictor;
   std::unique_ptr<CoarseProxy> coarse;  // null until it is built, and if the region needs none
   bool coarse_is_at_pose = false;
-  bool lacks_time = false;     // whether a frame of this drag ran out of time
+  bool lacks_time = false;     // true if a frame of this drag ran out of time
   double iteration_ms = 0.0;   // time of one iteration on the fine surface
-  double ending_ms = 0.0;      // time that a frame takes after its iterations
-  std::vector<Vector3d> pull;  // the gradient at the fine surface
+  double ending_ms = 0.0;      // time for the work after the iterations of a frame
+  std::vector<Vector3d> pull;  // the gradient of the energy of the fine surface
   BackgroundTask<std::unique_ptr<CoarseProxy>> coarse_task;  // last: it uses the solver
 
   State(std::shared_ptr<const DeformSolver> of, const DeformSolverState& internals)

@@ -13,15 +13,16 @@
 
 namespace lapwing {
 
-/// Moves the surface of an edit frame by frame, and minimizes each frame as far as time allows:
+/// Moves the surface of an edit frame by frame. In each frame, it minimizes the energy as far as
+/// the time budget allows:
 ///
 ///     DragSession drag(solver);
 ///     drag.step(motions, budget);  // every frame
 ///     draw(drag.state());
-///     solver->solve_from(drag.state(), motions);  // when the hand lets go
+///     solver->solve_from(drag.state(), motions);  // when the drag ends
 ///
-/// A frame starts at a prediction (Predictor). If a frame lacks the time to settle, a region of
-/// 6,500 vertices or more follows its coarse proxy (CoarseProxy). Not thread-safe.
+/// A frame starts from a prediction (Predictor). If the budget does not suffice to settle, a region
+/// of 6,500 vertices or more follows its coarse proxy (CoarseProxy). The class is not thread-safe.
 class DragSession {
  public:
   /// Throws InputError unless the options of the solver settle.
@@ -34,11 +35,11 @@ class DragSession {
   void begin(DragState start = {});
 
   /// Computes the next frame and minimizes it as far as `budget` allows (EnergyMinimizer::follow).
-  /// A call with the same motions continues the minimization. It changes nothing once the surface
-  /// has settled. The first frame from rest starts at the handle weights. So does a frame in which
-  /// a handle has turned by more than 90 degrees since the last frame. Throws InputError for
-  /// motions that do not fit, SolverError if the surface is not finite, and Cancelled. An error
-  /// leaves the state unchanged.
+  /// A call with the same motions continues the minimization. Once the surface has settled, such a
+  /// call changes nothing. The first frame from rest starts from displacements interpolated by the
+  /// handle weights. The same applies if a handle has turned by more than 90 degrees since the last
+  /// frame. Throws InputError for invalid motions, SolverError if the surface is not finite, and
+  /// Cancelled. An error leaves the state unchanged.
   const DragState& step(const HandleMotions& motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
   /// The same, with turns accumulated from frame to frame by TurnTracker.
@@ -48,12 +49,12 @@ class DragSession {
   /// The current pose.
   const DragState& state() const;
 
-  /// Lends the minimizer's memory to the solver until the next frame.
+  /// Gives the minimizer's memory back to the solver for other uses. The next frame takes it again.
   void release_memory();
 
-  /// Starts to build the coarse proxy on another thread. The build takes a third of a second at
-  /// 26,000 vertices and some seconds at a million. Without this call, the first frame that lacks
-  /// time starts the build.
+  /// Starts to build the coarse proxy on another thread. This takes a third of a second for 26,000
+  /// vertices and some seconds for a million. Without this call, the build starts in the first
+  /// frame that runs out of time.
   void prepare();
   /// The same, and waits for the coarse proxy, so that no frame depends on how long that takes.
   /// Throws Cancelled.

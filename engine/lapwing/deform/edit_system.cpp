@@ -46,8 +46,9 @@ double extent_of(const VertexSet& roi, const Topology& topology, std::span<const
   return require_extent(with_ring_neighbours(attached, topology.rings), rest, "region");
 }
 
-// A ring couples every pair of its vertices, so a vertex with very many neighbours makes the matrix
-// dense. A polygon with many corners becomes a fan around one of these vertices.
+// Throws an error if a vertex has so many neighbours that the matrix would become dense, because a
+// ring couples every pair of its vertices. Such a vertex appears when a polygon with many corners
+// is triangulated as a fan around one corner.
 void require_sparse(const VertexSet& roi, const Topology& topology) {
   constexpr std::size_t kFewNeighbours = 1000;
   constexpr double kBytesOfPair = sizeof(double) + sizeof(Index);
@@ -121,7 +122,8 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   } else {
     parallel_invoke(assemble, [&] { build.analyze(); });
   }
-  // Without a preview nobody waits here, and a 3n x 3n system comes next.
+  // Without a preview, no drag is waiting for this constructor, and a 3n x 3n system is factored
+  // next.
   if (!is_previewed) build.analyze_hessian();
   timings.add(stage, watch.elapsed_ms());
   watch.restart();

@@ -62,28 +62,29 @@ struct EditSystem {
   void set_parameters(std::span<const Eigen::Affine3d> motions,
                       std::span<const std::size_t> handles, std::span<double> parameters) const;
 
-  /// Whether nothing but handles holds the region: no belt, no target, and no neighbour outside it.
+  /// Returns true if only handles constrain the region: it has no belt, no target and no neighbour
+  /// outside.
   bool is_held_by_handles_alone() const;
 
   /// The indices of all handles, ascending.
   std::vector<std::size_t> all_handles() const;
 
-  /// Whether scaling handles stretch the rest shape of the surface: not with the RSI system, unless
-  /// the edit settles.
+  /// Returns true if handles that scale stretch the rest shape of the surface. With the RSI system,
+  /// they do so only if the edit settles.
   bool takes_rest_stretch() const {
     return options.settle || options.response == LinearResponse::tangent;
   }
 
-  /// Whether the edit settles and its region is too large to minimize in a frame without a coarse
-  /// proxy.
+  /// Returns true if the edit settles and its region is too large to minimize in a frame without a
+  /// coarse proxy.
   bool needs_coarse_surface() const;
 
   /// Returns the displacements that the handles prescribe, per vertex of the mesh. They are 0
-  /// except on the handles and the anchors of loose parts. Costs O(handle vertices) if `reused` is
-  /// the result of an earlier call.
+  /// except at the vertices of handles and at the anchors of loose parts. The cost is linear in the
+  /// number of handle vertices if `reused` is the result of an earlier call.
   std::vector<Eigen::Vector3d> displacement_of_handles(
       std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
-  /// The same, and also the displacements that hard targets prescribe.
+  /// Returns also the displacements that hard targets prescribe.
   std::vector<Eigen::Vector3d> prescribed_displacement(
       std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
 

@@ -27,9 +27,10 @@ class HandleWeights {
   /// The weights of one handle, per vertex of the region.
   std::vector<double> of_handle(std::size_t handle) const;
 
-  /// Returns displacements in which each vertex is stretched by the map of `stretch`, then rotated
-  /// and translated by its weighted share of the motions. Rotations are shares of `turns`,
-  /// including whole turns, so the surface winds with the handles.
+  /// Returns the displacements interpolated by the handle weights. Each vertex is stretched by the
+  /// map of `stretch`, and then rotated and translated by the weighted motions of the handles. The
+  /// rotations are interpolated from `turns`, which include whole turns, so that the surface winds
+  /// with the handles.
   std::vector<Eigen::Vector3d> displacement(std::span<const Eigen::Affine3d> motions,
                                             std::span<const Eigen::AngleAxisd> turns,
                                             const RestStretch& stretch) const;

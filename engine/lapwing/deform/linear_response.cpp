@@ -55,8 +55,8 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
   }
 }
 
-// Writes one column, the displacements of the moving vertices for the solution `x`. The ring of
-// vertex r of the region grows by `scale` times `growth[r]`.
+// Writes one column: the displacements of the moving vertices for the solution `x`. `scale` times
+// `growth[r]` is the growth of the ring of the region's vertex r.
 void write_column(const EditSystem& system, std::span<const Vector3d> prescribed,
                   std::span<const double> x, double scale, std::span<const double> growth,
                   double* out) {
@@ -177,15 +177,15 @@ Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
     const std::size_t h = handles[at];
     report_progress(progress, "response",
                     static_cast<double>(at) / static_cast<double>(handles.size()));
-    // Sets `prescribed` for a motion whose only parameter is k, with the value 1. Returns the mean
-    // scale of that motion, minus 1.
+    // Sets `prescribed` for the motion whose parameter k is 1 and whose other parameters are 0.
+    // Returns the mean scale of that motion, minus 1.
     const auto set_unit = [&](std::size_t k) {
       std::vector<double> q(system.column_count(), 0.0);
       q[h * kMotionParameters + k] = 1.0;
       prescribed = system.displacement_of_handles(q, std::move(prescribed));
       return growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
     };
-    // `growth` and `force` belong to a handle whose mean scale grows by 1.
+    // `growth` and `force` are those for a handle whose mean scale increases by 1.
     std::vector<double> growth(system.region.roi.size(), 0.0);
     Numbers force;
     if (handle_weights != nullptr) {

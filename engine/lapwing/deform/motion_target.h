@@ -24,10 +24,11 @@ struct MotionTarget {
   }
 };
 
-/// Returns the target for `motions`. Reuses the memory of `prescribed`, which is empty or comes
-/// from an earlier target of the same edit. If it is not empty, the cost is only O(handle
-/// vertices). Throws InputError for another number of motions than handles, for motions that are
-/// too far, and for free handles unless the edit settles with soft constraints.
+/// Returns the target for `motions`. `prescribed` is empty or comes from an earlier target of the
+/// same edit. In the latter case, its memory is reused and the cost is linear in the number of
+/// handle vertices. Throws InputError if the number of motions differs from the number of handles
+/// or a motion is too large. Also throws it for free handles unless the edit settles with soft
+/// constraints.
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
                            std::vector<Eigen::Vector3d> prescribed = {});
 
@@ -38,8 +39,8 @@ void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d>
 /// Returns `motions` with the rotations that free handles have in `pose`, the motions of a pose.
 HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& edit);
 
-/// Whether a handle has turned by more than kFarTurnDegrees. Beyond that the direction of the turn
-/// matters, and a linear response cannot represent it.
+/// Returns true if a handle has turned by more than kFarTurnDegrees. Linear responses cannot
+/// represent such a turn.
 bool any_turned_far(std::span<const Eigen::AngleAxisd> turns);
 /// The same for the change of the turns from `last` to `now`.
 bool any_turned_far_since(const HandleMotions& last, const HandleMotions& now);
@@ -50,8 +51,9 @@ std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
                                                      const HandleWeights& weights,
                                                      const MotionTarget& target);
 
-/// Sets the displacements of held vertices in `u`. The belt keeps its displacement of `last`.
-/// Handles move on from `last` by `prescribed` - `last_prescribed`.
+/// Sets the displacements of the constrained vertices in `u`. Belt vertices get their displacement
+/// in `last`. Handle vertices get their displacement in `last` plus `prescribed` -
+/// `last_prescribed`.
 void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_prescribed,
                std::span<const Eigen::Vector3d> prescribed, std::span<const Eigen::Vector3d> last,
                std::span<Eigen::Vector3d> u);

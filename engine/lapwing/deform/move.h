@@ -19,7 +19,7 @@ struct AxisRotation {
 struct SimilarityMove {
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
   AxisRotation rotate = {};
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< along x, y and z, each above 0
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< along x, y and z, all positive
   std::optional<Eigen::Vector3d> pivot = {};        ///< the handle's centroid if empty
   bool operator==(const SimilarityMove&) const = default;
 };
@@ -40,19 +40,20 @@ enum class HandleOrientation {
          ///< surface wants. A rotation in the move says where it begins.
 };
 
-/// Returns `move` as an affine map; a move that changes nothing gives the identity bit for bit.
-/// `share` interpolates from the identity (0) to the move (1). A similarity takes that share of its
-/// translation and angle, about the same axis and pivot, and scales by scale^share. A matrix is
-/// interpolated by `partial_motion`. The map is invertible if `share` is below 1. Throws InputError
-/// for a share below 1 of a matrix that mirrors.
+/// Returns `move` as an affine map. A move that changes nothing gives exactly the identity. `share`
+/// interpolates from the identity (0) to the move (1). For a similarity, it multiplies the
+/// translation and the angle, and the scale becomes scale^share; axis and pivot do not change.
+/// `partial_motion` interpolates a matrix. The map is invertible if `share` is less than 1. Throws
+/// InputError if the move is a matrix with a reflection and `share` is less than 1.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid,
                           double share = 1.0);
 
-/// Returns the rotation of `move`, 0 degrees or more about an axis of length 1. The angle is the
-/// written one, e.g. 260 degrees; for a matrix it is 0 to 180 degrees, and 0 if the matrix mirrors.
+/// Returns the rotation of `move`, 0 degrees or more about an axis of length 1. The angle is that
+/// of the request, e.g. 260 degrees. For a matrix it is 0 to 180 degrees, and 0 if the matrix
+/// contains a reflection.
 AxisRotation turn_of(const Move& move);
 
-/// Whether `move` is a matrix that turns the handle into its mirror image (determinant below 0).
+/// Returns true if `move` is a matrix with a negative determinant, which reflects the handle.
 bool mirrors(const Move& move);
 
 }  // namespace lapwing

@@ -9,16 +9,17 @@
 
 namespace lapwing {
 
-/// Predicts the surface of an edit when its handles move on. It extrapolates the recent change of
-/// the surface by the share of the recent handle motion that continues. The remainder follows the
-/// linear response of the n x n system. All fields are per vertex of the edit's mesh.
+/// Predicts the surface for the next positions of the handles. The part of the handle motion that
+/// continues the recent motion extrapolates the recent change of the surface. For the remainder,
+/// the surface follows the linear response of the n x n system. All fields are per vertex of the
+/// edit's mesh.
 class Predictor {
  public:
   /// Clears the history of frames.
   void clear();
 
-  /// Returns the predicted displacement for the displacements `prescribed`. The prediction starts
-  /// from the pose `u`, for which `last_prescribed` was prescribed. Costs one solve.
+  /// Predicts the displacement of the surface for the constraints `prescribed`. The prediction
+  /// starts from the pose `u`, which was computed for `last_prescribed`. Costs one solve.
   std::vector<Eigen::Vector3d> predict(const EditSystem& edit,
                                        std::span<const Eigen::Vector3d> last_prescribed,
                                        std::span<const Eigen::Vector3d> prescribed,

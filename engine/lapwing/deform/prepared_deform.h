@@ -13,12 +13,12 @@
 namespace lapwing {
 
 /// The response of a surface to some of its handles, to first order. Let L be the linear part of a
-/// handle's motion minus the identity, and s the displacement of its centre. The position of a
-/// vertex is
+/// handle's motion minus the identity, and let s be the displacement of the handle's centre. The
+/// position of vertex v is
 ///     rest[v] + sum over handles h and axes a of
 ///               sum_b L_h(a, b) columns[h](a, b)[v] + s_h(a) columns[h](a, 3)[v].
 struct SurfaceResponse {
-  /// Per handle the centre c, the centroid of its vertices.
+  /// The centre of each handle, which is the centroid of its vertices.
   std::vector<Eigen::Vector3d> centers;
   std::size_t vertex_count = 0;  ///< of the whole mesh
   /// For each handle 12 columns, (0, 0), (0, 1), ... (2, 3), of vertex_count displacements each.
@@ -33,13 +33,14 @@ struct SurfaceResponse {
 };
 
 /// Prepares a request once and carries it out on the CPU for many motions of its handles, for
-/// example to create data sets or fit parameters. One object serves one thread at a time.
+/// example to create data sets or fit parameters. An object must not be used by two threads at
+/// once.
 ///
 ///     PreparedDeform arm(mesh, request);
 ///     const Deformed raised = arm.solve(moves);
 class PreparedDeform {
  public:
-  /// Ignores the moves and paths in `request`. Throws the errors of `deform`, so that afterwards
+  /// Ignores the moves and paths in `request`. Throws the errors of `deform`. After construction,
   /// only the moves can be invalid.
   PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress = {});
 
@@ -47,28 +48,29 @@ class PreparedDeform {
   const DeformRequest& request() const { return request_; }
   const EditRegion& region() const { return region_; }
 
-  /// Returns the same bits as `deform` for these moves, one per handle.
+  /// Deforms the mesh by `moves`, one per handle. The result is bitwise identical to that of
+  /// `deform`.
   Deformed solve(std::span<const Move> moves, const Progress& progress = {});
   /// The same with `orientations`, one per handle, in place of the request's.
   Deformed solve(std::span<const Move> moves, std::span<const HandleOrientation> orientations,
                  const Progress& progress = {});
 
-  /// Returns the linear response to each of `handles`, given by index, while the other handles
-  /// rest. Sums of its columns match `solve` without settling to 1e-6 of the mesh's diagonal,
-  /// except for loose parts. Mirror images of the handles also move, and targets have no effect.
-  /// The response takes 288 bytes per vertex and handle, and the computation up to three times as
-  /// much. Throws InputError for a handle that does not exist, SolverError if memory is short, and
-  /// Cancelled.
+  /// Returns the linear response to each handle whose index is in `handles`. All other handles stay
+  /// at rest. The sum in SurfaceResponse matches `solve` without settling to within 1e-6 of the
+  /// mesh's diagonal, except at loose parts. Mirror images of the handles also move, and targets
+  /// have no effect. The response takes 288 bytes per vertex and handle; its computation takes up
+  /// to three times as much. Throws InputError for a handle that does not exist, SolverError if the
+  /// memory does not suffice, and Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
-  /// Called once for each k, on any of the threads and in any order.
+  /// Each function is called once for each k, on any of the threads and in any order.
   using MovesOf = std::function<std::vector<Move>(std::size_t k)>;
   using Take = std::function<void(std::size_t k, Deformed&& result)>;
 
-  /// Computes `count` results as `solve` does, on `threads` threads (0: all processors). Each
-  /// thread has its own solver. The first error stops all threads, and this function throws it with
-  /// "motion K: " before its message. Reports stage "solve_many" on the calling thread; `progress`
-  /// can cancel all.
+  /// Computes `count` results as `solve` does, on `threads` threads (0: one per CPU core). Each
+  /// thread has its own solver. The first error stops all threads. This function then throws that
+  /// error, with "motion K: " before its message. Reports stage "solve_many" on the calling thread;
+  /// `progress` can cancel all threads.
   void solve_many(std::size_t count, const MovesOf& moves_of, const Take& take,
                   unsigned threads = 0, const Progress& progress = {});
 

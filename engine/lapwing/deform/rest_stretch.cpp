@@ -29,7 +29,7 @@ bool are_equal(const Matrix3d& a, const Matrix3d& b) {
   return (a - b).norm() <= kEqualStretches * b.norm();
 }
 
-// Whether every motion keeps lengths, up to rounding.
+// Returns true if every motion preserves lengths, up to rounding errors.
 bool are_rigid(std::span<const Eigen::Affine3d> motions) {
   return std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
     return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());

@@ -22,10 +22,11 @@ struct RestStretch {
 /// Computes the rest stretch for the handles' motions. It stretches the rest shape of the rings, so
 /// a scaling handle widens or narrows the surface around it without pushing it along.
 ///
-/// The smooth map x -> x + u interpolates the handles' stretches, each about the handle's centroid;
-/// u solves the n x n system of `system`. In the tangent plane, S_i is the stretch of a linear fit
-/// to that map over the ring. Along the normal, it is the geometric mean of the two tangential
-/// stretches. If only handles hold the region and all have the same stretch P, every S_i is P.
+/// A smooth map x -> x + u interpolates the stretches of the handles, each about the handle's
+/// centroid. u is the solution of the n x n system of `system`. In the tangent plane, S_i is the
+/// stretch of the linear map that best fits this map over the ring. Along the normal, S_i stretches
+/// by the geometric mean of the two tangential stretches. If only handles constrain the region and
+/// all have the same stretch P, every S_i is P.
 RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions);
 
 /// Returns the mean scale of each stretch, the cube root of its determinant.

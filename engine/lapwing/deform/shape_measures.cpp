@@ -19,9 +19,10 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kRowsPerTask = 256;
 
-// Details count as rounding errors if the ratio of their root mean square to that of the edges is
-// below this. The ratio is lower for a flat surface from a file with six digits or 32-bit floats.
-// It is higher for a smooth surface of a hundred million triangles.
+// Details are treated as rounding errors if the ratio of their root mean square to that of the edge
+// lengths is less than this. A flat surface has a smaller ratio even if its file has only six
+// digits or 32-bit floats. A smooth surface has a larger ratio even with a hundred million
+// triangles.
 constexpr double kLeastDetail = 1e-4;
 constexpr double kNoDetails = std::numeric_limits<double>::quiet_NaN();
 Vector3d stretched(std::span<const Matrix3d> stretch, Index i, const Vector3d& rest) {
@@ -71,7 +72,7 @@ RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const
 struct Laplacians {
   Vector3d was = Vector3d::Zero();
   Vector3d is = Vector3d::Zero();
-  double edges = 0.0;  // mean square of the ring edges at rest
+  double edges = 0.0;  // mean squared length of the ring edges at rest
 };
 Laplacians laplacians_of(Index i, const Topology& topology, std::span<const double> weights,
                          std::span<const Vector3d> rest, std::span<const Vector3d> current) {
@@ -86,7 +87,8 @@ Laplacians laplacians_of(Index i, const Topology& topology, std::span<const doub
   return of;
 }
 
-// Whether the details are larger than rounding errors. The arguments are sums over the same rings.
+// Returns true if the details are larger than rounding errors. Both arguments are sums over the
+// same rings.
 bool has_details(double squares_of_details, double squares_of_edges) {
   return squares_of_details > kLeastDetail * kLeastDetail * squares_of_edges;
 }

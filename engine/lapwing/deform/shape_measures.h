@@ -15,10 +15,11 @@ namespace lapwing {
 /// rotation of ring i from rest to current. `stretch` holds the prescribed S_i, one per vertex of
 /// the mesh, or is empty for the identity.
 
-/// Returns the distance of details from their rest shapes, rotated with their rings:
+/// Returns the relative difference between the details and their rest shapes, which rotate with
+/// their rings:
 ///     sqrt(sum |L(v'_i) - R_i S_i delta_i|^2 / sum |S_i delta_i|^2) over `rows`.
-/// It is 0 for a rigid motion and 1 for lost details. It is NaN for a flat surface, whose delta_i
-/// are only rounding errors.
+/// It is 0 for a rigid motion and 1 if all details are lost. It is NaN for a flat surface, because
+/// its delta_i are only rounding errors.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current,
@@ -37,14 +38,14 @@ double edge_stretch(std::span<const Index> rows, const Topology& topology,
                     std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
                     std::span<const Eigen::Matrix3d> stretch = {});
 
-/// The edge with the largest |length' / length - 1|, the first of equal ones. kNoIndex if every
-/// edge keeps its length.
+/// The edge with the largest |length' / length - 1|, or the first of several. The vertices are
+/// kNoIndex if no edge changes its length.
 struct StretchedEdge {
   std::array<Index, 2> vertices{kNoIndex, kNoIndex};  ///< the lower first
   double stretch = 0.0;
 };
 
-/// Measures over the ring edges of `rows`, computed on all processors.
+/// Stretch of the ring edges of `rows`, computed on all CPU cores.
 struct EdgeStretches {
   double root_mean_square = 0.0;  ///< `edge_stretch`
   StretchedEdge most;
@@ -58,15 +59,15 @@ EdgeStretches edge_stretches(std::span<const Index> rows, const Topology& topolo
 struct VertexMeasures {
   std::vector<Index> vertices;
   std::vector<double> rotation_degrees;  ///< the angle of R_i, 0 to 180
-  /// |L(v'_i) - R_i delta_i| over the root mean square of |delta| over `vertices`, so that the root
-  /// mean square of this list is `detail_error`. All values are NaN for a flat surface.
+  /// |L(v'_i) - R_i delta_i| divided by the root mean square of |delta| over `vertices`. The root
+  /// mean square of this list is therefore `detail_error`. All values are NaN for a flat surface.
   std::vector<double> detail_error;
   std::vector<double> stretch;  ///< `edge_stretch` of the ring alone; 0 without a ring
   std::vector<Eigen::Vector3d> displacement;
   std::vector<Eigen::Quaterniond> rotation;  ///< R_i as a `unit_quaternion`: w >= 0
 };
 
-/// Measures each of `rows`, on all processors.
+/// Measures each of `rows`, using all CPU cores.
 VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& topology,
                                 std::span<const double> weights,
                                 std::span<const Eigen::Vector3d> rest,

@@ -15,14 +15,14 @@ bool is_degenerate(std::span<const Index> polygon);
 /// The faces of a mesh without repeated vertices, in the same order.
 struct MendedFaces {
   FaceSources sources;
-  std::size_t mended = 0;  ///< faces that repeated a vertex and were replaced by their proper parts
-  std::size_t removed = 0;  ///< faces that had no proper part
+  std::size_t mended = 0;   ///< degenerate faces that were replaced
+  std::size_t removed = 0;  ///< degenerate faces that were removed
 };
 
-/// Copies proper faces as they are. If a face uses a vertex twice in a row, drops the second
-/// corner. A face that still returns to a vertex (two outlines joined by a bridge, a pinched
-/// polygon) is cut by `triangulate_polygon`, and degenerate triangles are dropped. Linear, except
-/// for the cutting.
+/// Copies non-degenerate faces unchanged. If a face uses a vertex twice in a row, removes the
+/// second corner. If the face still repeats a vertex (two outlines joined by a bridge, a pinched
+/// polygon), `triangulate_polygon` triangulates it, and degenerate triangles are removed. The cost
+/// is linear, except for the triangulation.
 MendedFaces mend_faces(const Mesh& mesh);
 
 /// Returns the faces, ascending, that have the same vertices as an earlier face, in any order.

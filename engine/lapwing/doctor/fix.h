@@ -51,12 +51,14 @@ struct FixReport {
 /// Repairs defects that have one sensible repair, so that `check` finds no fixable defect
 /// afterwards and a second call does nothing:
 ///  - removes vertices that are not finite, with their faces, and vertices without a face;
-///  - cuts faces that repeat a vertex down to their proper parts and removes those without any;
-///  - removes faces with the vertices of an earlier one;
+///  - replaces each face that repeats a vertex by faces that do not, and removes it if there are
+///    none (mend_faces);
+///  - removes faces that have the same vertices as an earlier face;
 ///  - welds boundary edges at exactly the same place (find_seams), keeping the lower vertex;
 ///  - gives each fan of a bow-tie vertex its own vertex;
-///  - flips faces of inconsistent sheets until neighbours agree (analyze_orientation);
-///  - turns closed parts that are inside out, together with the closed parts inside them.
+///  - flips faces of inconsistent sheets, so that neighbours have the same orientation
+///    (analyze_orientation);
+///  - flips closed sheets that are inside out, together with the closed sheets inside them.
 /// Attributes stay with their vertices, faces and corners, so UVs and materials survive; stored
 /// normals are not recomputed. Positions do not change. Any repair resets `mesh.source`.
 /// Non-manifold edges, zero-area faces and one-sided surfaces stay. Near-linear. Throws InputError,

@@ -49,7 +49,7 @@ void write_components(std::ostream& out, const std::vector<std::size_t>& sizes) 
   out << '\n';
 }
 
-// The names follow the order of the enumerators of Severity and Element.
+// These names must be in the order of the enumerators of Severity and Element.
 constexpr std::array<std::string_view, 3> kSeverityNames{"info", "warning", "error"};
 constexpr std::array<std::string_view, 5> kElementNames{"", "vertices", "faces", "edges",
                                                         "at vertices"};

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 // Returns whether the ray from `p` along +x crosses the segment, both projected to the xy plane.
-// The answer does not depend on the direction of the segment, so no ray slips between two triangles
-// at their common edge.
+// The result does not depend on the direction of the segment. Two triangles with a common edge thus
+// get the same result for it, and no ray passes between them.
 bool passes(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   if ((a.y() > p.y()) == (b.y() > p.y())) return false;
   const Vector3d& low = a.y() < b.y() ? a : b;
@@ -85,8 +85,9 @@ class Nesting {
 
   const Mesh& mesh_;
   std::span<const ClosedSheet> sheets_;
-  std::vector<Point> points_;                          // sorted by x
-  std::map<std::pair<Index, Index>, bool> crossings_;  // (inner, outer): is their number odd?
+  std::vector<Point> points_;  // sorted by x
+  // For each pair (inner, outer): whether the ray crosses `outer` an odd number of times.
+  std::map<std::pair<Index, Index>, bool> crossings_;
   CancelCheck cancel_check_;
 };
 

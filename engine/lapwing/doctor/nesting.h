@@ -12,13 +12,13 @@ namespace lapwing {
 struct ClosedSheet {
   std::vector<Index> faces;
   double volume = 0.0;    ///< enclosed volume; negative if oriented inward
-  bool may_turn = false;  ///< whether it is consistent, so that all its faces can turn
+  bool may_turn = false;  ///< whether it is consistent, so that it can be flipped whole
 };
 
-/// Returns the sheets that contain each sheet, in ascending order. A sheet contains another one if
-/// its volume is larger and it encloses the first corner of the other. If sheets intersect, only
-/// that corner counts. The cost is usually near-linear, but quadratic if every triangle spans many
-/// sheets.
+/// Returns, for each sheet, the sheets that contain it, in ascending order. Sheet A contains sheet
+/// B if A has the larger absolute volume and encloses the first corner of B. If A and B intersect,
+/// only this corner decides. The cost is usually near-linear. It is quadratic if the x range of
+/// every triangle contains the first corners of many sheets.
 std::vector<std::vector<Index>> containers_of(const Mesh& mesh,
                                               std::span<const ClosedSheet> sheets);
 

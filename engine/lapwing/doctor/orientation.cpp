@@ -79,11 +79,11 @@ class Flood {
   std::vector<unsigned char> state_;
 };
 
-// Integrals over a sheet after the faces that the flood marked are flipped.
+// Integrals over a sheet. Faces that the flood marked count as flipped.
 struct SheetSize {
-  double volume = 0.0;  // enclosed volume, or that of the cone from the origin
+  double volume = 0.0;  // enclosed volume; for an open sheet, the volume of its cone to the origin
   double area = 0.0;
-  Vector3d across = Vector3d::Zero();  // integral of the normal; 0 if closed
+  Vector3d across = Vector3d::Zero();  // integral of the unit normal; 0 if closed
 
   void add(const Vector3d& a, const Vector3d& b, const Vector3d& c, double sign = 1.0) {
     volume += sign * a.dot(b.cross(c)) / 6.0;
@@ -91,8 +91,8 @@ struct SheetSize {
   }
 };
 
-// Returns a point of the sheet. Relative to a distant origin, the terms of the volume would cancel
-// and lose digits.
+// Returns a point of the sheet, used as the origin of the volume integral. With a distant
+// origin, the terms of the integral would cancel and lose digits.
 Vector3d origin_of(const Mesh& mesh, const Sheet& sheet) {
   return mesh.positions[mesh.face(sheet.faces[0])[0]];
 }
@@ -114,15 +114,15 @@ SheetSize measure_sheet(const Mesh& mesh, const Sheet& sheet, const Flood& flood
   return size;
 }
 
-// A volume below this fraction of area^1.5 is a rounding error. For a ball, the fraction is 0.09.
+// A volume below this fraction of area^1.5 is a rounding error. For a sphere, it is 0.09.
 constexpr double kFlat = 1e-9;
 
 bool is_inward(const SheetSize& size) {
   return size.volume < -kFlat * std::pow(size.area, 1.5);
 }
 
-// Adds to `size` the triangles that close the holes of a consistent sheet. Each hole gets a fan
-// around the mean of its corners.
+// Closes each hole of a consistent sheet with a fan of triangles around the mean of the hole's
+// vertices, and adds these triangles to `size`.
 void close_holes(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize& size) {
   const Vector3d origin = origin_of(mesh, sheet);
   const auto start = [&](Index side) { return mesh.face_vertices()[side]; };
@@ -150,8 +150,8 @@ void close_holes(const Mesh& mesh, const Edges& edges, const Sheet& sheet, Sheet
 }
 
 // Returns whether a consistent, open sheet encloses a negative volume after its holes are closed.
-// The ratio |across| / area tells how flat the sheet is. It is 0.5 for a hemisphere, and at least
-// 0.7 for a height field with slopes up to 45 degrees.
+// The ratio |across| / area measures how flat the sheet is. It is 0.5 for a hemisphere, and at
+// least 0.7 for a height field with slopes up to 45 degrees.
 bool is_inward_open(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize size) {
   constexpr double kMostOpen = 0.6;
   if (!(size.across.norm() <= kMostOpen * size.area)) return false;
@@ -180,8 +180,8 @@ void append(std::vector<Index>& list, const std::vector<Index>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-// Finds the closed sheets to turn, from the outside in. An inward sheet is inside out if no solid
-// contains it. The sheets inside it turn with it.
+// Finds the closed sheets to flip, from the outermost to the innermost. A sheet that is oriented
+// inward is inside out if no solid contains it. The sheets inside it are flipped with it.
 void turn_inside_out_sheets(const Mesh& mesh, std::span<const ClosedSheet> sheets,
                             Orientation& orientation) {
   if (std::ranges::none_of(sheets, [](const ClosedSheet& s) { return s.volume < 0.0; })) return;
@@ -191,7 +191,8 @@ void turn_inside_out_sheets(const Mesh& mesh, std::span<const ClosedSheet> sheet
   std::ranges::stable_sort(outside_in, std::greater<>(),
                            [&](Index s) { return std::abs(sheets[s].volume); });
   std::vector<unsigned char> turns_its_inside(sheets.size(), 0);
-  std::vector<int> winding(sheets.size(), 0);  // that each sheet, once turned, adds to its inside
+  // per sheet: its contribution to the winding number inside it, after the flips
+  std::vector<int> winding(sheets.size(), 0);
   for (const Index s : outside_in) {
     int around = 0;
     bool is_turned = false;

@@ -12,8 +12,8 @@ namespace lapwing {
 /// more and flips more triangles on the meshes.
 inline constexpr double kDefaultDetailLength = 0.077;
 
-/// Range of `detail_length`. Its square is the ratio of the two sums of the energy. Outside the
-/// range, double precision loses the smaller sum beside the larger.
+/// Range of `detail_length`. Its square is the ratio of the two sums of the energy. Outside this
+/// range, the smaller sum is lost in double precision when both are added.
 inline constexpr double kLeastDetailLength = 1e-6;
 inline constexpr double kMostDetailLength = 1e3;
 
@@ -37,9 +37,9 @@ struct DeformOptions {
   /// As EnergyTerms::detail_length, in its range. Has no effect on the RSI system.
   double detail_length = kDefaultDetailLength;
   LinearResponse response = LinearResponse::tangent;
-  /// Weight of the soft constraints on handles and belt, at most kMaxWeight; eq. 5 has the weight
-  /// 1. If it is empty, the constraints are stiff (kStiff). Then handles miss by less than a
-  /// hundredth of their motion on every mesh. The weight has no effect on hard constraints.
+  /// The weight of the soft constraints on handles and belt, at most kMaxWeight. In eq. 5, the
+  /// weight is 1. If it is empty, the constraints are stiff (kStiff), and the handle error is less
+  /// than a hundredth of the motion on every mesh. Hard constraints ignore the weight.
   std::optional<double> constraint_weight = {};
   /// Handle and belt vertices reach their positions exactly, not in the least-squares sense.
   bool hard = false;

@@ -35,17 +35,17 @@ struct MinimizerTarget {
   std::span<const Eigen::Matrix3d> rest_stretch;
   /// f: forces on the unknowns; none if empty.
   std::span<const Eigen::Vector3d> forces = {};
-  /// The fitted positions of these handles replace `prescribed` at their vertices.
+  /// At the vertices of these handles, positions fitted by rotation replace `prescribed`.
   std::span<const FreeHandle> free_handles = {};
 };
 
-/// A preconditioner for L-BFGS at a pose: a factored 3n x 3n matrix. The n x n matrix resists every
-/// rotation of a ring, so with it alone long limbs bend slowly.
+/// A factored 3n x 3n matrix that preconditions L-BFGS near a pose. With only the n x n matrix,
+/// which resists every rotation of a ring, long limbs take many iterations to bend.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Assembles and factors the matrix at a pose. `transforms` holds T_i per row of the rings.
+  /// Assembles and factors the matrix at a pose. `transforms` holds one T_i per row of the rings.
   /// `displacement` has one vector per entry of RegionRings::vertices. Returns false if the matrix
   /// does not fit in memory or is not positive definite. In that case, do not call
   /// `solve_in_place`.
@@ -66,14 +66,15 @@ class Preconditioner {
 ///                                + sum_j k_ij |(v'_i - v'_j) - R_i S_i (v_i - v_j)|^2
 ///          + sum_held w^2 |u - d|^2 + the springs of the system - 2 sum f . u,
 ///
-/// by L-BFGS. Each iteration solves once for a direction, at first with the n x n factor, then with
-/// the preconditioner, and searches along it (line_search.cpp). Each trial point costs a fit of the
-/// rotations and a gradient (energy_evaluation.cpp). E falls with every step, so the surface is
-/// usable whenever the budget ends the loop. One object serves one thread at a time.
+/// by L-BFGS. Each iteration solves once for a direction, first with the n x n factor and later
+/// with the preconditioner. It then searches along this direction (line_search.cpp). Each trial
+/// point needs a fit of the rotations and a gradient (energy_evaluation.cpp). E decreases in every
+/// step, so the surface is usable whenever the budget ends the loop. An object must not be used by
+/// two threads at once.
 class EnergyMinimizer {
  public:
   /// `system` must be assembled with a detail length. `preconditioner` is null or belongs to the
-  /// same region. Both must outlive the object. Throws InputError for options out of range, and
+  /// same region. Both must outlive the object. Throws InputError if an option is out of range, and
   /// GpuError if the device fails.
   EnergyMinimizer(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
                   Preconditioner* preconditioner = nullptr);
@@ -84,36 +85,37 @@ class EnergyMinimizer {
   /// Returns E of `u` for `target`.
   double energy(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Minimizes `u`, displacements of the whole mesh, in place. The result does not depend on
-  /// earlier calls. Allocates nothing per iteration. Reports stage "settle". If it throws
+  /// Minimizes E over `u`, the displacements of the whole mesh, in place. The result does not
+  /// depend on earlier calls. Allocates nothing per iteration. Reports stage "settle". If it throws
   /// Cancelled, `u` holds the last iterate.
   MinimizerResult settle(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const Progress& progress = {});
 
   /// Minimizes one frame of a drag from the predicted `u`. Uses the L-BFGS history of earlier
-  /// frames, since `target` differs little from the last one. Ends when `budget` returns false.
+  /// frames, because `target` differs little from that of the last frame. Ends when `budget` is
+  /// spent.
   MinimizerResult follow(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// The same with the preconditioner, which this call first factors at `u`. This fits into a frame
-  /// for surfaces of a few thousand vertices.
+  /// The same with the preconditioner, which this call first factors at `u`. For surfaces of a few
+  /// thousand vertices, a frame has enough time for this.
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Minimizes a frame with the `target` of the last call, from its result `u`. After three
-  /// iterations in these frames, the next call first factors the preconditioner at the pose, even
-  /// if that exceeds `budget`.
+  /// Minimizes a frame with the `target` of the last call, from its result `u`. If such calls have
+  /// made three iterations in total, the next call first factors the preconditioner at the current
+  /// pose, even if that exceeds `budget`.
   MinimizerResult follow_at_rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                  const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Call this if the target moves in a frame without time for `follow`, since the state of
-  /// `follow_at_rest` then belongs to another pose.
+  /// Call this if the target moves but the frame has no time for `follow`. The state of
+  /// `follow_at_rest` then belongs to an earlier pose and must not be reused.
   void end_rest();
 
   /// Clears the history, so that the next frame is the first of another drag.
   void begin_drag();
 
-  /// Whether the last step came from the preconditioner.
+  /// Returns true if the last step was computed with the preconditioner.
   bool uses_hessian() const;
 
   /// Writes half of the gradient of E at the surface of the last call, for the unknowns. `gradient`

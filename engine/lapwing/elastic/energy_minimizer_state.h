@@ -14,8 +14,8 @@
 
 namespace lapwing {
 
-/// The members of an EnergyMinimizer. Its iterations are in energy_minimizer.cpp and its line
-/// search in line_search.cpp. energy_evaluation.cpp computes energy and gradient.
+/// The members of an EnergyMinimizer. The iterations are in energy_minimizer.cpp, the line search
+/// in line_search.cpp, and energy and gradient in energy_evaluation.cpp.
 struct EnergyMinimizer::State {
   const LaplacianSystem& system;
   const std::shared_ptr<const RegionRings> shared_rings;
@@ -29,12 +29,12 @@ struct EnergyMinimizer::State {
   int taken = 0;                             ///< iterations since `begin_schedule`
   bool by_hessian = false;                   ///< whether directions come from the preconditioner
   int next_factorization = 0;                ///< the iteration before which it is due
-  /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than the
-  /// remaining distance.
+  /// True if the minimization may end with a step of the n x n factor, which may be far shorter
+  /// than the remaining distance.
   bool may_end_by_factor = false;
-  double iteration_ms = 0.0;  ///< time of the last iteration, without a factorization
-  double last_step = 0.0;     ///< in mean edge lengths
-  bool is_placed = false;     ///< whether the last evaluation was at `at`
+  double iteration_ms = 0.0;  ///< time of the last iteration without factorization
+  double last_step = 0.0;     ///< length of the last step, in mean edge lengths
+  bool is_placed = false;     ///< true if the last evaluation was at `at`
   Lbfgs history;
 
   // Vectors over the unknowns are in elimination order: x of all, then y, then z.
@@ -44,7 +44,7 @@ struct EnergyMinimizer::State {
   std::vector<double> weights;                ///< W of each unknown
   std::vector<Eigen::Vector3d> prescribed;    ///< per vertex of RegionRings::vertices
   std::vector<Eigen::Vector3d> fitted;        ///< `prescribed`, with free handles at their best fit
-  std::vector<double> forces;                 ///< on the unknowns; empty if there are none
+  std::vector<double> forces;                 ///< per unknown; empty if no forces act
   std::vector<double> direction;
   std::vector<double> correction;
 

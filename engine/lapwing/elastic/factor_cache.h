@@ -38,10 +38,10 @@ struct SystemTerms {
   bool operator==(const SystemTerms&) const = default;
 };
 
-/// Keeps the factors for edits of one region over the same unknowns. A returned factor does not
+/// Caches the factors for edits of one region with the same unknowns. A returned factor does not
 /// change. The next factor shares its pattern, orders and symbolic factorizations. It also reuses
-/// the memory of the last factor if nobody holds that one any more. All results have the same bits
-/// as those of a factorization from scratch. The class is thread-safe.
+/// the memory of the previous factor if that one is no longer in use. All results are bitwise
+/// identical to those of a factorization from scratch. The class is thread-safe.
 class FactorCache {
  public:
   /// Finds only the pattern. `topology` must outlive the object.
@@ -83,9 +83,10 @@ class FactorCache {
     return {*this, std::move(terms), W};
   }
 
-  /// Returns the factored 3n x 3n system. `options` give its kind and memory limit. Reports the
-  /// stages "assemble", "analyze", "normal_matrix" and "factor", except those already done. Throws
-  /// DoesNotFit if the memory does not suffice. The cache then keeps nothing of the system.
+  /// Returns the factored 3n x 3n system. `options` determine its kind and its memory limit.
+  /// Reports the stages "assemble", "analyze", "normal_matrix" and "factor", except those already
+  /// done. Throws DoesNotFit if the memory does not suffice. In that case, the cache stores nothing
+  /// of the system.
   std::shared_ptr<const ResponseSystem> response(const SystemTerms& terms,
                                                  std::shared_ptr<const LaplacianSystem> laplacian,
                                                  const DeformOptions& options, Kernels& kernels,
@@ -116,8 +117,8 @@ class FactorCache {
   LinearResponse response_kind_ = LinearResponse::tangent;
   SystemTerms response_terms_;
   bool response_has_memory_ = false;
-  std::size_t response_bytes_ = 0;       // that it needs, once known
-  std::weak_ptr<const BlockRows> rows_;  // G at rest, while somebody holds it
+  std::size_t response_bytes_ = 0;       // memory that `response_` needs; 0 if unknown
+  std::weak_ptr<const BlockRows> rows_;  // G at rest, as long as it is in use
   SystemTerms rows_terms_;
 };
 

@@ -14,16 +14,17 @@ namespace lapwing {
 /// The rotation of one free handle while a surface settles. Vectors over the unknowns are in
 /// elimination order: x of all, then y, then z.
 ///
-/// A matrix P that fixes a handle is far too stiff against its rotation. Eliminating the rotation
-/// gives P - U K^-1 U' (ENERGY.md section 6). Here U = W B, and column k of B is the velocity of
-/// the handle in a rotation about axis k. K is tr(C) I - C with the covariance C of the handle's
-/// positions and its rotated shape. The inverse is
+/// A matrix P that fixes a handle is far too stiff against rotations of the handle. Eliminating the
+/// rotation gives P - U K^-1 U' (ENERGY.md section 6). Here U = W B, and column k of B holds the
+/// velocities of the handle's vertices in a rotation about axis k. K is tr(C) I - C, where C is the
+/// covariance of the handle's positions and its rotated shape. The inverse is
 ///
 ///     P^-1 + P^-1 U (K - U' P^-1 U)^-1 U' P^-1      (Sherman, Morrison, Woodbury).
 ///
-/// K and U' P^-1 U nearly cancel, so K must be evaluated at the current pose. Under compression the
-/// K of the unstrained handle is used, which keeps the matrix positive semidefinite. A straight
-/// step would enlarge the handle, so steps turn it along an arc (`begin_step`, `bend`).
+/// K and U' P^-1 U nearly cancel, so K must be evaluated at the current pose. Under compression,
+/// the K of the unstrained handle is used instead, which keeps the matrix positive semidefinite. A
+/// step along a straight line would enlarge the handle, so steps rotate it along an arc
+/// (`begin_step`, `bend`).
 class FreeRotation {
  public:
   /// `rows` and `places` are those of the handle's vertices among RegionRings::vertices and among
@@ -32,12 +33,12 @@ class FreeRotation {
   void place(const FreeHandle& handle, std::vector<Index> rows, std::vector<Index> places,
              std::span<const double> weights, const LaplacianSystem& system);
 
-  /// Fits the rotation to the unknowns `x`. Writes the prescribed displacements of the handle's
-  /// vertices to `prescribed`, which has one vector per row.
+  /// Fits the rotation to the unknowns `x`. Then writes the displacements that it prescribes for
+  /// the handle's vertices to `prescribed`, which has one vector per row.
   void fit(std::span<const double> x, std::span<Eigen::Vector3d> prescribed);
 
-  /// Switches back to the n x n system. Its P^-1 U serves at any rotation, since P is the same for
-  /// x, y and z.
+  /// Switches back to the n x n system. Its P^-1 U can be used at any rotation, because P is the
+  /// same for x, y and z.
   void respond_by_system();
   /// Computes P^-1 U for another P, at the last fitted rotation. `solve` replaces a right-hand side
   /// by its solution.

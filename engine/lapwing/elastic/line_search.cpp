@@ -1,4 +1,4 @@
-// Implements the line search of EnergyMinimizer by backtracking with Armijo's condition.
+// The line search of EnergyMinimizer: backtracking until Armijo's condition holds.
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +7,11 @@
 namespace lapwing {
 namespace {
 
-// A step is accepted if E falls by this share of the linear prediction (Armijo 1966), up to
-// rounding.
+// A step is accepted if E decreases by at least this fraction of the linear prediction (Armijo
+// 1966), up to rounding errors.
 constexpr double kShareOfSlope = 1e-4;
 constexpr double kEnergyRounding = 1e-13;
-// The line search gives up below this share of the full step.
+// The line search fails if the step becomes shorter than this fraction of the full step.
 constexpr double kShortestStep = 1e-3;
 
 }  // namespace

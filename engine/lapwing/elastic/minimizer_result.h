@@ -14,9 +14,9 @@ struct MinimizerResult {
   bool exhausted = false;  ///< no step lowers E by more than rounding
   /// The Hessian did not fit in memory, or could not be factored: large regions settle slowly then.
   bool lacks_hessian = false;
-  double energy = 0.0;  ///< E of the result, in squared mesh units
-  /// |grad E| over |force of the handles|: the gradient of E by the unknowns, over that of the
-  /// constraints alone; 0 if nothing pulls.
+  double energy = 0.0;  ///< E at the result, in squared mesh units
+  /// |grad E| / |force of the handles|: the norm of the gradient of E with respect to the unknowns,
+  /// divided by that of the constraint terms alone. It is 0 if the constraints exert no force.
   double relative_gradient = 0.0;
 };
 

@@ -14,11 +14,11 @@
 namespace lapwing {
 
 /// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5), as a
-/// preconditioner. Under tension a ring resists bending. Under compression K_i stays that of the
-/// stretched rest shape, so that the matrix is positive semidefinite at every pose. The factor is
-/// in single precision. If rounding leaves it indefinite at a pose, it is in double precision
-/// there. It takes half the memory of a 3n x 3n factor in doubles. The memory is allocated in
-/// `prepare` or at the first factorization.
+/// preconditioner. Under tension, a ring resists bending. Under compression, K_i is that of the
+/// stretched rest shape, so that the matrix is positive semidefinite at every pose. The matrix is
+/// factored in single precision, which takes half the memory of a 3n x 3n factor in double
+/// precision. If rounding errors make it indefinite at a pose, it is factored in double precision
+/// there. The memory is allocated in `prepare` or in the first factorization.
 class PoseHessian final : public Preconditioner {
  public:
   /// Finds G at rest over the rings of a region (tangent_rows).

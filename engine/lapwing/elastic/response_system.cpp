@@ -196,8 +196,8 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
 
 void ResponseSystem::right_hand_side(std::span<const Vector3d> prescribed,
                                      std::span<double> b) const {
-  // With hard constraints the prescribed values move to the right-hand side. With soft ones all
-  // prescribed values are at unknowns, so `given` is empty.
+  // With hard constraints, the prescribed values move to the right-hand side. With soft
+  // constraints, every constrained vertex is an unknown, so `given` is empty.
   const std::vector<Vector3d> given = dirichlet_values(roi_, constraints_.unknowns, prescribed);
   std::fill(b.begin(), b.end(), 0.0);
   if (!given.empty()) {
@@ -224,8 +224,8 @@ double ResponseSystem::refine(std::span<const Vector3d> prescribed, std::span<co
   if (size == 0.0) return 0.0;
   double relative = 0.0;
   for (int step = 0;; ++step) {
-    // The residual over the unknowns is W (prescribed - u) + f - N u, for hard and soft
-    // constraints.
+    // The residual at the unknowns is W (prescribed - u) + f - N u. This holds for hard and for
+    // soft constraints.
     multiply(u, r);
     for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
       const Index v = constraints_.unknowns.vertices[k];

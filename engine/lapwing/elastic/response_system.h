@@ -49,19 +49,20 @@ class ResponseSystem {
   /// of an external solver, which is not known.
   std::size_t memory_bytes() const;
 
-  /// Assembles the rows and N with the weights of the n x n system, and analyzes if that is not
-  /// done yet. If `turns_freely`, adds a small share of A to the tangent. Components that may turn
-  /// about a line then turn as little as possible. `rows` are those of tangent_rows, or null if
-  /// they are not known. Records the stages "assemble", "analyze" and "normal_matrix".
+  /// Assembles the rows and N with the weights of the n x n system. Analyzes the pattern if no
+  /// earlier call has. If `turns_freely`, adds a small multiple of A to the tangent, so that
+  /// components that may turn about a line turn as little as possible. `rows` are those of
+  /// tangent_rows, or null if they have not been computed. Records the stages "assemble", "analyze"
+  /// and "normal_matrix".
   void assemble(std::span<const Eigen::Vector3d> rest, bool turns_freely,
                 std::shared_ptr<const BlockRows> rows, Kernels& kernels, const Progress& progress,
                 StageTimings& timings);
 
-  /// Factorizes with `W`, one number per unknown, and recomputes only the parts that changed.
-  /// Records the stage "factor". Throws Cancelled. Throws SolverError if the system is singular,
-  /// naming the vertex and its component. After either error, all data but the factor are kept.
+  /// Factorizes with `W`, one number per unknown, and recomputes only what has changed. Records the
+  /// stage "factor". Throws Cancelled. Throws SolverError if the system is singular; the message
+  /// names the vertex and its component. After either error, only the factor is lost.
   void factorize(std::span<const double> W, const Progress& progress, StageTimings& timings);
-  /// Whether the system is factored with `W`.
+  /// Returns true if the system is factored with `W`.
   bool is_factorized_for(std::span<const double> W) const { return factor_.is_factorized_for(W); }
 
   std::string_view solver_name() const { return factor_.solver().name(); }
@@ -70,8 +71,8 @@ class ResponseSystem {
   std::shared_ptr<const BlockRows> rows() const { return rows_; }
 
   /// Writes the right-hand side W d - N d', 3 numbers per unknown. `prescribed` has one vector per
-  /// vertex of the mesh, which is 0 outside the handles. d are its values at the unknowns, and d'
-  /// those at the other vertices of the region.
+  /// vertex of the mesh, which is 0 outside the handles. d holds its values at the unknowns, and d'
+  /// its values at the other vertices of the region.
   void right_hand_side(std::span<const Eigen::Vector3d> prescribed, std::span<double> b) const;
 
   /// Replaces `columns` right-hand sides, one after the other, by their solutions.

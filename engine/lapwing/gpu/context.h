@@ -23,8 +23,8 @@ struct ContextOptions {
   /// `list_devices`, or a part of a device's name in any case.
   std::string device = "auto";
   std::vector<const char*> instance_extensions =
-      {};  ///< in addition to those of the context, such as a window's extensions
-  std::vector<const char*> device_extensions = {};  ///< in addition to the context's own
+      {};  ///< such as those of a window; added to those that the context needs
+  std::vector<const char*> device_extensions = {};  ///< added to those that the context needs
   /// If false, device memory is never mapped, as on a discrete GPU, so that every copy is staged.
   /// For tests.
   bool map_device_memory = true;
@@ -68,7 +68,7 @@ class Context {
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
 
-  /// Throws GpuError, naming the call, its result and the device, unless `result` is a success.
+  /// Throws GpuError, naming the call, its result and the device, if `result` is an error.
   void check(VkResult result, const char* call) const;
 
   /// Returns the first memory type among the bits `allowed` with all of `required` and, if there is

@@ -17,11 +17,12 @@ class PipelineLayout {
   PipelineLayout(const Context& context, VkShaderStageFlags stages, std::uint32_t buffers,
                  std::uint32_t push_constant_bytes);
 
-  static constexpr std::size_t kMaxBuffers = 16;  ///< every device supports at least 32
+  static constexpr std::size_t kMaxBuffers = 16;  ///< Vulkan guarantees at least 32
 
   VkPipelineLayout handle() const { return layout_.get(); }
 
-  /// Records commands that bind a pipeline of this layout, its buffers and its push constants.
+  /// Records commands that bind a pipeline of this layout and its buffers, and set its push
+  /// constants.
   void bind(VkCommandBuffer commands, VkPipelineBindPoint point, VkPipeline pipeline,
             std::span<const BufferRange> buffers, std::span<const std::byte> push) const;
 

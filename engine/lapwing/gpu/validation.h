@@ -6,7 +6,7 @@
 
 namespace lapwing::gpu {
 
-/// Counts the messages of the validation layers for one instance, and prints them to stderr.
+/// Prints the validation messages of one Vulkan instance to stderr and counts them.
 class Validation {
  public:
   /// Throws GpuError, saying what to install, if the loader finds no validation layer.

@@ -36,7 +36,7 @@ fs::path folder_of(const fs::path& target) {
 }
 
 // Returns the permissions of the file at `target`, or nullopt if there is no file. Throws IoError
-// if that file cannot be replaced. The message names `path`, which the user knows.
+// if that file cannot be replaced. The message names `path`, the path that the user gave.
 std::optional<mode_t> old_permissions(const fs::path& target, const fs::path& path) {
   struct stat old {};
   if (::stat(target.c_str(), &old) != 0) {

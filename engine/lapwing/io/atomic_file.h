@@ -12,13 +12,13 @@
 
 namespace lapwing {
 
-/// Throws IoError unless a file can be put at `path`: its folder must exist and be writable, and
-/// anything at `path` must be a writable regular file. Long operations call this first.
+/// Throws IoError if no file can be written to `path`. The folder must exist and be writable, and
+/// an existing file at `path` must be a writable regular file. Long operations call this first.
 void require_replaceable(const std::filesystem::path& path);
 
 /// Replaces the file at `path` by `bytes` in one step: writes a temporary file, flushes it to the
-/// disk and renames it to `path`. Readers of `path` see the old file or the new one, never a part.
-/// On failure the old file stays, nothing else is left behind, and IoError carries the system's
+/// disk and renames it to `path`. Readers of `path` see either the old file or the complete new
+/// one. On failure the old file stays, no temporary file remains, and IoError carries the system's
 /// reason. If `path` is a symbolic link, its target is replaced. The new file keeps the permission
 /// bits of the old one.
 ///
@@ -61,7 +61,7 @@ class FileReplacement {
   std::optional<mode_t> old_permissions_;  // nullopt if there is no old file
   mode_t permissions_ = 0;
   FileDescriptor file_{-1};
-  std::filesystem::path path_;  // of the temporary file; empty while it has no name
+  std::filesystem::path path_;  // path of the temporary file; empty while it has no name
 };
 
 /// Several files that belong together. All are complete on the disk before the first one is put in

@@ -16,7 +16,7 @@ namespace lapwing {
 
 namespace detail {
 
-/// Calls `act` with a zero whose C++ type corresponds to `type`.
+/// Calls `act` with a zero of the C++ type that corresponds to `type`.
 template <class Act>
 auto with_type_of(Scalar type, const Act& act) {
   switch (type) {

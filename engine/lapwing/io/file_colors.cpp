@@ -53,7 +53,7 @@ class ImageCache {
     return add_file({.path = name, .bytes = bytes});
   }
 
-  /// Reads all images, halved until they fit. An unreadable image has no pixels.
+  /// Reads all images, and halves them until they fit. An unreadable image has no pixels.
   std::vector<Image> read() {
     fit();
     std::vector<Image> images(files_.size());
@@ -74,7 +74,7 @@ class ImageCache {
  private:
   struct File {
     fs::path path;
-    std::shared_ptr<const std::string> bytes = {};  ///< of an embedded image, else null
+    std::shared_ptr<const std::string> bytes = {};  ///< content of an embedded image, else null
     ImageSize size = {};                            ///< in pixels, after all halvings
     int halvings = 0;
   };
@@ -166,8 +166,8 @@ class FileColorReader {
                                          : shelf_.add(from.image, found.file, path_);
   }
 
-  // Returns whether the mesh has texture coordinates, without which no image can be shown. The
-  // first call adds a note if there are none.
+  // Returns whether the mesh has texture coordinates. If it has none, images cannot be shown, and
+  // the first call adds a note.
   bool has_corners() {
     if (!attributes_.corner_uvs.empty()) return true;
     if (!std::exchange(lacks_corners_, true)) {
@@ -195,8 +195,8 @@ class FileColorReader {
     }
   }
 
-  // Adds notes about faces that have an image but no texture coordinates. Also notes faces that
-  // reach beyond an image that the file does not repeat.
+  // Adds notes about faces that have an image but no texture coordinates, and about faces that
+  // extend beyond a clamped image.
   void check_corners() {
     const std::vector<Index> materials = materials_of_faces(colors_, mesh_);
     std::vector<std::size_t> without(colors_.materials.size(), 0);
@@ -235,8 +235,8 @@ class FileColorReader {
     });
   }
 
-  // Adds notes about colours that the reader of the mesh could not use. Numbers that may be colours
-  // also get a note.
+  // Adds notes about colour map indices, which the reader of the mesh cannot use, and about
+  // undeclared numbers, which may be colours.
   void note_unread() {
     for (const std::string& what : attributes_.uneditable) {
       const bool are_indices = what.starts_with(kColorMapIndices);

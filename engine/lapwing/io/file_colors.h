@@ -20,14 +20,14 @@ struct FileMaterial {
   /// The image is looked up at scale * uv + offset; v points upwards, and images repeat.
   Eigen::Vector2d uv_scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
-  bool is_clamped = false;  ///< the file says not to repeat the image; notes count faces beyond it
+  bool is_clamped = false;  ///< the image is not repeated; a note counts the faces beyond it
 };
 
 /// The colours that a mesh takes from other files: the materials and images that its file names.
 /// They apply to every mesh with attributes from that file, also after an edit.
 struct FileColors {
-  std::vector<FileMaterial> materials;  ///< the ones that faces use
-  std::vector<Image> images;            ///< the ones that materials use; no pixels if unreadable
+  std::vector<FileMaterial> materials;  ///< those that faces use
+  std::vector<Image> images;            ///< those that materials use; without pixels if unreadable
   /// Whether the materials are the textures of a PLY file, numbered from 0 by the face property
   /// "texnumber". Otherwise faces find their material by name.
   bool are_numbered = false;

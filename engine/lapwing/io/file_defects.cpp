@@ -8,7 +8,7 @@
 namespace lapwing {
 namespace {
 
-// The entries follow the order of FileDefectKind.
+// The entries must be in the order of FileDefectKind.
 constexpr std::array<FileDefectInfo, kFileDefectKindCount> kFileDefects{{
     {"faces with fewer than three corners", "faces with fewer than three corners left out"},
     {"faces that name a missing vertex", "faces that named a missing vertex left out"},

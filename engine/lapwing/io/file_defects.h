@@ -11,7 +11,7 @@ namespace lapwing {
 /// Kinds of defects in a mesh file that the reader can skip or correct.
 enum class FileDefectKind {
   short_face,      ///< the reader leaves out the face
-  missing_vertex,  ///< the reader leaves out the face, or the triangle of a glTF file
+  missing_vertex,  ///< the reader leaves out the face or, in a glTF file, the triangle
   wrong_count,     ///< the reader ignores the count in the header and reads all faces
   missing_end,     ///< the reader reads an ascii STL file up to its last complete facet
 };
@@ -20,7 +20,7 @@ inline constexpr int kFileDefectKindCount = static_cast<int>(FileDefectKind::mis
 /// A kind of defect in words for the user.
 struct FileDefectInfo {
   std::string_view name;    ///< plural: "faces with fewer than three corners"
-  std::string_view repair;  ///< what the reader did, as text after the count
+  std::string_view repair;  ///< follows a count: "faces with fewer than three corners left out"
 };
 const FileDefectInfo& describe(FileDefectKind kind);
 
@@ -38,9 +38,9 @@ struct FileDefect {
 
 // These functions return text for a terminal, like those in doctor/format.h.
 
-/// Returns the defects with their first places, and tells the user what to do next.
+/// Lists the defects with their first places, and tells the user what to do next.
 std::string format(std::span<const FileDefect> defects);
-/// Returns one line for each kind of defect, which says what the reader did.
+/// Lists what the reader did, in one line for each kind of defect.
 std::string format_repairs(std::span<const FileDefect> defects);
 
 }  // namespace lapwing

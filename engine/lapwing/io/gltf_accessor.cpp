@@ -25,8 +25,8 @@ std::size_t components_of(const JsonNode& node) {
   return kComponents[node.one_of("type", kTypes)];
 }
 
-// Returns the number by which a normalized accessor divides its integers. Only integers of 8 and 16
-// bits can be normalized.
+// Returns the number by which a normalized accessor divides its integers. The number is 1 for types
+// of 32 bits, which cannot be normalized.
 double largest(Scalar type) {
   return detail::with_type_of(type, []<class T>(T) {
     return sizeof(T) < 4 ? static_cast<double>(std::numeric_limits<T>::max()) : 1.0;

@@ -10,8 +10,8 @@
 
 namespace lapwing {
 
-/// Returns the "componentType" that the glTF specification assigns to a number type. `type` must be
-/// one of those that glTF supports.
+/// Returns the "componentType" that the glTF specification assigns to `type`. `type` must be a
+/// number type that glTF supports.
 constexpr unsigned component_type(Scalar type) {
   return 5120U + static_cast<unsigned>(type);
 }

@@ -300,7 +300,7 @@ void GltfNumbers::add_copies(TextEdits& edits) {
   add_separate_meshes(of_separate, edits);
 }
 
-// `changes[k]` edits the JSON text of the mesh that the object separate_[k] showed.
+// `changes[k]` contains the edits to the new copy of the mesh that object separate_[k] shows.
 void GltfNumbers::add_separate_meshes(std::span<const TextEdits> changes, TextEdits& edits) const {
   const JsonText& text = layout_.file.json();
   std::string added;

@@ -54,16 +54,15 @@ class GltfAppender {
 void append_to_list(const JsonText& text, JsonPlace object, std::string_view key,
                     const std::string& elements, TextEdits& edits);
 
-/// Returns a JSON object for each material name, separated by commas.
+/// Returns one JSON object for each material name. Commas separate the objects.
 std::string named_materials(std::span<const std::string> names);
 
 /// Returns `text` as a JSON string, with quotes.
 std::string quoted_json(std::string_view text);
 
-/// Changes numbers of a glTF file. Each is written in place, unless several meshes share it, it is
-/// an integer position, or it has no place in a buffer. The mesh then gets a new accessor of 32-bit
-/// floats at the end of the list. `separate` gives an object its own copy of the mesh that it
-/// shows.
+/// Changes numbers of a glTF file. Most numbers are changed in place. The mesh gets a new accessor
+/// of 32-bit floats at the end of the list if several meshes share the number, if it is an integer
+/// position, or if no buffer contains it. `separate` gives an object its own copy of its mesh.
 class GltfNumbers {
  public:
   explicit GltfNumbers(const GltfLayout& layout);
@@ -113,8 +112,8 @@ class GltfNumbers {
   std::optional<GltfAppender> appender_;
   std::vector<std::optional<std::string>> buffers_;
   std::size_t mesh_count_ = 0;
-  std::vector<std::size_t> separate_;  // object k of this list shows mesh mesh_count_ + k
-  /// Meshes that use an accessor, by its start.
+  std::vector<std::size_t> separate_;  // object separate_[k] shows mesh mesh_count_ + k
+  /// Meshes that use an accessor, keyed by the accessor's start.
   std::map<Start, std::vector<std::size_t>> meshes_of_;
   std::map<std::size_t, const GltfAccessor*> changed_;
   std::map<std::pair<std::size_t, std::size_t>, Copy> copies_;  // by mesh and accessor

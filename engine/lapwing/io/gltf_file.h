@@ -72,14 +72,15 @@ inline constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeaderSize = 12;
 inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
-/// Returns a unique name for each material. A material without a name is called "material 3". A
-/// name that an earlier material has becomes "Skin (material 3)".
+/// Returns a unique name for each material. A material without a name is called "material 3". If an
+/// earlier material is also called "Skin", the name is "Skin (material 3)".
 std::vector<std::string> gltf_material_names(const JsonNode& root);
 
-/// Returns the index of the image of a material's base colour, or nullopt if it has none. Throws
-/// InputError if the texture is malformed.
+/// Returns the index of the image that a material uses as its base colour, or nullopt if it uses
+/// none. Throws InputError if the texture is malformed.
 std::optional<std::size_t> base_color_image(const JsonNode& root, const JsonNode& material);
-/// Returns the indices of the images of all base colours. Ignores malformed textures.
+/// Returns the indices of the images that materials use as base colours. Ignores malformed
+/// textures.
 std::set<std::size_t> base_color_images(const JsonNode& root);
 
 /// Returns a GLB of `json`, the first buffer and `further_chunks`. Throws InputError above 4 GB.

@@ -61,7 +61,7 @@ class InstanceComparison {
 }  // namespace
 
 std::vector<MovedInstances> moved_instances(const GltfLayout& layout, const Mesh& mesh) {
-  std::map<std::size_t, std::vector<std::size_t>> objects_of;  // keyed by mesh
+  std::map<std::size_t, std::vector<std::size_t>> objects_of;  // key: index of the mesh
   for (std::size_t k = 0; k < layout.objects.size(); ++k) {
     objects_of[layout.objects[k].mesh].push_back(k);
   }

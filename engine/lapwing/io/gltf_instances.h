@@ -10,17 +10,17 @@ namespace lapwing {
 
 /// The objects that show one mesh of a glTF file, after an edit that moved at least one of them.
 struct MovedInstances {
-  std::vector<std::size_t> objects;  ///< all that show the mesh, by index in GltfLayout
-  std::vector<std::size_t> moved;    ///< the ones that have a moved vertex
+  std::vector<std::size_t> objects;  ///< all that show the mesh; indices into GltfLayout::objects
+  std::vector<std::size_t> moved;    ///< those of `objects` that have a moved vertex
   /// Whether all moved objects have equal positions in mesh coordinates, up to rounding.
   bool are_alike = true;
 };
 
-/// Returns an entry for each mesh of which at least one object has a moved vertex.
+/// Returns one entry for each mesh that is shown by at least one object with a moved vertex.
 std::vector<MovedInstances> moved_instances(const GltfLayout& layout, const Mesh& mesh);
 
-/// Returns the names of all other objects that show the mesh of `edited`. They may include objects
-/// that the reader did not read.
+/// Returns the names of all other objects that show the mesh of `edited`, even of objects that
+/// the reader did not read.
 std::vector<std::string> others_showing(const GltfLayout& layout,
                                         const std::vector<std::size_t>& edited);
 

@@ -259,8 +259,8 @@ class MorphTarget {
   const JsonText& text_;
   Positions rest_;
   std::vector<Vector3d> normals_;
-  std::set<std::size_t> left_out_;                  // objects that define no target
-  std::map<std::size_t, std::size_t> old_targets_;  // previous target count of each mesh
+  std::set<std::size_t> left_out_;                  // objects that define no morph target
+  std::map<std::size_t, std::size_t> old_targets_;  // number of targets that each mesh had
   std::map<std::size_t, std::size_t> mesh_of_node_;
 };
 

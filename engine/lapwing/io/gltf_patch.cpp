@@ -30,10 +30,10 @@ using Eigen::Vector3d;
 constexpr double kSameDirection = 1e-6;
 
 // Returns the `tangents` of a record set in world coordinates, after the vertices of `mesh` moved
-// from `rest`. Each triangle at a record deforms the old tangent like a line drawn on it. The new
-// tangent is the area-weighted mean, made perpendicular to the new normal and normalized. `normals`
-// has one entry for each of MeshAttributes::normals. If no triangle defines a tangent, the old one
-// stays.
+// from `rest`. The deformation of each triangle at a record maps the old tangent to a new
+// direction. The new tangent is the area-weighted mean of these directions, made perpendicular to
+// the new normal and normalized. If no triangle defines a direction, the old tangent stays.
+// `normals` has one entry for each of MeshAttributes::normals.
 std::vector<Vector3d> transport_tangents(const GltfLayout& layout, const GltfRecords& set,
                                          const GltfAccessor& tangents, const Mesh& mesh,
                                          std::span<const Vector3d> rest,
@@ -114,7 +114,7 @@ class GltfPatch {
     report_.notes.push_back(note_of_shared_edit(layout_, instances.moved, others));
   }
 
-  // Objects that did not move keep the mesh; if all moved, the first one keeps it.
+  // Objects that did not move keep the shared mesh. If all objects moved, the first one keeps it.
   void store_separately(const MovedInstances& instances) {
     const bool all_moved = others_showing(layout_, instances.moved).empty();
     for (const std::size_t object : instances.moved) {

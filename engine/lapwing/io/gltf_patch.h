@@ -15,16 +15,17 @@ struct FileContent {
   std::string bytes;
 };
 
-/// Returns the glTF file for `target`, which comes first, and its separate buffer files. They have
-/// the positions of `mesh`, which was read from `source`. Otherwise they are byte for byte the
-/// files that were read, except for normals and tangents near moved vertices and the bounds ("min",
-/// "max"). Buffer files get the target's name, unless the target is the file that was read.
+/// Returns the glTF file for `target`, followed by its separate buffer files. They contain the
+/// positions of `mesh`, which was read from `source`, the updated normals and tangents near moved
+/// vertices, and the updated bounds ("min", "max"). All other bytes are those of the files that
+/// were read. Buffer files get the target's name, unless the target is the file that was read.
 ///
 /// Accessors that several meshes share, and positions stored as integers or not at all, are
 /// replaced by new ones (see GltfNumbers). `report` notes images that are not beside the target.
 /// Throws what GltfNumbers throws.
 ///
-/// If `morph_target` is not empty, nothing moves: see add_morph_target. If `source` does not
+/// If `morph_target` is not empty, the positions stay and a morph target is added (see
+/// add_morph_target). If `source` does not
 /// describe `mesh`, new primitives replace the triangles of the objects that changed. Throws
 /// InputError if a changed object has morph targets or has no triangle left.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,

@@ -53,7 +53,8 @@ class GltfReader {
     std::size_t count = 0;
   };
 
-  // Bounds time and memory, because many nodes of a short file can show one large mesh.
+  // Limits the number of copied triangles, because many nodes of a short file can show one large
+  // mesh.
   void require_few_copies(const GltfObject& object) {
     const auto known = triangles_of_.find(object.mesh);
     if (known == triangles_of_.end()) return;
@@ -316,7 +317,7 @@ class GltfReader {
   // Linked list of the normals of each vertex.
   std::vector<Index> first_normal_;
   std::vector<Index> next_normal_;
-  std::map<std::size_t, std::size_t> triangles_of_;  // keyed by mesh
+  std::map<std::size_t, std::size_t> triangles_of_;  // key: index of the mesh
   std::size_t copied_triangles_ = 0;
   Tally uneditable_;
 };

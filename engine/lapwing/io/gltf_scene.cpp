@@ -151,8 +151,8 @@ class SceneWalk {
     const std::string& name = found.node_name.empty() ? found.mesh_name : found.node_name;
     const std::string numbered = "node " + std::to_string(number);
     found.object.name = name.empty() ? numbered : name;
-    // Several objects may have one name, such as unnamed nodes that show the same mesh. Each object
-    // gets a unique name.
+    // Several objects may have the same name, for example unnamed nodes that show the same mesh.
+    // The number of the node makes the name unique.
     if (!names_.insert(found.object.name).second) {
       found.object.name = name + " (" + numbered + ")";
     }

@@ -13,7 +13,7 @@ namespace lapwing {
 
 /// A node that shows a mesh. Several objects may show the same mesh.
 struct GltfObject {
-  std::string name;  ///< the node's name, else its mesh's, else "node 3"; unique in the file
+  std::string name;  ///< name of the node, else of its mesh, else "node 3"; unique in the file
   std::size_t node = 0;
   std::size_t mesh = 0;
   /// From mesh to world coordinates. The identity for a mesh with a skin, which its joints place:

@@ -35,7 +35,7 @@ class Splice {
       const std::vector<std::string> others = others_showing(layout_, objects);
       for (const std::size_t k : objects) {
         // If only one object changed, its new triangles replace those of the mesh. All other
-        // objects that show the mesh then change, too, as with moved vertices (GltfPatch).
+        // objects that show the mesh then change with it. GltfPatch does the same with positions.
         const bool keeps_mesh = objects.size() == 1 || (others.empty() && k == objects.front());
         replace(layout_.objects[k], faces[k], !keeps_mesh);
       }
@@ -78,7 +78,7 @@ class Splice {
     return records;
   }
 
-  // Whether the faces of an object and their positions are unchanged.
+  // Returns whether the faces of an object and their positions are unchanged.
   bool is_as_before(std::span<const Index> old, std::span<const Index> faces) const {
     if (old.size() != 3 * faces.size()) return false;
     for (std::size_t k = 0; k < faces.size(); ++k) {

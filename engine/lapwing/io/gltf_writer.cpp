@@ -45,8 +45,8 @@ void append_float(std::string& out, double value) {
   append_binary(out, value, Scalar::float32, Encoding::little_endian);
 }
 
-// The normals that the file stores. The normals of the mesh come first. Computed normals for the
-// corners without one follow.
+// Lists the normals that the file stores. The normals of the mesh come first, followed by computed
+// normals for corners without a normal.
 class FileNormals {
  public:
   FileNormals(const Mesh& mesh, double feature_angle_degrees)
@@ -77,7 +77,7 @@ class FileNormals {
  private:
   const Mesh& mesh_;
   std::vector<Vector3d> normals_;
-  std::vector<Index> computed_;  // for each corner, an index among the computed normals
+  std::vector<Index> computed_;  // per corner: index of its computed normal
   bool by_vertex_ = false;
 };
 

@@ -54,7 +54,7 @@ inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{1} << 26U;
 /// what `read_image` throws, but does not see errors further on.
 ImageSize read_image_size(const std::filesystem::path& path);
 
-/// These functions do the same for the bytes of an image file. Error messages call it `name`.
+/// These functions read an image file from memory instead. Error messages call it `name`.
 Image decode_image(std::string_view bytes, const std::string& name);
 ImageSize decode_image_size(std::string_view bytes, const std::string& name);
 

@@ -53,8 +53,8 @@ constexpr int kImageChannels = 4;
 }
 
 // libjpeg-turbo decodes baseline and progressive JPEG files in grey, colour, CMYK and YCCK. The
-// decoder assumes inverted inks (255 is no ink), which is how Adobe's programs store them. Red is
-// then the product of the stored cyan and black. Colour profiles are ignored.
+// decoder assumes that CMYK inks are stored inverted (255 is no ink), as Adobe's programs do. Red
+// is then proportional to the product of the stored cyan and black. Colour profiles are ignored.
 
 struct JpegDecoderEnd {
   void operator()(void* decoder) const { tjDestroy(decoder); }

@@ -174,7 +174,7 @@ std::string json_pair(double x, double y) {
   return json + "]";
 }
 
-// Writes the materials, textures and images of a glTF document.
+// Writes the materials, textures and images of a new glTF document.
 class GltfMaterialWriter {
  public:
   GltfMaterialWriter(const MaterialTransfer& materials, const fs::path& target,
@@ -206,7 +206,7 @@ class GltfMaterialWriter {
     std::string json = R"({"name":)" + quoted_json(from.name);
     const Index texture = entry.image == kNoIndex ? kNoIndex : texture_of(entry.image);
     if (!from.color && from.opacity == 1.0F && texture == kNoIndex) return json + "}";
-    // Some programs write Kd 0 0 0 beside an image but show the image in its own colours.
+    // Some programs write Kd 0 0 0 for a material with an image, but show the image unchanged.
     const bool is_black = from.color && from.color->isZero();
     const Eigen::Vector3f color =
         !from.color || (texture != kNoIndex && is_black) ? Eigen::Vector3f(1, 1, 1) : *from.color;

@@ -29,8 +29,9 @@ struct MaterialTransfer {
   std::vector<ImageFile> images;
 };
 
-/// Reads the materials of `mesh`, whose source file is or was at `path`. If `path` is empty, they
-/// have only names. `report` lists everything that could not be read.
+/// Reads the materials of `mesh`. `path` is the path of its source file, which may no longer exist.
+/// If `path` is empty, the materials have only names. `report` lists all data that could not be
+/// read.
 MaterialTransfer read_materials(const Mesh& mesh, const std::filesystem::path& path,
                                 WriteReport& report);
 
@@ -39,14 +40,15 @@ MaterialTransfer read_materials(const Mesh& mesh, const std::filesystem::path& p
 std::vector<FileContent> mtl_files(const MaterialTransfer& materials,
                                    const std::filesystem::path& target);
 
-/// Lists that the materials add to a glTF document. `json` contains each list with its key, such as
-/// `"materials":[...]`, separated by commas.
+/// Contains the data that the materials add to a glTF document. `json` contains the members of the
+/// root object, such as `"materials":[...]`, separated by commas.
 struct GltfMaterials {
   std::string json;
   std::vector<FileContent> files;  ///< images to store beside a .gltf file
 };
-/// Writes images into the buffer of a GLB, or beside a .gltf. Converts images that are neither PNG
-/// nor JPEG to PNG. Reports images that cannot be read, and properties that glTF cannot store.
+/// Adds images to the buffer of a GLB file, or to `files` for a .gltf file. Converts images that
+/// are neither PNG nor JPEG to PNG. Reports images that cannot be read, and properties that glTF
+/// cannot store.
 GltfMaterials gltf_materials(const MaterialTransfer& materials, const std::filesystem::path& target,
                              GltfAppender& appender, WriteReport& report);
 

@@ -93,9 +93,9 @@ bool take_option(std::string_view& rest, ImageOptions& options) {
   return true;
 }
 
-// Returns the file name without options, which some exporters write after it. The name may contain
-// blanks and words such as "-s". Options are therefore recognized only if nothing else follows them
-// on the line.
+// Returns the file name without the options that some exporters write after it. The name may
+// contain blanks and words such as "-s". Options are therefore recognized only if nothing else
+// follows them on the line.
 std::string_view without_options_behind(std::string_view rest, ImageOptions& options) {
   for (std::size_t at = rest.find('-', 1); at != std::string_view::npos; at = rest.find('-', at)) {
     ImageOptions found = options;
@@ -318,7 +318,8 @@ class GltfMaterialReader {
     return bytes.substr(offset, length);
   }
 
-  // Names in files are untrusted and may contain characters that file names must not contain.
+  // Returns a file name for an image. The name in the file is untrusted, so characters that are not
+  // allowed in file names are replaced.
   std::string file_name_of(const JsonNode& image, std::size_t number,
                            std::string_view bytes) const {
     const auto node = image.find("name");

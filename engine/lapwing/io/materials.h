@@ -16,7 +16,7 @@ struct Material {
   std::optional<Eigen::Vector3f> color;  ///< Kd: sRGB in [0, 1]
   float opacity = 1.0F;                  ///< d, or 1 - Tr, in [0, 1]
   std::string image;                     ///< map_Kd as written, without its options; empty if none
-  /// The bytes of an image that is embedded in a glTF file. `image` then names it.
+  /// The bytes of the image if it is embedded in a glTF file. In this case, `image` is its name.
   std::shared_ptr<const std::string> embedded_image;
   /// The image is sampled at scale * uv + offset. The values are those of -s and -o of map_Kd, or
   /// of KHR_texture_transform.
@@ -26,15 +26,16 @@ struct Material {
   std::size_t further_images = 0;  ///< other images in an MTL file: map_Bump, map_Ks, ...
 };
 
-/// Returns the materials of an MTL file in its order; of two with the same name, the first. What
-/// cannot be read is left out and becomes one of `notes`: "path:line: what; next step". Throws
-/// IoError if the file cannot be read, and InputError if it is larger than 64 MiB.
+/// Returns the materials of an MTL file in the order of the file. If two have the same name,
+/// returns the first one. Each statement that cannot be read is left out and adds one of `notes`:
+/// "path:line: what; next step". Throws IoError if the file cannot be read, and InputError if it is
+/// larger than 64 MiB.
 std::vector<Material> read_material_library(const std::filesystem::path& path,
                                             std::vector<std::string>& notes);
 
 /// Returns the materials of the glTF file at `path`, with their base colours and the names that
-/// read_gltf gives them. Malformed materials become `notes`. Throws IoError or InputError if the
-/// file cannot be read.
+/// read_gltf gives them. Each malformed material adds one of `notes`. Throws IoError or InputError
+/// if the file cannot be read.
 std::vector<Material> read_gltf_materials(const std::filesystem::path& path,
                                           std::vector<std::string>& notes);
 

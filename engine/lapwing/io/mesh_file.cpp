@@ -60,7 +60,8 @@ Encoding choose_encoding(MeshFormat format, const SourceFile* source, const Writ
                                                          : Encoding::little_endian;
 }
 
-// If the mesh comes from a glTF file, its OBJ file gets a material library with the images.
+// Returns the OBJ file. If the mesh comes from a glTF file with materials, also returns a material
+// library and its images.
 std::vector<FileContent> write_obj_files(const Mesh& mesh, const std::filesystem::path& path,
                                          const SourceFile* origin, WriteReport& report) {
   if (mesh.attributes().materials.empty() || origin == nullptr || !is_gltf(origin->format())) {

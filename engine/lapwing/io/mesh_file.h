@@ -25,16 +25,17 @@ namespace lapwing {
 /// mesh with a skin is read in its bind pose.
 ///
 /// Throws IoError if the file cannot be read, and InputError if it is malformed. The message is
-/// "path:line: expected ..., found ..." or, for binary files, "path: byte offset: ...". It says if
-/// `lapwing check` can repair the file (see read_damaged_mesh). Texture coordinates and normals
-/// that an OBJ face names but the file lacks are left out and counted (MeshAttributes::uneditable).
-/// Time and memory are linear in the file's size, whatever its header says.
+/// "path:line: expected ..., found ..." or, for binary files, "path: byte offset: ...". It says
+/// whether `lapwing check` can repair the file (see read_damaged_mesh). Texture coordinates and
+/// normals that an OBJ face names but the file lacks are left out and counted
+/// (MeshAttributes::uneditable). Time and memory are linear in the file's size, whatever its header
+/// says.
 Mesh read_mesh(const std::filesystem::path& path);
 
 /// A mesh that was read from a file with possible defects.
 struct DamagedMesh {
   Mesh mesh;
-  std::vector<FileDefect> defects;  ///< what the reader left out or corrected, each kind once
+  std::vector<FileDefect> defects;  ///< what the reader left out or corrected; one per kind
   /// The source file, for use as WriteOptions::original_file.
   std::shared_ptr<const SourceFile> file;
 };
@@ -72,10 +73,10 @@ struct WriteReport {
 /// replace_file).
 ///
 /// If the mesh was read from the same format and its vertices and faces are unchanged, the result
-/// is the file that was read, byte for byte. Only moved coordinates change, and the stored normals
-/// near them (in glTF files also tangents and bounds), which are recomputed. Attributes set since
-/// reading are not written. A .gltf file with separate buffer files is written with those as
-/// NAME.bin, unless it replaces the file that was read.
+/// keeps all bytes of the file that was read, except for moved coordinates and the recomputed
+/// normals near them (in glTF files also tangents and bounds). Attributes set since reading are not
+/// written. A .gltf file with separate buffer files is written with those as NAME.bin, unless it
+/// replaces the file that was read.
 ///
 /// Otherwise a new file is written from the mesh and its attributes. Every double is printed so
 /// that it reads back exactly. If the source file is unknown, all stored normals are recomputed.

@@ -17,15 +17,16 @@ struct FoundMaterial {
 };
 
 /// Returns the definition of each of MeshAttributes::materials, from the files that `mesh` names.
-/// An entry is empty if no face uses the material or no file defines it. `path` is where the file
-/// of the mesh is or was. Problems become `notes`. If a library is missing, the function reads the
-/// .mtl file that has the name of the mesh file.
+/// An entry is empty if no face uses the material or no file defines it. `path` is the path of the
+/// mesh file, which may no longer exist. Each problem adds one of `notes`. If a library is missing,
+/// the function reads the .mtl file with the name of the mesh file instead.
 std::vector<std::optional<FoundMaterial>> find_materials(const Mesh& mesh,
                                                          const std::filesystem::path& path,
                                                          std::vector<std::string>& notes);
 
-/// Returns the path of the image `name` that the file `namer` refers to. Searches the folder of
-/// `namer` and then that of `mesh`. If neither contains the image, returns nullopt and adds a note.
+/// Returns the path of the image `name`. The file `namer` contains this name. Searches the folder
+/// of `namer` and then that of `mesh`. If neither contains the image, returns nullopt and adds a
+/// note.
 std::optional<std::filesystem::path> find_image(const std::string& name,
                                                 const std::filesystem::path& namer,
                                                 const std::filesystem::path& mesh,

@@ -172,7 +172,7 @@ void NumberTable::end_row(std::size_t line) {
 std::span<const double> NumberColumns::of_row(const NumberTable& table, std::size_t row) const {
   std::span<const double> numbers = table.row(row).subspan(first);
   numbers = numbers.first(numbers.size() - behind);
-  // A separator at the end of a line adds an empty field, which is not a number.
+  // Remove text fields at the end. A separator at the end of a line adds an empty text field.
   while (!numbers.empty() && table.text_at(row, first + numbers.size() - 1)) {
     numbers = numbers.first(numbers.size() - 1);
   }

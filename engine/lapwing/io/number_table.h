@@ -31,7 +31,8 @@ struct NumberTable {
   std::vector<std::size_t> lines;      ///< line of each row in a text file, from 1; empty for .npy
   /// Column names of a text file, in lower case and without quotes; empty without a header.
   std::vector<std::string> header;
-  /// Whether the header is a comment of 3D Slicer. Rows may then have more or fewer fields.
+  /// Whether the header is a comment of 3D Slicer. If so, the rows may have more or fewer fields
+  /// than the header.
   bool header_is_comment = false;
 
   std::shared_ptr<const FileBytes> bytes;  ///< the file
@@ -47,13 +48,13 @@ struct NumberTable {
   std::string place(std::size_t row) const;
   /// Returns the text of a field, or nullopt if the field is a number.
   std::optional<std::string_view> text_at(std::size_t row, std::size_t column) const;
-  /// If a field is not a number, throws an InputError that names the place and the text.
+  /// If the field is not a number, throws an InputError with its location and its text.
   void require_number(std::size_t row, std::size_t column) const;
-  /// Ends the current row. Throws InputError if the table then has too many rows.
+  /// Ends the current row. Throws InputError if the table now has too many rows.
   void end_row(std::size_t line);
 };
 
-/// The range of the columns of numbers in a table that also has columns of names or labels.
+/// The range of numeric columns in a table that also has columns of names or labels.
 struct NumberColumns {
   std::size_t first = 0;   ///< number of text columns before the numbers
   std::size_t behind = 0;  ///< number of text columns after the numbers
@@ -69,8 +70,8 @@ NumberColumns number_columns(const NumberTable& table);
 inline constexpr std::size_t kMostTableRows = 5'000'000;
 
 /// Reads a table. The extension of `path` selects the format. In .csv, .txt, .tsv and .fcsv files,
-/// semicolons, commas, tabs or blanks separate the fields, whichever the first line contains.
-/// Fields may be in quotation marks. If the first line has no numbers, it is a header. Empty lines
+/// the first line decides whether semicolons, commas, tabs or blanks separate the fields. Fields
+/// may be in quotation marks. If the first line has no numbers, it is a header. Empty lines
 /// and lines that begin with # are skipped, but a comment "# columns = ..." of 3D Slicer is a
 /// header. A .mrk.json file of Slicer is a table of its control points. A .npy file contains an
 /// array (rows, columns) of floats or of integers of 8 to 64 bits, in C order, as numpy.save writes
@@ -82,9 +83,9 @@ NumberTable read_number_table(const std::filesystem::path& path);
 /// `path` has none of the extensions of tables.
 std::string_view table_extension(const std::filesystem::path& path);
 
-/// Returns the file of `table` with `numbers` in place of its own; equal numbers keep their bytes.
-/// In text they are printed so that they read back exactly. Throws InputError if numbers of a .npy
-/// file of integers changed.
+/// Returns the file of `table`, in which `numbers` replace the old numbers. Equal numbers keep
+/// their bytes. Text files store new numbers with enough digits to read them back exactly. Throws
+/// InputError if numbers of a .npy file of integers changed.
 std::string with_numbers(const NumberTable& table, std::span<const double> numbers);
 
 /// Returns a .npy file (version 1.0) of an array of shape (rows.size(), 3), little endian, in C

@@ -33,8 +33,8 @@ bool ObjColors::add_comment(std::string_view comment, Tally& uneditable) {
   return true;
 }
 
-// Four numbers after a position are w r g b or r g b a. They are w r g b if the first number is 1
-// at all vertices.
+// Four numbers after a position are either w r g b or r g b a. They are w r g b if the first of
+// them is 1 at all vertices.
 void ObjColors::separate_weights() {
   const auto has_four = [](const Eigen::Vector4d& color) { return !std::isnan(color[3]); };
   const bool are_weights = std::ranges::all_of(

@@ -10,8 +10,8 @@
 
 namespace lapwing {
 
-/// Collects the vertex colours of an OBJ file. They are numbers after the positions, or comments
-/// that ZBrush writes.
+/// Collects the vertex colours of an OBJ file. The file stores them after the positions, or in
+/// comments that ZBrush writes.
 class ObjColors {
  public:
   /// Adds the numbers after the position of `vertex`: r g b, r g b a or w r g b. Missing numbers

@@ -68,8 +68,8 @@ std::optional<fs::path> find_entry(const fs::path& folder, const std::string& na
   return found;
 }
 
-// Splits a path from any operating system into its parts. Omits the drive, and all parts up to the
-// last "..".
+// Splits a path from any operating system into its components. Omits the drive, and all components
+// up to the last "..".
 std::vector<std::string> named_parts(std::string_view name) {
   if (name.size() > 1 && name[1] == ':') name.remove_prefix(2);
   std::vector<std::string> parts;
@@ -86,7 +86,8 @@ std::vector<std::string> named_parts(std::string_view name) {
   return parts;
 }
 
-// Returns the regular file at the path `parts` below `folder`, or nullopt if it does not exist.
+// Returns the regular file below `folder` whose path has the components `parts`, or nullopt if it
+// does not exist.
 std::optional<fs::path> find_below(const fs::path& folder, std::span<const std::string> parts) {
   fs::path at = folder;
   for (const std::string& part : parts) {

@@ -18,10 +18,10 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 /// are not detected.
 bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// Returns the regular file that `name` refers to. A mesh file or material library in `folder`
-/// contains `name`. The result is the file `name` relative to `folder` if that exists. Otherwise it
-/// is the file below `folder` whose relative path is the longest suffix of `name`, such as
-/// "maps/skin.png" for "C:\proj\maps\skin.png". Returns nullopt if no suffix names a file.
+/// Returns the regular file that `name` refers to. `name` comes from a mesh file or a material
+/// library in `folder`. The result is the file `name` relative to `folder` if that exists.
+/// Otherwise it is the file below `folder` whose relative path is the longest suffix of `name`,
+/// such as "maps/skin.png" for "C:\proj\maps\skin.png". Returns nullopt if no suffix names a file.
 ///
 /// The names may come from other operating systems. Backslashes therefore separate folders, too. If
 /// no exact match exists, the function ignores case.

@@ -27,7 +27,7 @@ struct PlyProperty {
 
 struct PlyElement {
   std::string name;
-  std::uint64_t promised = 0;  ///< number of records in the header
+  std::uint64_t promised = 0;  ///< number of records, as the header says
   std::uint64_t count = 0;     ///< `promised`; for faces, limited by the size of the file
   std::vector<PlyProperty> properties;
   std::uint64_t header_offset = 0;  ///< of its line, for messages
@@ -44,8 +44,8 @@ struct PlyHeader {
   std::uint64_t data_offset = 0;      ///< first byte behind the header
 };
 
-/// Reads the header. Throws InputError, naming the line, if the header is malformed. Also throws
-/// it if the file is too short for the promised records. Only faces may exceed the file's size.
+/// Reads the header. Throws InputError, naming the line, if the header is malformed, or if the file
+/// is too short for the promised records. Only the promised faces may exceed the file's size.
 PlyHeader read_ply_header(const SourceFile& file);
 
 /// Convert between types and their PLY names. `ply_type` takes both spellings ("uchar", "uint8").
@@ -114,7 +114,7 @@ class PlyColumns {
 /// Stores the file offsets of the three numbers of each record.
 class PlyOffsets {
  public:
-  /// `properties` is from PlyColumns::find. Nothing is stored unless all three exist.
+  /// `properties` is a result of PlyColumns::find. Stores nothing if one of the three is missing.
   PlyOffsets(NumberTriples& triples, const PlyElement& element,
              const std::vector<std::size_t>& properties);
 

@@ -242,7 +242,7 @@ class PlyReader {
   }
 
   // Appends the triangles of the strips. If the file also has faces with attributes, the new
-  // triangles get default values.
+  // triangles get default attributes.
   void add_strip_triangles() {
     if (strip_triangles_.empty()) return;
     for (const std::array<Index, 3>& triangle : strip_triangles_) {
@@ -317,8 +317,8 @@ class PlyReader {
     }
   }
 
-  // Returns the property that lists the vertices of a record. Throws InputError if it is missing or
-  // has no integers; the message asks for `expected`.
+  // Returns the index of the property that lists the vertices of a record. Throws InputError if it
+  // is missing or its type is not an integer. The message asks for `expected`.
   std::size_t find_vertex_list(const PlyElement& element, const std::string& expected) const {
     const std::size_t p = find_list(element, {"vertex_indices", "vertex_index"});
     if (p == PlyColumns::kNone || !is_integer(element.properties[p].type)) {

@@ -65,7 +65,7 @@ void require_width(const NumberTable& table, std::size_t r) {
                    std::to_string(count));
 }
 
-// Returns the end of an error message, which quotes the text fields in the first row.
+// Quotes the text fields in the first row, for the end of an error message.
 std::string text_beside(const NumberTable& table) {
   std::string list;
   for (const TextField& text : table.texts) {
@@ -76,7 +76,7 @@ std::string text_beside(const NumberTable& table) {
   return list;
 }
 
-// Derives the columns from the count of numbers in the first row. Call it if the header does not
+// Derives the columns from the number of values in the first row, for tables whose header does not
 // name the columns.
 PointColumns columns_by_count(const NumberTable& table) {
   const NumberColumns numbers = number_columns(table);

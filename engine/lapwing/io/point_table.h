@@ -33,7 +33,8 @@ struct PointTable {
 /// qx, qy, qz for a quaternion. Other columns may have any content.
 ///
 /// If the header does not name the columns, each row has 3, 6 or 7 numbers. They are a position,
-/// then a normal or a quaternion w, x, y, z. Text may only precede or follow these numbers.
+/// optionally followed by a normal or a quaternion w, x, y, z. Text may only precede or follow
+/// these numbers.
 ///
 /// Throws what `read_number_table` and `number_columns` throw. Throws InputError, naming the row,
 /// if a row has a wrong length or if a position, normal or quaternion is not finite.

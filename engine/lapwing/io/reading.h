@@ -45,18 +45,17 @@ void close_face(const SourceFile& file, Faces& faces, std::uint64_t offset);
 /// Returns the offset of the last line of a text file, ignoring blank lines at its end.
 std::uint64_t start_of_last_line(const SourceFile& file);
 
-/// Reports defective faces by SourceFile::report_defect, and removes them when the mesh is
-/// complete.
+/// Reports defective faces to SourceFile::report_defect, and removes them from the complete mesh.
 class FaceDefects {
  public:
   explicit FaceDefects(SourceFile& file) : file_(file) {}
 
   /// Reports a defect of `face`. Counts each face once, even if several corners are wrong. The
-  /// reader may add any placeholder for the face, because `drop_faces` removes it.
+  /// reader may add any face as a placeholder, because `drop_faces` removes it.
   void report(FileDefectKind kind, std::uint64_t offset, std::size_t face,
               const std::string& message);
   void report_short(std::uint64_t offset, std::size_t face, std::size_t corners);
-  /// Reports a corner whose index `vertex` is not a vertex of the file.
+  /// Reports a corner that refers to `vertex`, which is not a vertex of the file.
   void report_vertex(std::uint64_t offset, std::size_t face, std::int64_t vertex,
                      std::size_t vertex_count);
 

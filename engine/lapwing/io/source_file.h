@@ -89,8 +89,8 @@ class SourceFile {
   bool may_be_damaged = false;
   std::vector<FileDefect> defects;
 
-  /// Reports a defect at byte `offset` that a reader can skip. Unless `may_be_damaged` is true,
-  /// throws InputError, which names the command that repairs the file.
+  /// Reports a defect at byte `offset` that a reader can skip. If `may_be_damaged` is false, throws
+  /// an InputError that names the command to repair the file.
   void report_defect(FileDefectKind kind, std::uint64_t offset, const std::string& message);
   /// Reports a defect in a JSON document. `where` is the result of JsonNode::where.
   void report_defect(FileDefectKind kind, const std::string& where, const std::string& message);
@@ -119,8 +119,8 @@ class FilePatch {
   FilePatch(std::string_view bytes, Encoding encoding)
       : old_(bytes), encoding_(encoding), binary_(encoding == Encoding::ascii ? "" : bytes) {}
 
-  /// Replaces the number at byte `offset`. In a text file, enough digits are printed to read back
-  /// the same number.
+  /// Replaces the number at byte `offset`. In a text file, the new number has enough digits to be
+  /// read back exactly.
   void set_number(std::uint64_t offset, double value, Scalar type);
   /// Replaces `length` bytes of text, or inserts when `length` is 0.
   void set_text(std::uint64_t offset, std::uint64_t length, std::string text) {

@@ -133,8 +133,8 @@ class AsciiStlReader {
   Welder welder_{mesh_.positions};
 };
 
-// Returns the number of facets of a binary file, computed from the size of the file. The count in
-// the header may be wrong.
+// Returns the number of facets of a binary file. Computes it from the size of the file, because the
+// count in the header may be wrong.
 std::size_t count_facets(SourceFile& file) {
   const std::size_t size = file.bytes().size();
   if (size < kStlHeaderSize) {

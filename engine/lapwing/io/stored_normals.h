@@ -25,7 +25,7 @@ struct StoredNormals {
 StoredNormals updated_normals(const Mesh& mesh, std::span<const Eigen::Vector3d> rest);
 
 /// Computes normals for a mesh that has none: area-weighted means, split at hard edges
-/// (SplitNormals). Every corner gets a normal, which is zero if all faces at its vertex have no
+/// (SplitNormals). Every corner gets a normal, which is zero if all faces at its vertex have zero
 /// area.
 StoredNormals computed_normals(const Mesh& mesh, double feature_angle_degrees);
 

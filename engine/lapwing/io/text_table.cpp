@@ -16,7 +16,7 @@ namespace lapwing {
 
 namespace {
 
-constexpr char kAnyBlanks = ' ';  // means that blanks and tabs separate fields
+constexpr char kAnyBlanks = ' ';  // a separator that stands for blanks and tabs
 
 // Removes blanks at both ends of `text`. Keeps tabs if they separate fields.
 std::string_view trimmed(std::string_view text, char separator = kAnyBlanks) {
@@ -36,8 +36,8 @@ std::size_t quoted_size(std::string_view line) {
   return 0;
 }
 
-// If the line has semicolons, they are the separators, because the numbers may have decimal commas.
-// If the line has no separators, blanks separate its fields.
+// Returns the separator of a line. Semicolons have priority over commas, because numbers may have
+// decimal commas. If the line contains no other separator, blanks separate its fields.
 char separator_of(std::string_view line) {
   std::size_t commas = 0;
   std::size_t tabs = 0;
@@ -78,7 +78,7 @@ std::optional<double> number_in(std::string_view field) {
   return value;
 }
 
-// Returns whether a field is a number, or an attempt at a number such as "0,5" or "1.2.3".
+// Returns whether a field is a number, or resembles one, such as "0,5" or "1.2.3".
 bool is_like_number(std::string_view field) {
   return number_in(field) ||
          (field.find_first_of("0123456789") != std::string_view::npos &&
@@ -189,7 +189,7 @@ void read_markups(NumberTable& table) {
   const JsonText text(table.bytes->view(), table.name);
   table.header = {"x", "y", "z"};
   std::size_t line = 1;
-  std::size_t counted = 0;  // `line` includes the line ends in so many bytes
+  std::size_t counted = 0;  // number of bytes whose line ends are counted in `line`
   for (const JsonPlace markup : text.elements(text.at(text.root(), "markups"))) {
     const auto points = text.find(markup, "controlPoints");
     if (!points) continue;

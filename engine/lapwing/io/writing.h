@@ -38,12 +38,12 @@ void report_loss(WriteReport& report, MeshFormat format, std::string_view what, 
 /// Reports polygons and isolated vertices of `mesh`, which triangle formats cannot hold.
 void report_triangulation(WriteReport& report, MeshFormat format, const Mesh& mesh);
 
-/// Rounding errors up to this number of mean edge lengths are not reported.
+/// Rounding errors up to this multiple of the mean edge length are not reported.
 inline constexpr double kHarmlessRounding = 1e-3;
-/// Stores the largest error from rounding positions relative to an origin to 32-bit floats.
+/// The largest error that results if positions relative to an origin are rounded to 32-bit floats.
 struct Rounding {
   double error = 0.0;
-  double mean_edges = 0.0;  ///< `error` in mean edge lengths; 0 if the mesh has no edges
+  double mean_edges = 0.0;  ///< `error` / mean edge length; 0 if the mesh has no edges
 };
 Rounding rounding_of(const Mesh& mesh, const Eigen::Vector3d& origin);
 /// Reports the rounding error if it exceeds kHarmlessRounding.
@@ -52,7 +52,7 @@ void report_rounding(WriteReport& report, MeshFormat format, const Mesh& mesh,
 
 /// Reports extra attributes, which only PLY can hold.
 void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
-/// Reports materials, for a format that cannot hold them.
+/// Reports materials. Call it for a format that cannot hold them.
 void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
 /// Reports groups or objects. Call it for a format that cannot hold them.
 void report_groups(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
@@ -102,8 +102,8 @@ std::optional<std::vector<Vector>> per_vertex(const Mesh& mesh, const std::vecto
 void validate_for_writing(const Mesh& mesh);
 
 // These functions write each format except glTF. Each returns a complete new file, and appends to
-// `report` all data that the format cannot hold. The order of importance is materials, groups,
-// other content of the file, precision, attributes.
+// `report` all data that the format cannot hold. The report is in order of importance: materials,
+// groups, other content of the file, precision, attributes.
 
 std::string write_obj(const Mesh& mesh, WriteReport& report);
 std::string write_off(const Mesh& mesh, WriteReport& report);

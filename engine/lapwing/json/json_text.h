@@ -14,13 +14,14 @@ struct JsonPlace {
   std::size_t end = 0;
 };
 
-/// Returns the line and the column of byte `at` in `text`, such as "3:14". The first line of `text`
-/// has the number `first_line`.
+/// Returns the line and the column of byte `at` in `text`, such as "3:14". `first_line` is the
+/// number of the first line of `text`.
 std::string line_and_column(std::string_view text, std::size_t at, std::size_t first_line = 1);
 
-/// Finds values in a text that `parse_json` has accepted, so that one can be replaced while all
-/// other bytes stay. Each call scans the given value once. All calls throw InputError, with line
-/// and column, if a value has an unexpected type or a required member or element is missing.
+/// Finds values in a text that `parse_json` has accepted, so that a value can be replaced while all
+/// other bytes stay. Each call scans the given object or list at most once. All calls throw
+/// InputError, with line and column, if a value has an unexpected type or a required member or
+/// element is missing.
 class JsonText {
  public:
   /// Error messages start with `name`. `text` must outlive this object.
@@ -37,7 +38,7 @@ class JsonText {
   std::optional<JsonPlace> find_with_key(JsonPlace object, std::string_view key) const;
   /// Returns the places of the values in `list`, in order.
   std::vector<JsonPlace> elements(JsonPlace list) const;
-  /// Returns the location of element `number` in the list that the root has under the key `list`.
+  /// Returns the location of element `number` of the list with the key `list` in the root object.
   JsonPlace element(std::string_view list, std::size_t number) const;
 
  private:

@@ -12,7 +12,7 @@ void TimedKernels::time(const char* kernel, const Call& call) {
   const Stopwatch watch;
   call();
   const double ms = watch.elapsed_ms();
-  // Read the device after the call. If the device fails during the call, the CPU takes over.
+  // Read the device after the call, because the CPU takes over if the device fails during it.
   const std::string& device = kernels_.device().name;
   auto found = std::ranges::find_if(times_, [&](const KernelTime& time) {
     return time.kernel == kernel && time.device == device;

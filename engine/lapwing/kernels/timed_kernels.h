@@ -16,7 +16,7 @@ struct KernelTime {
   double milliseconds = 0.0;  ///< wall time, including packing and copying
 };
 
-/// Forwards every call to other kernels and measures its time. Not thread-safe. `kernels` must
+/// Forwards every call to `kernels` and measures its time. Not thread-safe. `kernels` must
 /// outlive this object, and this object must outlive its ring rotations.
 class TimedKernels final : public Kernels {
  public:

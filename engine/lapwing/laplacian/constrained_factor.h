@@ -20,8 +20,8 @@ class ConstrainedFactor {
   ConstrainedFactor(const SystemPattern& pattern, int block_size,
                     FactorPrecision precision = FactorPrecision::float64);
 
-  /// Computes the order and the symbolic factorization, which need no values. May run beside
-  /// `set_matrix`. Does nothing if already done.
+  /// Computes the order and the symbolic factorization, which need no values. May run at the same
+  /// time as `set_matrix`. Does nothing if already done.
   void analyze();
   /// The same in an order of the caller's, new to old.
   void analyze(std::span<const int> order);
@@ -37,16 +37,16 @@ class ConstrainedFactor {
   BlockMatrix unconstrained_matrix() const;
   /// Returns the diagonal of A, one number per scalar unknown.
   std::span<const double> unconstrained_diagonal() const { return diagonal_; }
-  /// Returns the memory of A for the next matrix. Leaves no A.
+  /// Returns the memory of A for use by the next matrix. This object then has no A.
   Numbers take_memory();
 
   /// Returns true if the current factor is that of A + diag(W).
   bool is_factorized_for(std::span<const double> W) const;
 
   /// Factorizes A + diag(W), after `analyze` and `set_matrix`. Does nothing if that is the current
-  /// factor. If only W has changed, keeps the parts of the factor that do not depend on the change;
-  /// the bits are the same. Throws NotPositiveDefinite or Cancelled, and then keeps analysis and A,
-  /// but not the factor.
+  /// factor. If only W has changed, recomputes only what depends on the change; the result is
+  /// bitwise identical. Throws NotPositiveDefinite or Cancelled. After an exception, analysis and A
+  /// remain valid, but not the factor.
   void factorize(std::span<const double> W, const Progress& progress = {});
 
   BlockSolver& solver() const { return *solver_; }

@@ -6,11 +6,11 @@ namespace lapwing {
 
 namespace {
 
-// Returns the share of the full stiffness for a graded weight from 0 to 1, its fourth power. A
-// stiffness W overcomes the bending of the surface for shapes longer than W^(-1/4) edges. So a
-// weight of 1/2 holds shapes longer than 2 edges, and a weight of 1/10 those longer than 10. On a
-// sheet with a falloff 24 edges wide, the surface follows by 1, 0.84 and 0.25. These numbers hold
-// at half, three quarters and all of that width.
+// Returns the fraction of the full stiffness for a graded weight from 0 to 1. It is the fourth
+// power of the weight because a stiffness W overcomes the bending stiffness of the surface at
+// wavelengths above W^(-1/4) edges. A weight of 1/2 thus constrains wavelengths above 2 edges, and
+// a weight of 1/10 those above 10 edges. On a sheet with a falloff 24 edges wide, the surface
+// follows the handle by the factors 1, 0.84 and 0.25 at half, three quarters and all of that width.
 double graded_share(double weight) {
   const double square = weight * weight;
   return square * square;

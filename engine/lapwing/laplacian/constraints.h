@@ -14,22 +14,23 @@ namespace lapwing {
 /// The unknowns of an edit, and how firmly each is held to its prescribed displacement.
 struct Constraints {
   Unknowns unknowns;
-  std::vector<double> W;  ///< per unknown: kStiff or the squared weight on handle and belt, less if
+  std::vector<double> W;  ///< per unknown; kStiff or the squared weight in handle and belt, less if
                           ///< a handle is graded, 0 elsewhere
 };
 
 /// Returns the constraints of a region. `weight` is DeformOptions::constraint_weight. If it is
-/// empty, kStiff holds the belt and the handles that name no weight. With soft constraints, all
-/// vertices of the region are unknowns, except those with hard targets. With hard constraints, only
-/// free vertices are unknowns. The motion of all other vertices is given. Soft targets and points
-/// in triangles are springs. Vertices without a ring do not move if nothing holds them, and are not
-/// unknowns.
+/// empty, the stiffness is kStiff for the belt and for handles without their own weight. With soft
+/// constraints, all vertices of the region are unknowns, except those with hard targets. With hard
+/// constraints, only free vertices are unknowns. The displacements of all other vertices are
+/// prescribed. Soft targets and targets inside triangles are springs. Belt and
+/// handles do not constrain the corners of a hard target. Unconstrained vertices
+/// without a ring do not move and are not unknowns.
 Constraints constraints_of(const EditRegion& region, const Topology& topology,
                            std::optional<double> weight, bool hard);
 
 /// Returns one vector per vertex of the mesh: `prescribed` at the vertices of `roi` that are not
-/// unknowns, and 0 elsewhere. Right-hand sides must account for it. Returns an empty vector if all
-/// are 0, as with soft constraints, to save a field over the mesh.
+/// unknowns, and 0 elsewhere. Right-hand sides must account for these values. To save memory,
+/// returns an empty vector if all are 0, as with soft constraints.
 std::vector<Eigen::Vector3d> dirichlet_values(std::span<const Index> roi, const Unknowns& unknowns,
                                               std::span<const Eigen::Vector3d> prescribed);
 

@@ -11,10 +11,10 @@ namespace lapwing {
 /// Parameters of an edit's energy besides the rest shape (ENERGY.md section 3).
 struct EnergyTerms {
   LaplacianWeights weights = LaplacianWeights::cotangent;
-  /// The detail length l: much smaller features keep their shape, much larger shapes bend and
-  /// stretch elastically. As a share of the region's radius of gyration, the root mean square
-  /// distance of its surface from its centroid. 0: Laplacians alone, with equal rows as in equation
-  /// 5.
+  /// The detail length l, divided by the region's radius of gyration (the root mean square distance
+  /// of its surface from its centroid). Much smaller features keep their shape, and much larger
+  /// shapes bend and stretch elastically. If it is 0, the energy consists only of the Laplacian
+  /// terms, weighted equally as in equation 5.
   double detail_length = 0.0;
 
   bool operator==(const EnergyTerms&) const = default;
@@ -37,11 +37,12 @@ struct EnergyWeights {
 /// undefined.
 ///     om_i = mean ring area of the region / the larger of that of i and its neighbours' mean,
 ///     k_ij = mu c_ij / (2 * 2 sqrt(3)),   mu = A / (n * 2 sqrt(3) * (detail_length r)^2).
-/// The region has n vertices, the area A and the radius of gyration r. A / r^2 is at least that of
-/// a strip 100 times as long as wide. c_ij is half of cotangent_sums, and at least
-/// kSmallestCotangentShare of 1 / sqrt(3). In a regular triangulation c_ij is 1 / sqrt(3), and the
-/// 6 around a vertex sum to 2 sqrt(3). om_i includes the neighbours' areas, because the large
-/// weight of a tiny ring alone would fold its triangles. Takes linear time.
+/// The region has n vertices, the area A and the radius of gyration r. A / r^2 is clamped from
+/// below to its value for a strip 100 times as long as wide. c_ij is half the value of
+/// cotangent_sums, but at least kSmallestCotangentShare / sqrt(3). In a regular triangulation,
+/// every c_ij is 1 / sqrt(3), and the six c_ij around a vertex sum to 2 sqrt(3). om_i depends also
+/// on the areas of the neighbours, because the large weight of a single tiny ring would fold its
+/// triangles. Takes linear time.
 EnergyWeights energy_weights(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms);
 

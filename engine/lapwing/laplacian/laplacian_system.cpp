@@ -15,8 +15,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-// A vertex held this firmly misses its place by at most a thousandth of its displacement
-// (engine/decisions/020). A larger factor would take more iterations to turn free handles.
+// The stiffness that replaces kStiff, as a multiple of the diagonal. A vertex with this stiffness
+// misses its prescribed position by at most a thousandth of its displacement
+// (engine/decisions/020). With a larger factor, free handles would need more iterations.
 constexpr double kHeldStiffness = 1e3;
 
 }  // namespace

@@ -41,8 +41,8 @@ class LaplacianSystem {
   /// until `rings` is first called.
   void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
                 std::span<const Spring> springs = {});
-  /// The same with known weights. If they are those of the last call, `rest` must be, too, and the
-  /// rings are kept.
+  /// Uses given weights. If `weights` is the same object as in the last call, `rest` must be the
+  /// same too, and the rings are reused.
   void assemble(std::span<const Eigen::Vector3d> rest, std::shared_ptr<const EnergyWeights> weights,
                 std::span<const Spring> springs);
   bool is_assembled() const { return is_assembled_; }
@@ -61,11 +61,12 @@ class LaplacianSystem {
   /// second time.
   void analyze();
   bool is_analyzed() const { return factor_.is_analyzed(); }
-  /// Factorizes under `W`, one number per unknown, and redoes only what has changed since the last
-  /// time. Replaces kStiff by 1000 times the diagonal of the matrix at the vertex, or 1000 times
-  /// its mean if that is larger. Throws SolverError as above, and then keeps all but the factor.
+  /// Factorizes with `W`, one number per unknown, and recomputes only what has changed since the
+  /// last factorization. Replaces kStiff by 1000 times the diagonal of the matrix at the vertex, or
+  /// 1000 times the mean diagonal if that is larger. Throws SolverError as above; then only the
+  /// factor is lost.
   void factorize(std::span<const double> W);
-  /// Returns true if the system is factored under `W`.
+  /// Returns true if the system is factored with `W`.
   bool is_factorized_for(std::span<const double> W) const {
     return is_assembled_ && factor_.is_factorized_for(finite_weights(W));
   }
@@ -79,13 +80,13 @@ class LaplacianSystem {
   const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
   std::string_view solver_name() const { return factor_.solver().name(); }
-  /// Returns the memory of the factorization, known once analyzed.
+  /// Returns the memory of the factorization, which is known after `analyze`.
   std::size_t factor_bytes() const { return factor_.solver().statistics().peak_bytes; }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
   /// Computes b = W d - (L'Om L + K) d', ordered as x of all unknowns, then y, then z. `prescribed`
-  /// has one vector per vertex of the mesh. d are its values at the held unknowns, and d' those at
-  /// the vertices of the region whose motion is given.
+  /// has one vector per vertex of the mesh. d holds its values at the constrained unknowns, and d'
+  /// its values at the vertices of the region that are not unknowns.
   void right_hand_side(std::span<const Eigen::Vector3d> prescribed, std::span<double> b) const;
 
   /// Adds the forces of the springs to b, in that order.

@@ -11,18 +11,18 @@
 
 namespace lapwing {
 
-/// A spring that draws a point of the surface to a place. It adds
+/// A spring that pulls a point of the surface to a position. It adds
 ///     stiffness |sum_k shares_k u(corner k) - prescribed|^2
-/// to the energy, like the held vertices of eq. 5, but for points within triangles too.
+/// to the energy. This is the constraint term of eq. 5, extended to points inside triangles.
 struct Spring {
-  std::array<Index, 3> corners{};  ///< of one triangle; all the same for a vertex
-  std::array<double, 3> shares{};  ///< of the corners; they sum to 1
-  Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< displacement
-  double stiffness = 1.0;  ///< above 0; kStiff is far stiffer than the surface
+  std::array<Index, 3> corners{};  ///< of one triangle; all equal for a vertex
+  std::array<double, 3> shares{};  ///< barycentric coordinates of the point
+  Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< displacement of the point
+  double stiffness = 1.0;  ///< positive; kStiff: far stiffer than the surface
 };
 
-/// The stiffness of a spring or unknown that is held firmly. LaplacianSystem replaces it by a
-/// finite one.
+/// Marks a spring or a constrained vertex as far stiffer than the surface. LaplacianSystem replaces
+/// this value by a finite stiffness.
 inline constexpr double kStiff = std::numeric_limits<double>::infinity();
 
 /// Returns the springs with a finite stiffness instead of kStiff: 1e7 times the mean of the

@@ -25,15 +25,16 @@ class SystemPattern {
   const NormalPattern& normal() const { return normal_; }
   const BlockPattern& blocks() const { return normal_.blocks(); }
 
-  /// Returns the order for L'L, new to old (`quick_order`). The first call on any thread finds it.
+  /// Returns the elimination order for L'L, new to old (`quick_order`). The first call computes it
+  /// and may be made on any thread.
   const std::vector<int>& order() const { return quick().order; }
   /// Returns true if the order is known. Do not call while another thread may be finding it.
   bool is_ordered() const { return quick_.order.size() == blocks().size(); }
-  /// Returns the order for M'M, which is `order()` or the `thorough_order`. The first call finds
-  /// it.
+  /// Returns the elimination order for M'M, which is `thorough_order` if that is worth its cost,
+  /// otherwise `order()`. The first call computes it.
   const std::vector<int>& factorization_order() const;
-  /// Returns the symbolic factorization of M'M in that order, which all its factors share. Computed
-  /// on demand, and kept while one of them uses it.
+  /// Returns the symbolic factorization of M'M in that order, which all its factors share. It is
+  /// computed on demand, and cached as long as a factor uses it.
   std::shared_ptr<const SolverAnalysis> analysis() const;
   /// Returns true if it exists. Waits if another thread is computing it.
   bool has_analysis() const;

@@ -14,15 +14,16 @@ enum class LaplacianWeights {
   cotangent,  ///< w_ij proportional to cot a_ij + cot b_ij, the angles opposite edge ij
 };
 
-/// Returns one weight per entry of `topology.rings`. Each row sums to 1. Cotangents are limited to
-/// kLargestCotangent. Each weight is at least kSmallestCotangentShare of the mean absolute weight
-/// of its row. Without this limit, obtuse triangles would give negative weights, and a row could
-/// sum to 0. Rows without any cotangent (all neighbours at one place) get uniform weights. Takes
-/// linear time.
+/// Returns one weight per entry of `topology.rings`. The weights of each row sum to 1. Cotangents
+/// are clamped to kLargestCotangent. Each weight is at least kSmallestCotangentShare times the mean
+/// absolute weight of its row. Without this lower bound, obtuse triangles would give negative
+/// weights, and a row could sum to 0. Rows in which no cotangent is defined, because all neighbours
+/// coincide, get uniform weights. Takes linear time.
 std::vector<double> laplacian_weights(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions,
                                       LaplacianWeights scheme);
-/// The same for `rows` alone, in time linear in their size. Entries of other rows are undefined.
+/// Returns the same weights, but computes only those of `rows`, in time linear in their size.
+/// Entries of other rows are undefined.
 Numbers laplacian_weights(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                           LaplacianWeights scheme, std::span<const Index> rows);
 /// Returns the cotangent weights of `rows` from their `cotangent_sums`.
@@ -35,7 +36,8 @@ Numbers laplacian_weights(const Topology& topology, const Numbers& cotangent_sum
 std::vector<double> edge_weights(const Topology& topology,
                                  std::span<const Eigen::Vector3d> positions);
 
-/// Small enough to leave ordinary meshes alone, large enough that every neighbour counts.
+/// This value is so small that it does not change ordinary meshes, and so large that every
+/// neighbour has an effect.
 inline constexpr double kSmallestCotangentShare = 0.01;
 
 /// The cotangent of 0.006 degrees. Below this angle rounding decides, so triangles without area get
@@ -44,8 +46,8 @@ inline constexpr double kSmallestCotangentShare = 0.01;
 /// triangles; with this one, 11.
 inline constexpr double kLargestCotangent = 1e4;
 
-/// Returns cot a_ij + cot b_ij, which may be negative, per entry of `topology.rings`. Computes only
-/// the entries of `rows`; the others are undefined.
+/// Returns cot a_ij + cot b_ij for each entry of `topology.rings`. The sum may be negative. Only
+/// the entries of `rows` are computed; the others are undefined.
 Numbers cotangent_sums(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                        std::span<const Index> rows);
 

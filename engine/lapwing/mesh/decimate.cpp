@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Weight of the fourth power of the edge length beside the quadric error, which is an area times a
-// squared distance. Chosen on pictures: smaller values leave needles in flat parts.
+// squared distance. Chosen on rendered images: smaller values leave needles in flat areas.
 constexpr double kEdgeShare = 1e-3;
 // Lower limits after a merge: height of a triangle over its longest edge, and cosine between its
 // old and new normals.

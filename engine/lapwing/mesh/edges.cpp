@@ -9,9 +9,9 @@ namespace lapwing {
 
 namespace {
 
-// Returns the sides on each edge in ascending order. Sorts the edges by their lower end, then by
-// the higher end. `ends(side)` returns the lower and the higher end of a side. Skips a side if its
-// ends are equal.
+// Returns the sides on each edge in ascending order. The edges are sorted by their lower vertex,
+// then by their higher vertex. `ends(side)` returns the lower and the higher vertex of a side.
+// Skips sides whose two vertices are equal.
 template <class Ends>
 Adjacency grouped_sides(std::size_t side_count, std::size_t vertex_count, const Ends& ends) {
   // Counting sort by the lower end, then a sort by the other end and the side's number.

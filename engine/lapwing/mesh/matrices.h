@@ -11,8 +11,8 @@
 
 namespace lapwing {
 
-// Eigen's allocation of matrices depends on the compiler flags. These functions are inline so that
-// the caller's flags apply when a matrix is allocated and when it is freed.
+// The alignment with which Eigen allocates matrices depends on the compiler flags. These functions
+// are inline so that a matrix is allocated and freed with the same flags, those of the caller.
 
 /// Returns the mesh with positions `V` (n x 3) and triangles `F` (m x 3), as in libigl. Throws
 /// InputError, naming the row, if an entry of `F` is not a vertex.

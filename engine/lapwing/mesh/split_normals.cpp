@@ -14,16 +14,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// This tolerance is in radians. If the sides of a regular prism meet at exactly the feature angle,
-// all its edges are smooth in spite of rounding errors.
+// Tolerance in radians. If the sides of a regular prism meet at exactly the feature angle, the
+// tolerance makes all edges between them smooth, in spite of rounding errors.
 constexpr double kAngleRounding = 1e-6;
 
-// A spoke is one edge at a vertex, as a side of one triangle around the vertex. An interior edge
-// gives two spokes.
+// A spoke is a side of a triangle around a vertex that connects this vertex to a neighbour. An
+// interior edge has two spokes, one for each of its triangles.
 struct Spoke {
   Index neighbour;
   Index place;  // index of the triangle in the list around the vertex
-  bool leaves;  // whether the triangle goes from the vertex to the neighbour
+  bool leaves;  // whether the side points from the vertex to the neighbour
 };
 
 class NormalSplitter {
@@ -48,7 +48,7 @@ class NormalSplitter {
   }
 
  private:
-  // Returns the unit normal of each polygon, or zero if the polygon has no area.
+  // Returns the unit normal of each polygon, or zero if the area of the polygon is zero.
   static std::vector<Vector3d> unit_normals(std::span<const Vector3d> positions,
                                             const Topology& topology) {
     std::vector<Vector3d> normals;
@@ -71,8 +71,9 @@ class NormalSplitter {
     return normals_[topology_.triangle_faces[triangle]];
   }
 
-  // Returns true only if the normals of any two polygons around the vertex differ by at most the
-  // feature angle. It is enough that each differs from the first by at most half the angle.
+  // If this returns true, the normals of any two polygons around the vertex differ by at most the
+  // feature angle. Tests a sufficient condition: each differs from the first by at most half the
+  // angle.
   bool is_surely_smooth(Index v) const {
     const auto around = topology_.vertex_triangles[v];
     return std::ranges::all_of(around, [&](Index t) {
@@ -114,8 +115,8 @@ class NormalSplitter {
     number(v, fans);
   }
 
-  // Assigns a normal to each fan that has area. The first fan gets the first normal of the vertex.
-  // Each other fan gets an extra normal.
+  // Assigns a normal to each fan with nonzero area. The first such fan gets the first normal of the
+  // vertex. Each other fan gets an extra normal.
   void number(Index v, UnionFind& fans) {
     const auto around = topology_.vertex_triangles[v];
     numbers_.assign(around.size(), kNoIndex);
@@ -144,14 +145,14 @@ class NormalSplitter {
   double cosine_of_half_ = 0.0;
   SplitNormals split_;
   std::vector<Spoke> spokes_;
-  std::vector<Index> numbers_;  // normal of each fan around a vertex
+  std::vector<Index> numbers_;  // index of the normal of each fan around a vertex
 };
 
 }  // namespace
 
 SplitNormals split_normals(std::span<const Vector3d> positions, const Topology& topology,
                            double feature_angle_degrees) {
-  // No two normals differ by more than 180 degrees, so all edges are smooth.
+  // Two normals differ by at most 180 degrees, so this angle makes all edges smooth.
   if (feature_angle_degrees >= 180.0) {
     SplitNormals one;
     for (const Triangle& t : topology.triangles) {

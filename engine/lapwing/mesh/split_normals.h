@@ -8,8 +8,8 @@
 namespace lapwing {
 
 /// Tells which corners of triangles share a normal. Two corners at a vertex share a normal if
-/// smooth edges at the vertex connect their triangles. The first normal of vertex v has the number
-/// v. The extra normals have the numbers after the last vertex.
+/// smooth edges at the vertex connect their triangles. The first normal of vertex v has index v.
+/// The extra normals have the indices after that of the last vertex.
 struct SplitNormals {
   std::vector<Index> of_corner;  ///< the normal of each corner, 3 t + k for corner k of triangle t
   std::vector<Index> extra_vertices;  ///< the vertex of each extra normal, ascending
@@ -19,9 +19,10 @@ struct SplitNormals {
 inline constexpr double kFeatureAngleDegrees = 40.0;
 
 /// Splits the normals at hard edges. An edge is hard if the normals of its polygons differ by more
-/// than `feature_angle_degrees`. It is also hard unless it has exactly two polygons of consistent
-/// orientation. An angle of 180 degrees splits no normals. Polygons without area have the first
-/// normals of their vertices. Takes O(n log k) for k triangles around a vertex.
+/// than `feature_angle_degrees`. Boundary edges, non-manifold edges and edges between polygons of
+/// inconsistent orientation are also hard. An angle of 180 degrees splits no normals. Polygons with
+/// zero area use the first normals of their vertices. The cost is O(n log k) for n triangles, with
+/// k around each vertex.
 SplitNormals split_normals(std::span<const Eigen::Vector3d> positions, const Topology& topology,
                            double feature_angle_degrees);
 

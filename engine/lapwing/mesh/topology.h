@@ -41,8 +41,8 @@ struct Topology {
 /// InputError if a face uses a vertex that the mesh does not have.
 Topology build_topology(const Mesh& mesh);
 
-/// Returns the reason if `mesh` has no surface, such as "it has 4 vertices and no faces". Returns
-/// an empty string if at least one triangle has three finite corners.
+/// Returns why `mesh` has no surface, such as "it has 4 vertices and no faces". Returns an empty
+/// string if it has one, that is, at least one triangle with three finite corners.
 std::string why_no_surface(const Mesh& mesh);
 
 /// Throws InputError, with a message that begins with `where`, if `mesh` has no surface.
@@ -89,8 +89,8 @@ NumberedTriangles numbered(std::span<const Triangle> triangles);
 std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings);
 
 /// Returns the positions of the vertices that triangles use, or all positions if `topology` has no
-/// triangles. Cameras and lengths relative to the diagonal use these positions, so that distant
-/// isolated vertices have no effect. Linear time.
+/// triangles. Cameras, and lengths relative to the bounding-box diagonal, use these positions, so
+/// that distant isolated vertices have no effect. Linear time.
 Positions surface_positions(std::span<const Eigen::Vector3d> positions, const Topology& topology);
 
 /// Returns the mean length of the ring edges, or 0 without edges.

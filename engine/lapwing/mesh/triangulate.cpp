@@ -18,12 +18,13 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Returns twice the signed area of the triangle a, b, c. It is positive if a, b, c turn left.
+// Returns twice the signed area of the triangle a, b, c. It is positive if they are
+// counterclockwise.
 double orient(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Stores points in the plane in a k-d tree, and removes single points.
+// A k-d tree of points in the plane from which single points can be removed.
 class PointTree {
  public:
   // Builds the tree in O(n log n). `points` must outlive it.
@@ -114,16 +115,16 @@ void PointTree::take_out(std::size_t point) {
   }
 }
 
-// Triangulates a polygon in the plane by ear clipping. An ear is a corner that turns left and whose
-// triangle with its neighbours contains no other corner. The algorithm clips ears in the order of
-// their corners. It clips the lowest remaining corner only if no other ear exists. A
-// self-intersecting polygon may have no ear. The algorithm then clips the second remaining corner,
-// so that it always ends.
+// Triangulates a polygon in the plane by ear clipping. An ear is a convex corner whose triangle
+// with its neighbours contains no other corner. The algorithm clips ears in the order of their
+// corners. It clips the first remaining corner only if no other ear exists. A self-intersecting
+// polygon may have no ear. The algorithm then clips the second remaining corner, so that it always
+// terminates.
 //
 // A point in the triangle of a corner blocks that corner. The algorithm tests a corner again only
 // after a neighbour is removed, or after all corners at the blocking point are removed. A k-d tree
-// finds the blocking point, so the cost is mostly O(n log n). The number of tests is limited. Only
-// self-intersecting polygons exceed the limit. The algorithm then clips the remaining corners
+// finds the blocking point, so the cost is usually O(n log n). The number of tests is limited. Only
+// self-intersecting polygons exceed the limit. For these, the algorithm clips the remaining corners
 // without further tests.
 class EarClipper {
  public:

@@ -24,19 +24,21 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Moments that differ from each other, or from 0, by less than this share of their size give no
-// direction. The shape is then symmetric, and rounding would choose the direction.
+// If moments differ from each other or from 0 by less than this fraction of their size, the shape
+// is treated as symmetric. Such moments are not used to choose a direction, because the choice
+// would depend on rounding errors.
 constexpr double kSymmetric = 1e-6;
 
-// Shows a patch along its mean normal from its centre of area; the patch must have an area. The
-// axes are its principal directions, right-handed, the wider one first. The view follows every
-// rotation, translation and scaling of the patch. If symmetry leaves several choices, the numbers
-// of the boundary vertices decide. The arguments must outlive the object.
+// Projects a patch along its mean normal. The origin is the centre of area, so the area of the
+// patch must be positive. The axes are the principal directions, the wider one first, and form a
+// right-handed frame. The frame rotates, translates and scales with the patch. If symmetry makes
+// the axes ambiguous, the indices of the boundary vertices determine them. The arguments must
+// outlive the object.
 class PrincipalView {
  public:
   PrincipalView(const Patch& patch, std::span<const Eigen::Vector3d> own_positions);
 
-  // Returns the position of the patch's vertex `v` in the view.
+  // Returns the projected position of vertex `v` of the patch.
   Eigen::Vector2d operator()(Index v) const { return seen(positions_[v]); }
   // Returns the largest distance of a vertex from the centre of area.
   double radius() const { return radius_; }
@@ -61,7 +63,7 @@ class PrincipalView {
 
   const Patch& patch_;
   std::span<const Eigen::Vector3d> positions_;
-  std::vector<Sample> samples_;  //< points all over the patch and their shares of its area
+  std::vector<Sample> samples_;  //< points on the patch, each with the area that it represents
   double area_ = 0.0;
   double radius_ = 0.0;
   Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
@@ -69,9 +71,9 @@ class PrincipalView {
   std::array<Eigen::Vector3d, 2> axes_{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
 };
 
-// Returns the item with the largest score. If scores are equal up to the rounding of numbers of
-// size `scale`, returns the smallest of these items. A rigid motion then does not change the
-// choice.
+// Returns the item with the largest score. If several scores are equal up to rounding errors of
+// numbers of size `scale`, returns the smallest of these items. The choice is therefore invariant
+// under rigid motions.
 template <class Score>
 Index best_of(std::span<const Index> items, double scale, const Score& score) {
   double best = -std::numeric_limits<double>::infinity();
@@ -137,7 +139,8 @@ void PrincipalView::look_along_normal() {
     if (normal.dot(positions_[patch_.loop.front()] - center_) < 0.0) normal = -normal;
   }
   normal_ = normal.normalized();
-  // Before they are turned, the axes follow the boundary vertex that appears farthest away.
+  // The first axis initially points to the boundary vertex that is farthest from the centre in the
+  // projection.
   const auto flat = [&](Index v) {
     const Vector3d p = positions_[v] - center_;
     return Vector3d(p - p.dot(normal_) * normal_);

@@ -17,8 +17,8 @@ namespace lapwing {
 
 /// The distortion of a planar triangulation relative to its surface. With G >= g the largest and
 /// least factor by which a triangle's lengths grow from the plane to the surface, its stretch is
-/// sqrt((G^2 + g^2) / 2) (Sander et al. 2001), and its shear is G / g. Stretch is relative to that
-/// of a map of the same areas that keeps all proportions. Both are 1 if shape is kept.
+/// sqrt((G^2 + g^2) / 2) (Sander et al. 2001), and its shear is G / g. Stretch is divided by that
+/// of a similarity map with the same total areas. Both are 1 if the map is a similarity.
 struct MapDistortion {
   double stretch = 1.0;          ///< root mean square over the surface
   double largest_stretch = 1.0;  ///< of any triangle
@@ -33,7 +33,7 @@ MapDistortion measure_distortion(std::span<const Triangle> triangles,
 
 /// A request to map a region to the plane, without the mesh.
 struct ParameterizeRequest {
-  RegionSpec region = {};  ///< must be a disk
+  RegionSpec region = {};  ///< the region to map; must be a disk
   Domain domain = Domain::disk;
   /// As BoundaryPins, but in vertices of the mesh; empty: `default_pins`.
   std::vector<Index> pins = {};
@@ -49,9 +49,9 @@ struct Parameterized {
   /// square: those of a disk are (point + (1, 1)) / 2.
   Mesh mesh;
   Patch patch;
-  std::vector<Eigen::Vector3d> positions;  ///< per own number of the patch
+  std::vector<Eigen::Vector3d> positions;  ///< per local index of the patch
   DomainMap map;
-  BoundaryPins pins;           ///< in own numbers
+  BoundaryPins pins;           ///< as local indices
   std::vector<Index> flipped;  ///< triangles of the patch
   MapDistortion distortion;
   std::vector<std::string> warnings;  ///< messages to the user
@@ -63,10 +63,10 @@ struct Parameterized {
 Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request,
                            const Progress& progress = {});
 
-/// Returns `mesh` with `uvs`, one per own number of a patch of it, as texture coordinates on the
-/// corners of the polygons that lie wholly in the patch. All other corners lose theirs. Polygons
-/// with a halved edge are replaced by the patch's triangles, with the midpoints as new vertices
-/// after the others. No other polygon changes its shape.
+/// Returns `mesh` with `uvs`, one per local vertex index of its patch, as texture coordinates on
+/// the corners of the polygons that lie wholly in the patch. All other corners lose theirs.
+/// Polygons with a halved edge are replaced by the patch's triangles, with the midpoints as new
+/// vertices after the others. No other polygon changes its shape.
 Mesh with_uvs(const Mesh& mesh, const Patch& patch, std::span<const Eigen::Vector2d> uvs);
 
 }  // namespace lapwing

@@ -55,9 +55,9 @@ void split(const Triangle& triangle, const Triangle& middles, std::vector<Triang
   }
 }
 
-// Halves every inner edge of the patch that joins two vertices of its loop, and splits the
-// triangles on both sides. The patch must have no midpoints yet. `sides` is the adjacency of its
-// triangles.
+// Splits every inner edge of the patch that joins two vertices of its loop at its midpoint, and
+// splits the triangles on both sides. The patch must not have been split before. `sides` holds the
+// adjacency of its triangles.
 void halve_chords(Patch& patch, const Adjacency& sides) {
   std::vector<char> on_loop(patch.vertices.size(), 0);
   for (const Index v : patch.loop) on_loop[v] = 1;

@@ -79,9 +79,9 @@ void append_coinciding(std::span<const PointPull> pulls, double tolerance,
   }
 }
 
-// Throws InputError, naming the pull and the vertex, if a warp is impossible. The points must not
-// turn over or flatten a triangle. Each pulled vertex must be inside the boundary, in a triangle
-// and pulled once, and its target must be inside the boundary.
+// Throws InputError, naming the pull and the vertex, if a warp is impossible. No triangle of
+// `points` may be inverted or degenerate. Each pulled vertex must be a corner of a triangle, not on
+// the boundary, and pulled only once. Its target must be inside the boundary.
 void check_warp(std::span<const Triangle> triangles, std::span<const Index> boundary,
                 std::span<const Vector2d> points, std::span<const PointPull> pulls) {
   check_domain(triangles, boundary, points);
@@ -112,9 +112,10 @@ void check_warp(std::span<const Triangle> triangles, std::span<const Index> boun
   }
 }
 
-// Returns the pulls, in ascending order, that no bijection can meet together. The targets of some
-// are nearer to each other than `tolerance`. The others turn over or flatten a triangle whose
-// corners are all pulled or held.
+// Returns, in ascending order, the pulls that contradict each other, so that no bijection satisfies
+// all of them. Two pulls contradict each other if their targets are closer than `tolerance`. Pulls
+// also contradict each other if they invert or flatten a triangle whose corners are all pulled or
+// fixed.
 std::vector<Index> contradicting_pulls(std::span<const Triangle> triangles,
                                        std::span<const char> is_held,
                                        std::span<const Vector2d> points,
@@ -141,11 +142,12 @@ std::vector<Index> contradicting_pulls(std::span<const Triangle> triangles,
   return found;
 }
 
-// A pull is met if its vertex is this near its target, in extents of the domain.
+// A pull is satisfied if the distance of its vertex from its target is at most this fraction of the
+// extent of the domain.
 constexpr double kMet = 1e-6;
 
-// Limits of radial-basis steps: before the constrained parameterization takes over, and after each
-// of its iterations, to finish the last part of the way.
+// Maximum numbers of radial basis steps: before the constrained parameterization starts, and after
+// each of its iterations.
 constexpr int kMostSteps = 64;
 constexpr int kMostLastSteps = 4;
 
@@ -156,7 +158,8 @@ constexpr double kLastStiffness = 1e9;
 constexpr double kStiffer = 4.0;
 constexpr double kSlowDecrease = 0.05;
 
-// Retry radial-basis steps once the largest distance is at most this share of that at the last try.
+// Radial basis steps are tried again if the largest distance is at most this fraction of that at
+// the last attempt.
 constexpr double kWorthAnotherTry = 0.8;
 
 // Limit for one call, over all attempts.
@@ -222,7 +225,7 @@ std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const Po
   return best;
 }
 
-// Gives up the pull farthest from its target until the others are met, each pull once at most.
+// Removes the pull that is farthest from its target, until all remaining pulls are satisfied.
 std::vector<Vector2d> warp(const WarpedDomain& domain, std::vector<PointPull> pulls,
                            std::span<const Vector2d> start, WarpReport& report) {
   std::unique_ptr<PlanarNewton> newton;

@@ -8,18 +8,18 @@
 
 namespace lapwing {
 
-/// Calls `read` with every file that the step reads, and `written` with every file that it names to
-/// write. Paths are as written; both functions may change them. An empty path stands for the mesh
-/// itself.
+/// Calls `read` for every file that the step reads, and `written` for every output file that it
+/// names. Both functions get the paths as in the recipe and may change them. An empty path stands
+/// for the mesh itself.
 void for_each_file(Step& step, const std::function<void(std::filesystem::path&)>& read,
                    const std::function<void(std::filesystem::path&)>& written);
 
-/// Returns the files that the step reads, as written.
+/// Returns the files that the step reads, with paths as in the recipe.
 std::vector<std::filesystem::path> files_read(const Step& step);
 
-/// Returns the default path of a carried file: in the folder of the result, with "-carried"
-/// appended to its stem. hat.obj becomes hat-carried.obj, and F.mrk.json becomes
-/// F-carried.mrk.json.
+/// Returns the default path of a carried file. It is in the folder of the result, and its name has
+/// "-carried" appended to the stem: hat-carried.obj for hat.obj, and F-carried.mrk.json for
+/// F.mrk.json.
 std::filesystem::path carried_path(const std::filesystem::path& file,
                                    const std::filesystem::path& result);
 
@@ -28,7 +28,7 @@ struct RecipeFiles {
   std::vector<std::filesystem::path> read;     ///< the mesh first
   std::vector<std::filesystem::path> written;  ///< the result first, if any; no duplicates
 };
-/// `result` is the path of the result, by default the recipe's own. Files carried along are
+/// `result` is the path of the result; by default, the recipe determines it. Attachment files are
 /// included.
 RecipeFiles files_of(const Recipe& recipe, std::filesystem::path result = {});
 

@@ -30,12 +30,12 @@ using MixStep = MixOf<FileSource>;
 
 /// {"op": "transplant"}: replaces a region of the mesh by a part of another mesh.
 struct TransplantStep : TransplantRequest {
-  std::filesystem::path part;  ///< as written; empty: the mesh before the step
+  std::filesystem::path part;  ///< path as in the recipe; empty: the mesh before the step
   bool operator==(const TransplantStep&) const = default;
 };
 
-/// One operation of a recipe. Recipes, commands, the reference and the window are derived from
-/// these types and their `describe`.
+/// One operation of a recipe. The recipe format, the commands, the reference and the panels of the
+/// window are all derived from these types and their `describe` functions.
 using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest>;
 
 /// A kind of step.

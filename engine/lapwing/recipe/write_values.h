@@ -8,7 +8,8 @@ namespace lapwing {
 
 using Json = nlohmann::ordered_json;
 
-// These functions write the compound values that `read_values.h` reads.
+// These functions write the compound values of recipes. `read_values.h` has the functions that read
+// them.
 Json json_of(const RegionSpec& spec);
 Json json_of(const BeltSpec& belt);
 Json json_of(const Move& move);

@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A rim is the border of the surface if a disk of its radius has at least this share of the
-// surface's area. Otherwise it is the edge of a hole. In the meshes of libcgal-demo, sheets and
-// masks have shares above 0.3. The holes of `elephant-with-holes` and the neck of `head` have at
-// most 0.11.
+// The largest rim is the border of an open surface if a disk of its radius has at least this
+// fraction of the surface's area. Otherwise it surrounds a hole. In the meshes of libcgal-demo, the
+// fraction exceeds 0.3 for sheets and masks. It is at most 0.11 for the holes of
+// `elephant-with-holes` and the neck of `head`.
 constexpr double kLeastBorder = 0.2;
 
-// A rim is a hole if its radius is less than this share of the largest rim's radius.
+// A rim surrounds a hole if its radius is less than this fraction of the largest rim's radius.
 constexpr double kSmallRim = 0.5;
 
 bool touches_outside(Index v, const std::vector<char>& in_roi, const Topology& topology) {
@@ -37,10 +37,10 @@ bool is_boundary_edge(Index v, Index w, const Topology& topology) {
   return sides == 1;
 }
 
-// A rim is a connected part of the mesh boundary.
+// A connected component of the mesh boundary.
 struct Rim {
   VertexSet vertices;
-  double radius = 0.0;  // largest distance from the mean of the vertices
+  double radius = 0.0;  // largest distance of a vertex from the mean of the vertices
 };
 
 double radius_of(const VertexSet& vertices, std::span<const Vector3d> positions) {
@@ -51,7 +51,7 @@ double radius_of(const VertexSet& vertices, std::span<const Vector3d> positions)
   return radius;
 }
 
-// Collects the border of an ROI, component by component.
+// Finds the border of an ROI, component by component.
 class BorderFinder {
  public:
   BorderFinder(const VertexSet& roi, std::span<const VertexSet> handles, const Mesh& mesh)
@@ -79,7 +79,7 @@ class BorderFinder {
  private:
   void add_rims(const VertexSet& component) {
     std::vector<Rim> rims = rims_of(component);
-    // A rim within a handle moves with it and holds nothing.
+    // A rim inside a handle moves with the handle, so it cannot be a fixed border.
     std::erase_if(rims, [&](const Rim& rim) {
       return std::ranges::all_of(rim.vertices, [&](Index v) { return in_handle_[v] != 0; });
     });

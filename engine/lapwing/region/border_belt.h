@@ -25,24 +25,24 @@ bool on_mesh_boundary(Index v, const Topology& topology);
 
 struct BorderBelt {
   VertexSet vertices;
-  /// Has one vertex of each hole whose rim is in the belt because nothing else can hold its
-  /// component.
+  /// One vertex of each hole whose rim is in the belt because nothing else can fix its component.
   std::vector<Index> held_holes;
 };
 
-/// Returns the vertices of the ROI that are near its border, without those of the handles. A vertex
-/// is near if its geodesic distance to the border is at most `fraction` of the largest such
-/// distance in its component. Paths stay in the ROI. `handles` lists the vertices of each handle
-/// and of each target.
+/// Returns the vertices of the ROI that are near its border and not in `handles`. A vertex is near
+/// if its geodesic distance to the border, measured inside the ROI, is at most `fraction` times the
+/// largest such distance in its component. `handles` holds the vertices of each handle and of each
+/// target.
 ///
-/// The border of a component is where it has ring neighbours outside the ROI. A component without
-/// such neighbours is a whole component of the mesh. Its border consists of its rims, the connected
-/// parts of its boundary. Rims less than half as large as the largest one are holes and move with
-/// the surface. If the largest rim is small compared with the surface, as on a statue with holes,
-/// all rims are holes. This needs at least two handles that can hold the component; with fewer, the
-/// largest rims hold it. A closed component has no border.
+/// The border of a component consists of its vertices with ring neighbours outside the ROI. If
+/// there are none, the component is a whole component of the mesh. Its border then consists of its
+/// rims, the connected components of its boundary. Rims less than half as large as the largest one
+/// surround holes, which move with the surface. If the largest rim is small compared with the
+/// surface, as on a statue with holes, all rims surround holes. In that case, handles must fix the
+/// component. If it has fewer than two handles, the largest rims are its border nevertheless. A
+/// closed component has no border.
 ///
-/// Throws InputError, naming `where`, if the fraction is not from 0 to 1.
+/// Throws InputError, naming `where`, if the fraction is outside [0, 1].
 BorderBelt resolve_border_belt(const BoundaryAnchors& belt, const VertexSet& roi,
                                std::span<const VertexSet> handles, const Mesh& mesh);
 

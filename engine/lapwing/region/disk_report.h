@@ -20,12 +20,12 @@ struct DiskReport {
     Index vertex = 0;  ///< smallest vertex
   };
 
-  std::vector<Piece> pieces;      ///< triangles connected over edges, by smallest vertex
+  std::vector<Piece> pieces;      ///< edge-connected triangles, by smallest vertex
   std::vector<Loop> loops;        ///< boundary loops, by smallest vertex
   long euler_characteristic = 0;  ///< vertices - edges + triangles
-  long handles = 0;               ///< sum of the genera; 0 if an edge is crowded or turned
+  long handles = 0;               ///< sum of the genera; 0 if any edge is listed below
   std::vector<std::array<Index, 2>> non_manifold_edges;  ///< edges with more than two triangles
-  std::vector<std::array<Index, 2>> turned_edges;        ///< their two triangles face opposite ways
+  std::vector<std::array<Index, 2>> turned_edges;        ///< between triangles facing opposite ways
   VertexSet
       pinched;      ///< vertices where parts touch without a common edge: several fans around them
   VertexSet loose;  ///< vertices in no triangle; they do not count

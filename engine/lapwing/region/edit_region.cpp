@@ -57,7 +57,7 @@ VertexSet resolve_belt(const RegionSpec& spec, const VertexSet& roi, const Mesh&
   return belt;
 }
 
-// Sets the belt along the border. Vertices of handles and targets do not become part of it.
+// Sets the belt to the vertices along the border. Excludes vertices of handles and targets.
 void resolve_border_belt(const BoundaryAnchors& spec, const Mesh& mesh, EditRegion& region) {
   std::vector<VertexSet> holders = region.handles;
   for (const Target& target : region.targets) holders.push_back(corners_of({&target, 1}));

@@ -40,14 +40,14 @@ struct EditRegion {
   VertexSet roi;
   VertexSet belt;                  ///< in the ROI; does not move
   std::vector<VertexSet> handles;  ///< in the ROI, not empty, disjoint from each other and the belt
-  std::vector<std::optional<double>> handle_weights = {};  ///< Falloff::weight of each; empty: none
-  std::vector<FalloffVertex> graded = {};  ///< ascending, free; none has a hard target
+  std::vector<std::optional<double>> handle_weights = {};  ///< Falloff::weight per handle, or empty
+  std::vector<FalloffVertex> graded = {};  ///< ascending; free vertices without hard targets
   std::vector<Target> targets = {};        ///< in the ROI, none at a vertex of belt or handles
-  bool hard_targets = false;               ///< whether targets are reached exactly
-  std::vector<LoosePart> loose = {};       ///< parts to carry; in none of the above
-  std::vector<VertexSet> left_out = {};    ///< parts that stay; in none of the above
-  /// Components of the ROI may turn freely about a line of anchors, because no firmer component
-  /// could carry them. They turn as little as possible.
+  bool hard_targets = false;               ///< true if targets are reached exactly
+  std::vector<LoosePart> loose = {};       ///< parts that follow; disjoint from all above
+  std::vector<VertexSet> left_out = {};    ///< parts that stay; disjoint from all above
+  /// True if components of the ROI may turn freely about a line of anchors, because they cannot
+  /// follow a better anchored component. They turn as little as possible.
   bool turns_freely = false;
   std::vector<Index> held_holes = {};  ///< BorderBelt::held_holes of the belt
   bool operator==(const EditRegion&) const = default;

@@ -12,9 +12,9 @@
 
 namespace lapwing {
 
-/// Limits of the weights of belt, handles and targets. Squared, a smaller one holds nothing
-/// compared with the rounding of the surface's forces. A larger one holds no firmer, since this one
-/// already leaves no error.
+/// Limits of the weights of belt, handles and targets. The square of a smaller weight is below the
+/// rounding errors of the surface's forces. A larger weight has no further effect, because the
+/// constraint error is already 0.
 inline constexpr double kMinWeight = 1e-6;
 inline constexpr double kMaxWeight = 1e12;
 
@@ -26,9 +26,9 @@ inline constexpr std::string_view kWeightWords = "a weight from 0.000001 to 1000
 
 /// How firmly a handle holds its vertices and those around it.
 struct Falloff {
-  /// A factor from kMinWeight to kMaxWeight on the constraint weight, or on 1 if there is none. If
-  /// it is empty, the constraint weight holds the handle, or firm constraints do if there is none.
-  /// Hard constraints ignore the factor.
+  /// The handle's weight is this factor, from kMinWeight to kMaxWeight, times the constraint weight
+  /// (1 if the edit has none). If the factor is empty, the handle has the constraint weight, or is
+  /// stiff (kStiff) if the edit has none. Hard constraints ignore the factor.
   std::optional<double> weight = {};
   /// Outside the handle's region, its weight falls from 1 to 0 over this geodesic distance. There
   /// is no falloff if this is empty or its width is 0.
@@ -49,7 +49,7 @@ struct HandleSpec {
 struct FalloffVertex {
   Index vertex = 0;
   std::size_t handle = 0;
-  double weight = 0.0;  ///< above 0, below 1
+  double weight = 0.0;  ///< in the open interval (0, 1)
   bool operator==(const FalloffVertex&) const = default;
 };
 

@@ -115,10 +115,10 @@ class Flood {
   std::vector<Index> stack_;
 };
 
-// Resolves a loop whose vertices exist. The loop cuts the surface along the edges that it passes an
-// odd number of times. The region consists of the triangles reachable from `inside` across uncut
-// edges. The loop does not separate the mesh if the region is on both sides of a cut edge. Throws
-// InputError as `resolve` does.
+// Resolves a loop. All its vertices must exist. The loop cuts the surface along each edge that it
+// traverses an odd number of times. The region consists of the triangles that can be reached from
+// `inside` across uncut edges. If both sides of a cut edge are in the region, the loop does not
+// separate the mesh. Throws InputError as `resolve` does.
 VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const Mesh& mesh) {
   const ClosedLoop loop = join(region.loop, where, mesh);
   const std::string inside = std::to_string(region.inside);

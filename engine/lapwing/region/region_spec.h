@@ -75,10 +75,10 @@ struct RegionSpec {
   bool operator==(const RegionSpec& other) const { return form == other.form; }
 };
 
-/// Returns the vertices that `spec` chooses on `mesh`. Throws InputError, naming `where`, if the
-/// mesh has no surface or does not have one of the vertices. Also throws it for a box or difference
-/// without vertices, and for a disk in a region without triangles. Also throws it if a loop cannot
-/// be joined, does not separate the mesh or does not have `inside` on one side.
+/// Returns the vertices that `spec` selects on `mesh`. Throws InputError, naming `where`, if the
+/// mesh has no triangles or a vertex index is out of range. Also throws it for a box or difference
+/// without vertices, and for a disk in a region without triangles. Also throws it for a loop that
+/// cannot be closed, that does not separate the mesh, or that passes through `inside`.
 VertexSet resolve(const RegionSpec& spec, const Mesh& mesh);
 
 }  // namespace lapwing

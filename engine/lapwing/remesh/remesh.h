@@ -25,8 +25,8 @@ RegionQuality region_quality(const Mesh& mesh, const VertexSet& region);
 /// Input of `remesh` besides the mesh.
 struct RemeshRequest {
   RegionSpec region = {};
-  std::optional<double> length = {};  ///< wanted edge length, above 0; if empty, `scale` sets it
-  double scale = 1.0;                 ///< wanted / mean edge length of the region, above 0
+  std::optional<double> length = {};  ///< target edge length, positive; if empty: by `scale`
+  double scale = 1.0;                 ///< target / mean edge length of the region, positive
   RemeshOptions options = {};
   std::string where = "remesh";  ///< as in RegionSpec; ignored by ==
   bool operator==(const RemeshRequest& other) const {

@@ -17,16 +17,16 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 256;
 
-// Locates the patch's vertices, corners and triangles on the original mesh. The corners of a vertex
-// between two lines form a sector and share their attributes.
+// Where the vertices, corners and triangles of the patch lie on the original mesh. Feature lines
+// divide the corners around a vertex into sectors. The corners of a sector share their attributes.
 struct AttributeSources {
-  std::vector<SurfacePoint> vertices;     //< per vertex, in mesh vertices; nowhere if removed
-  std::vector<Index> sectors_of_corners;  //< per half-edge: the sector of its origin's corner
-  std::vector<SurfacePoint> sectors;      //< per sector, in corners of the mesh
-  std::vector<Index> faces;               //< per triangle: a face of the mesh; kNoIndex if removed
+  std::vector<SurfacePoint> vertices;     //< per vertex, by mesh vertices; nowhere() if removed
+  std::vector<Index> sectors_of_corners;  //< per half-edge: the sector of the corner at its origin
+  std::vector<SurfacePoint> sectors;      //< per sector, by mesh corners
+  std::vector<Index> faces;               //< per triangle, a face of the mesh; kNoIndex if removed
 };
 
-// Expresses each point in mesh vertices and, per sector, in mesh corners.
+// Expresses each point by vertices of the mesh and, for each sector, by corners of the mesh.
 class SourceFinder {
  public:
   explicit SourceFinder(const WorkingPatch& patch)

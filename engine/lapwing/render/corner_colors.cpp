@@ -84,8 +84,8 @@ class CornerPainter {
     return static_cast<std::uint32_t>(CornerSource::none);
   }
 
-  // Returns positions in the image of `material`, or nothing if it has no image or a corner no
-  // position.
+  // Returns the positions of the corners in the image of `material`. Returns nothing if it has no
+  // image, or if a corner has no texture coordinates.
   std::optional<std::array<Place, 3>> find_places(const FileMaterial* material,
                                                   const std::array<Index, 3>& corners) const {
     if (material == nullptr || material->image == kNoIndex || attributes_.corner_uvs.empty()) {

@@ -25,13 +25,13 @@ struct CornerColors {
   std::vector<std::array<float, 2>> places;
 };
 
-/// Returns the colours of `mesh` and its file for each corner of `drawn`. The polygons of both
-/// meshes must have the same corners, but may use other vertices, as in a JoinedSurface. Returns an
-/// empty result if the corners differ.
+/// Returns, for each triangle corner of `drawn`, its colour in `mesh` or in a file that `mesh`
+/// names. Both meshes must have the same polygons, but their vertices may differ, as in a
+/// JoinedSurface. Returns an empty result if the numbers of corners differ.
 ///
 /// Each triangle takes its colours from the first available source: an image, vertex colours, its
-/// face colour, its material's colour. An image needs a position at every corner. The diffuse
-/// colour Kd does not darken an image.
+/// face colour, the colour of its material. An image needs texture coordinates at every corner. The
+/// image is not multiplied by the diffuse colour Kd.
 CornerColors corner_colors(const Mesh& drawn, const Mesh& mesh, const FileColors& colors);
 
 }  // namespace lapwing

@@ -8,7 +8,7 @@
 namespace lapwing {
 namespace {
 
-// Sorts the triangles so that triangles with close centroids are close in the list.
+// Returns an order of the triangles in which triangles with close centroids are close.
 std::vector<Index> order_in_space(std::span<const Vec4> positions,
                                   std::span<const Triangle> triangles) {
   std::vector<Eigen::Vector3f> middles;

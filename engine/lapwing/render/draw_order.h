@@ -24,8 +24,8 @@ class DrawOrder {
 
   std::size_t smooth_count() const { return smooth_count_; }
   std::size_t sharp_count() const { return triangle_count_ - smooth_count_; }
-  /// Contains uint entries. Three vertices for each smooth triangle come first. Three corner
-  /// numbers 3 t + k for each sharp triangle t follow.
+  /// Contains first the three vertices of each smooth triangle, then the three corner numbers
+  /// 3 t + k of each sharp triangle t. All entries are uint.
   const gpu::Buffer& index_buffer() const { return indices_; }
 
  private:

@@ -31,13 +31,13 @@ void record_read_back(gpu::Recorder& recorder, const DeviceImage& image, VkExten
 /// Returns the most samples per pixel, up to `wanted`, that the context's device supports.
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted);
 
-/// Returns the format for antialiased pictures of `color`, an _SRGB format, with sample_count
+/// Returns the format for antialiased images of `color`, an _SRGB format, with sample_count
 /// samples. On a software device, shaders encode the colours, which is faster.
 TargetFormat antialiased(const gpu::Context& context, VkFormat color, std::uint32_t samples);
 
-/// A rendering scope that draws one picture with depth, antialiased if the format has several
-/// samples. Owns the depth and multisampled images, but not the picture, which is a window's or an
-/// OffscreenTarget's. The context must outlive it.
+/// A rendering scope that draws one image with depth, antialiased if the format has several
+/// samples. Owns the depth and multisampled images, but not the target image, which belongs to a
+/// window or an OffscreenTarget. The context must outlive it.
 class DrawScope {
  public:
   DrawScope(const gpu::Context& context, VkExtent2D extent, const TargetFormat& format);
@@ -45,7 +45,7 @@ class DrawScope {
   /// Begins drawing into `picture`, an image of the extent and colour format, with one sample, in
   /// the layout of kColorTarget. Clears it to transparent black and the depth to the farthest.
   void begin(VkCommandBuffer commands, VkImageView picture) const;
-  /// Ends drawing into the same picture, which is then complete and in the same layout.
+  /// Ends drawing into the same image, which is then complete and in the same layout.
   void end(VkCommandBuffer commands, VkImageView picture) const;
 
  private:

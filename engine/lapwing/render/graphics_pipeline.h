@@ -13,7 +13,7 @@ namespace lapwing {
 
 /// Format of the images that pipelines draw into: a window's or an offscreen target's.
 struct TargetFormat {
-  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< format of the picture; encodes linear light
+  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< format of the image; encodes linear light
   VkFormat depth = VK_FORMAT_D32_SFLOAT;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   /// If true, shaders encode colours themselves (shaders/target.glsl), once per pixel, and draw
@@ -37,7 +37,7 @@ struct GraphicsPipelineInfo {
   std::uint32_t push_constant_bytes = 0;
   std::span<const std::uint32_t> constants;  ///< specialization constants 0, 1, ... of both stages
   bool depth = false;  ///< test and write depth: nearer, that is greater, wins
-  bool blend = false;  ///< by opacity over the picture, whose own opacity grows
+  bool blend = false;  ///< blend by opacity over the image, and add to the image's opacity
 };
 
 /// Which sides of triangles are drawn; the front is the one seen counter-clockwise.

@@ -9,12 +9,12 @@
 
 namespace lapwing {
 
-/// A user's request for a picture of a mesh: its size, viewpoint and style.
+/// A user's request for an image of a mesh: its size, viewpoint and style.
 struct PictureRequest {
   std::uint32_t width = 1280;  ///< in pixels
   std::uint32_t height = 960;  ///< in pixels
   View view = View::three_quarter;
-  std::optional<Eigen::Vector3d> from = {};  ///< direction to the eye; replaces `view`
+  std::optional<Eigen::Vector3d> from = {};  ///< direction from mesh to camera; replaces `view`
   UpAxis up = UpAxis::y;
   Background background = Background::gradient;
   bool orthographic = false;

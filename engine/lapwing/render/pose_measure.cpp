@@ -1,5 +1,6 @@
 #include "lapwing/render/pose_measure.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -26,12 +27,20 @@ const Words& words_of(PoseMeasure measure) {
   return kWords[static_cast<std::size_t>(measure)];
 }
 
+// A stiff belt gives way by about a millionth of the largest displacement. Without this limit, a
+// part of its vertices would have a colour.
+constexpr double kStill = 1e-5;
+
 // Returns the vertices that moved and their ring neighbours.
 std::vector<Index> touched_vertices(const Topology& topology, std::span<const Vector3d> rest,
                                     std::span<const Vector3d> current) {
+  double largest = 0.0;
+  for (Index v = 0; v < rest.size(); ++v) {
+    largest = std::max(largest, (current[v] - rest[v]).norm());
+  }
   std::vector<Index> moved;
   for (Index v = 0; v < rest.size(); ++v) {
-    if (rest[v] != current[v]) moved.push_back(v);
+    if ((current[v] - rest[v]).norm() > kStill * largest) moved.push_back(v);
   }
   return with_ring_neighbours(moved, topology.rings);
 }

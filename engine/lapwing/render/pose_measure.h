@@ -28,7 +28,8 @@ std::string_view name_of(PoseMeasure measure);
 std::string_view legend_title(PoseMeasure measure);
 
 /// Returns one nonnegative number per vertex of the mesh, or NaN (no colour) if the vertex and its
-/// whole ring have not moved. `rest` and `current` have one position per vertex. Linear time.
+/// whole ring moved by at most 1e-5 of the largest displacement. `rest` and `current` have one
+/// position per vertex. Linear time.
 std::vector<float> measure_pose(PoseMeasure measure, const Topology& topology,
                                 std::span<const Eigen::Vector3d> rest,
                                 std::span<const Eigen::Vector3d> current);

@@ -18,13 +18,14 @@ struct RenderOptions {
   Background background = Background::gradient;
   SurfaceStyle style = {};
   bool legend = true;             ///< draws a legend if numbers colour the surface
-  std::string legend_title = {};  ///< lines above the legend; may be empty
+  std::string legend_title = {};  ///< text above the legend; may be empty or have several lines
 
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }
 };
 
-/// Draws pictures without a display, one after the other, and keeps the pipelines and images for
-/// them. The same input gives the same bits on one device. The context must outlive it.
+/// Draws images without a display, one after the other, and reuses the pipelines and render targets
+/// for them. On one device, the same input gives a bitwise identical image. The context must
+/// outlive it.
 class ImageRenderer {
  public:
   /// Throws GpuError if the device cannot draw or a size exceeds its limits.
@@ -42,7 +43,7 @@ class ImageRenderer {
   Renderer renderer_;
 };
 
-/// Draws one such picture, on the context of `surface`.
+/// Draws one such image on the context of `surface`.
 Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                    const RenderOptions& options = {}, std::span<const CarriedDrawing> carried = {});
 

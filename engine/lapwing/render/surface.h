@@ -32,8 +32,8 @@ struct SurfaceTimes {
 /// The device must have finished the last draw before the surface is moved. Not thread-safe.
 class Surface {
  public:
-  /// `topology` must outlive the surface. An edge looks hard if its faces at these `positions` meet
-  /// at more than the feature angle. It remains hard when the surface moves.
+  /// `topology` must outlive the surface. An edge is hard if the normals of its faces at these
+  /// `positions` differ by more than the feature angle. It remains hard when the surface moves.
   Surface(std::shared_ptr<gpu::Context> context, std::span<const Eigen::Vector3d> positions,
           const Topology& topology, double feature_angle_degrees = kFeatureAngleDegrees);
 
@@ -60,7 +60,7 @@ class Surface {
   SurfaceTimes take_times();
 
   /// Returns the device's positions in mesh coordinates and its unit normals in the order of
-  /// SplitNormals. A normal is zero if all its triangles have no area. Only tests call these.
+  /// SplitNormals. A normal is zero if all its triangles have zero area. Only tests call these.
   Positions positions();
   std::vector<Eigen::Vector3d> normals();
 
@@ -70,8 +70,8 @@ class Surface {
   gpu::Context& context() const { return *context_; }
   std::size_t vertex_count() const { return known_.size(); }
   std::size_t triangle_count() const { return triangles_.bytes() / sizeof(Triangle); }
-  /// Returns the offset subtracted from the positions: the centre of the surface's bounding box at
-  /// construction. Float32 positions then keep their digits wherever the mesh lies.
+  /// Returns the offset that is subtracted from the positions: the centre of the surface's bounding
+  /// box at construction. Float32 positions then keep their digits wherever the mesh lies.
   const Eigen::Vector3d& origin() const { return origin_; }
   /// One vec4 per vertex: the position relative to `origin()`, and 1.
   const gpu::Buffer& position_buffer() const { return positions_; }
@@ -104,8 +104,8 @@ class Surface {
   gpu::Buffer positions_;
   gpu::Buffer normals_;
   gpu::Buffer triangles_;
-  /// Empty if no normal is split. `triangles_` then serves instead, because each corner has the
-  /// normal of its vertex.
+  /// Empty if no normal is split. In this case, each corner has the normal of its vertex, and
+  /// `triangles_` is used instead.
   std::optional<gpu::Buffer> corner_normals_;
   VertexNormals vertex_normals_;
   bool on_host_;

@@ -14,7 +14,8 @@ namespace lapwing {
 namespace {
 
 constexpr std::uint32_t kAllEdges = 0b111;
-// A maximum up to this multiple of the percentile barely changes the other colours.
+// If the maximum is at most this multiple of the percentile, the range includes it, because the
+// other colours then barely change.
 constexpr float kOutlierFactor = 1.5F;
 
 void check_count(std::size_t given, std::size_t expected, const char* what) {
@@ -32,8 +33,8 @@ bool is_polygon_edge(std::span<const Index> polygon, Index a, Index b) {
   return false;
 }
 
-// Returns the entries of `SurfacePaint::edge_buffer`, one per triangle. A bit is set if the side is
-// an edge of the polygon, not a diagonal.
+// Returns the entries of `SurfacePaint::edge_buffer`, one per triangle. Bit e is set if side e of
+// the triangle is an edge of the polygon, not a diagonal.
 std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
   std::vector<std::uint32_t> edges(topology.triangles.size(), 0);

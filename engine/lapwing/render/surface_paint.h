@@ -51,8 +51,8 @@ class SurfacePaint {
   /// Sets one number per vertex of the surface. Throws InputError for any other count. Vertices
   /// whose number is not finite are drawn without a colour.
   void set_scalars(std::span<const float> scalars);
-  /// Hides the edges that cut polygons of `mesh` into triangles. Throws InputError unless it has as
-  /// many triangles as the surface.
+  /// Hides the edges that cut polygons of `mesh` into triangles. Throws InputError if its number of
+  /// triangles differs from that of the surface.
   void set_polygons(const Mesh& mesh);
 
   /// Sets the colours that `mesh` and its file give `drawn`, as in corner_colors. Throws InputError
@@ -94,8 +94,8 @@ class SurfacePaint {
 };
 
 /// Returns the range from 0 to the 99th percentile of the finite numbers, which must not be
-/// negative. A few large numbers then do not make all other colours look alike. The range ends at
-/// the maximum instead if that is at most 1.5 times the percentile, or if the percentile is 0.
+/// negative. This prevents a few large numbers from making all other colours look alike. The range
+/// ends at the maximum if that is at most 1.5 times the percentile, or if the percentile is 0.
 ScalarRange range_without_outliers(std::span<const float> numbers);
 
 }  // namespace lapwing

@@ -22,7 +22,7 @@ std::optional<std::filesystem::path> find_ffmpeg();
 std::filesystem::path require_ffmpeg(const std::filesystem::path& output);
 
 /// Sends frames to an ffmpeg process, which encodes each frame when it arrives. ffmpeg writes a
-/// temporary file in the folder of `output`. The complete file replaces `output`.
+/// temporary file in the folder of `output`. When it is complete, it replaces `output`.
 class VideoWriter final : public FrameWriter {
  public:
   /// Throws IoError if ffmpeg cannot be started or the file cannot be created.

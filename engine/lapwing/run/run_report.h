@@ -43,7 +43,7 @@ struct RunReport {
   std::size_t faces = 0;
   std::size_t triangles = 0;
   std::size_t components = 0;
-  Bounds bounds;                      ///< without isolated vertices
+  Bounds bounds;                      ///< of the mesh without isolated vertices
   std::vector<std::string> warnings;  ///< of the mesh doctor, the steps and writing
   std::vector<std::string> notes;     ///< of the steps: what they did beyond their keys
   StageTimings timings;               ///< of the whole run: read, check, write

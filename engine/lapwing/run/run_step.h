@@ -27,7 +27,7 @@ struct RunState {
   Positions original;
   /// Region of the last step; empty before the first.
   EditRegion region;
-  /// Files that deform steps carried along, at their current positions.
+  /// Files that deform steps have moved with the surface, at their current positions.
   std::vector<AttachmentFile> carried;
   std::shared_ptr<const SourceFile> read_from;  ///< source of the mesh before any step
   std::vector<std::filesystem::path> inputs;    ///< all files read, except the recipe
@@ -59,10 +59,11 @@ struct StepContext {
   const MeshCache& meshes;  ///< the meshes that the step names
 };
 
-/// Runs `step` on the mesh of `on.result`. The same mesh gives the same bits as in `run_recipe`. A
-/// step that changes the triangles also changes `mesh` and `original` of the result. A transplant
-/// keeps the host's vertices first, in their order. Adds to the report's warnings. Throws as
-/// `run_recipe` does. Do not use the result after an exception.
+/// Runs `step` on the mesh of `on.result`. For the same mesh, the result is bitwise identical to
+/// that of `run_recipe`. A step that changes the triangles also changes `mesh` and `original` of
+/// the result. After a transplant, the host's vertices come first, in their old order. Adds to the
+/// warnings of the report. Throws the errors of `run_recipe`. After an exception, `on.result` must
+/// not be used.
 StepReport run_step(const Step& step, const StepContext& on);
 
 /// Returns the report of a deform, without the step's name. Moves the timings and the DeformReport

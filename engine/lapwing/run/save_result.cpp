@@ -21,10 +21,10 @@ std::array<double, kNames.size()> numbers_of(const VertexMotion& motion, std::si
   return {d.x(), d.y(), d.z(), q.w(), q.x(), q.y(), q.z(), motion.stretch[v]};
 }
 
-// Returns `mesh` with vertex properties of doubles that describe the motion of each vertex from
-// `rest` (VertexMotion). They are displacement dx, dy, dz, rotation qw, qx, qy, qz, and stretch.
-// Replaces existing properties with these names and keeps all others. Throws InputError, naming the
-// output file `path`, unless it is a PLY.
+// Returns `mesh` with added vertex properties that describe the motion of each vertex from `rest`
+// (VertexMotion). They are the displacement dx, dy, dz, the rotation qw, qx, qy, qz, and stretch,
+// all in double precision. Existing properties with these names are replaced. Throws InputError if
+// the output file `path` is not a PLY.
 Mesh with_vertex_motion(Mesh mesh, std::span<const Eigen::Vector3d> rest,
                         const std::filesystem::path& path) {
   const MeshFormat format = format_of(path);

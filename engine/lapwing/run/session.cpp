@@ -24,8 +24,8 @@ DeformWorkspace workspace_with(const std::optional<JoinedSurface>& joined) {
 
 }  // namespace
 
-// Keeps the checkpoints after steps that `recipe` shares with the last one. If the mesh is another
-// one, starts with a checkpoint before the first step.
+// Keeps the checkpoints after the first steps that `recipe` has in common with the last recipe, and
+// deletes all others. If the mesh is different, creates a checkpoint before the first step.
 void Session::find_checkpoints(const Recipe& recipe, const Progress& progress) {
   const std::shared_ptr<const Mesh> mesh = meshes_.mesh(recipe.base_directory, recipe.mesh);
   const bool begins_alike = !checkpoints_.empty() && checkpoints_.front().read == mesh &&

@@ -13,20 +13,21 @@ namespace lapwing {
 ///     Session session(kernels, meshes);
 ///     for (const Recipe& variant : variants) save_result(*session.run(variant), ...);
 ///
-/// Consecutive recipes with the same mesh read and check it once. From the second recipe on, the
-/// first steps that two recipes share run only once. The step after those keeps its preparation: if
-/// two deforms differ only in the motions of their handles, the second is one solve. Results have
-/// the bits of `run_recipe`, whatever ran before. Files must not change meanwhile.
+/// If consecutive recipes have the same mesh, it is read and checked only once. The first steps
+/// that two consecutive recipes share are not repeated from the second recipe on. The preparation
+/// of the following step is cached: if two deforms differ only in the motions of their handles, the
+/// second costs only one solve. Results are bitwise identical to those of `run_recipe`, whatever
+/// the session ran before. Files must not change during a session.
 ///
-/// Memory: the mesh, and one preparation for each place where recipes diverged so far. Not
-/// thread-safe.
+/// The session stores the mesh, and one preparation for each step at which recipes began to differ.
+/// The class is not thread-safe.
 class Session {
  public:
   /// Both must outlive the session.
   Session(Kernels& kernels, const MeshCache& meshes) : kernels_(kernels), meshes_(meshes) {}
 
-  /// Runs `recipe` as `run_recipe` does. The report keeps the timings of reused steps and omits the
-  /// stages that a kept preparation saved.
+  /// Runs `recipe` as `run_recipe` does. The report contains the original timings of reused steps.
+  /// It omits stages that were not needed because of a cached preparation.
   std::unique_ptr<RunResult> run(const Recipe& recipe, const Progress& progress = {});
 
  private:
@@ -45,7 +46,7 @@ class Session {
   Kernels& kernels_;
   const MeshCache& meshes_;
   Recipe last_;
-  std::size_t common_ = 0;               ///< number of common first steps of the last two recipes
+  std::size_t common_ = 0;               ///< number of first steps that the last two recipes share
   std::vector<Checkpoint> checkpoints_;  ///< of the last recipe, in order
 };
 

@@ -18,8 +18,8 @@ enum class Ordering {
 inline constexpr std::size_t kMinimumDegreeLimit = 150'000;
 
 /// Returns a permutation of the block columns, new to old, that keeps the Cholesky factor sparse.
-/// The same pattern gives the same order. Throws SolverError if METIS fails (out of memory) or the
-/// graph is too large to number. For M'M of a mesh, `dissection_order` is faster.
+/// The same pattern gives the same order. Throws SolverError if METIS runs out of memory or the
+/// graph has too many edges for its index type. For M'M of a mesh, `dissection_order` is faster.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern,
                                      Ordering ordering = Ordering::automatic);
 
@@ -34,8 +34,8 @@ struct EliminationOrder {
 EliminationOrder minimum_degree_order(const BlockPattern& pattern);
 
 /// Returns an approximate minimum degree (AMD) order of a graph, new to old. If `operations` is not
-/// null, writes EliminationOrder::operations to it. The call cannot be interrupted. Throws
-/// SolverError if the graph has too many edges for 31-bit indices.
+/// null, it is set to the value of EliminationOrder::operations. The call cannot be interrupted.
+/// Throws SolverError if the graph has too many edges for 31-bit indices.
 std::vector<int> minimum_degree(const BlockGraph& graph, double* operations = nullptr);
 
 /// Returns the scalar permutation that keeps the rows of a block together.

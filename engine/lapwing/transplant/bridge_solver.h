@@ -48,7 +48,8 @@ struct BridgeStrip {
       blocked;  ///< nodes whose gap to the next one cannot be closed; if any, there is no strip
 };
 
-/// Finds the cheapest strip through given nodes on two loops that run the same way.
+/// Finds the cheapest strip of triangles between two loops with the same direction that passes
+/// through given nodes.
 class BridgeSolver {
  public:
   /// Keeps references to both loops.

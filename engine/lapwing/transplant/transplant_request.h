@@ -14,32 +14,33 @@
 
 namespace lapwing {
 
-/// How a part is placed: by a fit of its loop to that of the hole, or by a move from its place in
-/// the file. A move without a pivot is about the centre of the part's loop.
+/// How a part is placed: by fitting its loop to that of the hole, or by a move from its position in
+/// the file. If a move has no pivot, it is about the centre of the part's loop.
 using PartPlace = std::variant<LoopFit, Move>;
 
 /// Parameters of a transplant. Lengths are those of the host.
 struct TransplantParameters {
-  /// The blend of the host's detail into the part's, from the part's loop on. Default: smooth, over
-  /// half the radius of the hole, or less if other holes or handles are close.
+  /// The transition from the host's detail to the part's detail, which begins at the part's loop.
+  /// By default, it is smooth. Its width is half the radius of the hole, or less if other holes or
+  /// handles are close.
   std::optional<Transition> transition = {};
   std::optional<double> padding =
-      {};                           ///< width of the free strips beside it; default: half its width
-  std::optional<double> belt = {};  ///< held width beyond; default: a quarter of its width
+      {};                           ///< free width beside it; default: half the transition's width
+  std::optional<double> belt = {};  ///< width of the belt outside; default: 1/4 of the transition
   LaplacianWeights weights = LaplacianWeights::cotangent;
   MappedSampling sampling = MappedSampling::linear;
   Remeshing remesh = Remeshing::automatic;
   bool operator==(const TransplantParameters&) const = default;
 };
 
-/// A request to put a part of one mesh in the place of a region of another, without the meshes.
-/// {"op": "transplant"} in recipes.
+/// A request to replace a region of one mesh by a part of another mesh. It does not contain the
+/// meshes. {"op": "transplant"} in recipes.
 struct TransplantRequest {
   std::optional<RegionSpec> part_region =
       {};                                ///< what to cut from the part's mesh; default: all of it
-  std::optional<std::size_t> loop = {};  ///< which boundary loop to join; default: the longest
+  std::optional<std::size_t> loop = {};  ///< boundary loop to join; default: the longest
   PartPlace place = {};
-  bool snap = false;  ///< after a move: bring the part's loop onto the mesh, by the least motion
+  bool snap = false;  ///< moves the part's loop onto the mesh, as little as possible
   RegionSpec target_region = {};
   TransplantParameters parameters = {};
   std::string where = "transplant";  ///< as in RegionSpec; ignored by ==

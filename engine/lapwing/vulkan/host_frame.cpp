@@ -29,8 +29,8 @@ Lanes yzx(Lanes v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 
-// Returns the sum of the normals of the triangles in the fan. The length of each normal is twice
-// the area of its triangle.
+// Returns the sum of the normals of the triangles in the fan. Each normal has twice the area of its
+// triangle as its length.
 Lanes area_around(const Vec4& here, std::span<const Index> fan, std::span<const Vec4> positions) {
   // a x b = yzx(a yzx(b) - yzx(a) b). The outer yzx is applied once, to the sum.
   Lanes sum{};

@@ -22,8 +22,8 @@ struct Device {
 /// name. "cpu" uses double precision and does not need Vulkan. "auto" selects the best GPU. If no
 /// GPU is usable, it selects the CPU, which is faster than a software device.
 ///
-/// VulkanOptions describes `frames_on_device`. If it is true, "auto" selects the best Vulkan
-/// device, even a software device. If the device fails later, the kernels continue on the CPU
+/// If `frames_on_device` is true (see VulkanOptions), "auto" selects the best Vulkan device, even a
+/// software device. If the device fails later, the kernels continue on the CPU
 /// (FallbackKernels), but the context becomes unusable. Throws GpuError if no device fits. The
 /// message lists the devices that were tried, what to install, and that "cpu" always works.
 Device open_device(const std::string& name, bool frames_on_device = false);

@@ -39,8 +39,8 @@ std::size_t find_open_start(std::span<const Edge> edges, std::size_t from) {
   return from;
 }
 
-// Represents one triangle around a vertex. `normal` is the normal of its corner at the vertex, as
-// in SplitNormals. `edge` is its opposite edge.
+// Represents one triangle around a vertex. `normal` is the index in SplitNormals of the normal at
+// the triangle's corner. `edge` is the edge of the triangle opposite this corner.
 struct Corner {
   Index normal;
   Edge edge;

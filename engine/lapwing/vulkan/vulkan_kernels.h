@@ -27,7 +27,7 @@ struct VulkanOptions {
 class VulkanKernels final : public Kernels {
  public:
   /// Opens the best device that fits `options`. Throws GpuError if no device fits. The message
-  /// lists the tried devices and the packages to install.
+  /// lists the devices that were tried and the packages to install.
   explicit VulkanKernels(const VulkanOptions& options = {});
   /// Uses a context that others, such as a window, use too.
   VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,

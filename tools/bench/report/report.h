@@ -11,9 +11,9 @@ namespace lapwing::bench {
 
 /// The value of Measurement::by in our rows. All other rows are peers'.
 inline constexpr const char* kLapwing = "Lapwing";
-/// Measurement::device has this value for work on the processor.
+/// Measurement::device has this value for work on the CPU.
 inline constexpr const char* kProcessor = "CPU";
-/// Most targets apply to this mesh.
+/// The mesh to which most targets apply.
 inline constexpr const char* kTargetMesh = "armadillo";
 
 /// Counts by name. They are the same in every run and, up to the last bits of an ordering, on every
@@ -30,7 +30,7 @@ struct Measurement {
   std::string mesh;    ///< "armadillo", "sphere"
   std::size_t vertices = 0;
   std::vector<double> wall_ms;    ///< one number per counted run, in the order of the runs
-  std::vector<double> cpu_ms;     ///< processor time of all threads, likewise
+  std::vector<double> cpu_ms;     ///< CPU time of all threads, likewise
   std::vector<double> device_ms;  ///< from the device's timestamps, likewise; may be empty
   std::uint64_t peak_bytes = 0;   ///< largest resident size of the process; 0 if unknown
   Counts counts;
@@ -44,7 +44,7 @@ struct Measurement {
 struct Limits {
   std::string device;  ///< "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"
   std::string type;    ///< "discrete GPU", "integrated GPU", "virtual GPU", "software", "cpu"
-  std::string driver;  ///< name and version; empty for the processor
+  std::string driver;  ///< name and version; empty for the CPU
   /// Bytes read plus bytes written in a copy between two large buffers, 1e9 per second.
   double copy_gb_per_s = 0;
   double matmul_gflops_float32 = 0;  ///< product of large matrices, 1e9 operations per second
@@ -111,9 +111,10 @@ std::vector<std::string> devices_of(const Report& report);
 /// Returns the limits of the measurement's device, or null if they were not measured.
 const Limits* limits_of(const Report& report, const Measurement& measurement);
 
-/// Returns the share of the device's limit that the work reaches. It is the larger of two times,
-/// divided by the median of `clock_ms`: "flops" over the rate of float64 products, and "bytes" over
-/// the copy rate. Returns 0 if nothing was counted or no limit is known.
+/// Returns the fraction of the device's peak rate that the work reaches. The minimal time of the
+/// work is the larger of two times: "flops" divided by the float64 multiplication rate, and "bytes"
+/// divided by the copy rate. The result is this time divided by the median of `clock_ms`. Returns 0
+/// if nothing was counted or no peak rate is known.
 double share_of_limit(const Report& report, const Measurement& measurement);
 
 }  // namespace lapwing::bench

@@ -26,7 +26,7 @@ const char* key_of_bound(bool is_floor) {
 
 }  // namespace
 
-// nlohmann::json calls the following functions, which it finds by name.
+// nlohmann::json calls the following functions, which it finds by argument-dependent lookup.
 
 void to_json(Json& json, const Host& host) {
   json = {{"processor", host.processor},

@@ -19,26 +19,26 @@ using Json = nlohmann::ordered_json;
 /// numbers have six significant digits, more than any clock measures.
 std::string to_json(const Report& report);
 
-/// Reads a report that to_json wrote. If the text is not a report, throws InputError with `name` as
-/// the name of the file.
+/// Parses a report that to_json wrote. If the text is not a report, throws an InputError that gives
+/// `name` as the file name.
 Report parse_report(std::string_view json, const std::string& name);
 
 /// Reads a report from a file. Also throws IoError if the file cannot be read.
 Report read_report(const std::filesystem::path& path);
 
-/// Writes each member of an object, and each element of a list, on a separate line. Names of files
-/// can contain invalid UTF-8, which is replaced.
+/// Returns the object as text. Each member of the object, and each element of a list, is on a
+/// separate line. File names can contain invalid UTF-8, which is replaced.
 std::string json_by_lines(const Json& object);
 
-/// Parses a JSON object and checks that its format is `format`. Throws InputError, with `name` as
-/// the name of the file, if it is not.
+/// Parses a JSON object. If its format is not `format`, throws an InputError that gives `name` as
+/// the file name.
 Json parse_format(std::string_view json, const std::string& format, const std::string& name);
 
-/// Throws an InputError that says that the file `name` cannot be read, and why.
+/// Throws an InputError with the message that the file `name` cannot be read, and the reason.
 [[noreturn]] void fail_to_read(const std::string& name, const std::string& why);
 
-/// Calls `read`, and translates errors of the JSON library about missing values or wrong types to
-/// InputError with the name of the file.
+/// Calls `read`. If the JSON library throws an error about a missing value or a wrong type, throws
+/// an InputError with the file name instead.
 template <class Read>
 auto reading_json(const std::string& name, const Read& read) {
   try {

@@ -20,7 +20,7 @@ std::string median_cell(const std::vector<double>& ms) {
   return padded_left(ms.empty() ? "-" : short_number(median_of(ms)), kNumber);
 }
 
-// Half the distance between the quartiles, as a share of the median.
+// Returns half the distance between the quartiles, as a fraction of the median.
 std::string spread_cell(const std::vector<double>& ms) {
   const Spread spread = spread_of(ms);
   if (ms.size() < 2 || !(spread.median > 0.0)) return padded_left("", kSpread);
@@ -76,8 +76,8 @@ std::string line_of(const Target& target) {
          "\n";
 }
 
-// A rate is 0 if it was not measured. A device without 64-bit floats has no rate for float64, and
-// the processor has none without a BLAS.
+// A rate of 0 means that it was not measured. The float64 rate of a device without 64-bit floats is
+// not measured, nor are the rates of a CPU without a BLAS.
 std::string matmul_text(const Limits& limits) {
   const bool has_float64 = limits.matmul_gflops_float64 > 0.0;
   const double rate = has_float64 ? limits.matmul_gflops_float64 : limits.matmul_gflops_float32;
@@ -109,8 +109,8 @@ ratio: time of Lapwing over that of the peer
 
 )";
 
-// Lists our stages on one mesh, each with the peer that its target names or that measured the same
-// stage.
+// The table of Lapwing's stages on one mesh. Each stage is compared with the peer in its target, or
+// with a peer that measured the same stage.
 class Screen {
  public:
   explicit Screen(const Report& report) : report_(report) {
@@ -157,14 +157,14 @@ class Screen {
   static constexpr std::size_t kTime = 7;
   static constexpr std::size_t kPeerTime = 6;
 
-  // The work with which a stage is compared.
+  // The measurement with which a stage is compared.
   struct Peer {
     std::string name;
     double ms = 0.0;
   };
 
   static std::string ratio_text(double ratio) {
-    // Ratios below 1 have three decimals.
+    // Ratios below 1 are printed with three decimals.
     const std::string text = short_number(std::round(1e3 * ratio) / 1e3);
     return ratio < 1.0 ? text.substr(0, 5) : text;
   }
@@ -182,7 +182,7 @@ class Screen {
         rows_, {}, [&](const Measurement* m) { return m->stage == stage ? m->vertices : 0; });
   }
 
-  // Returns our row, or null.
+  // Returns Lapwing's measurement of a stage, or null.
   const Measurement* find(const std::string& stage, const Measurement& subject,
                           const std::string& device) const {
     const auto found = std::ranges::find_if(rows_, [&](const Measurement* m) {
@@ -195,7 +195,7 @@ class Screen {
     return find(stage, subject, kProcessor) != nullptr || find(stage, subject, device_) != nullptr;
   }
 
-  // Returns the target of a stage whose bound is a ratio, named "STAGE / PEER", or null.
+  // Returns the target of this stage if its bound is a ratio to a peer ("STAGE / PEER"), else null.
   const Target* target_of(const Measurement& m) const {
     for (const Target& target : report_.targets) {
       if (target.name.starts_with(m.stage + " / ") && target.on == m.mesh + ", " + m.device) {
@@ -205,7 +205,8 @@ class Screen {
     return nullptr;
   }
 
-  // Returns the peer that the target names, or else the fastest peer that measured the same stage.
+  // Returns the peer in the stage's target. If there is no target, returns the fastest peer that
+  // measured the same stage.
   Peer peer_of(const Measurement& m) const {
     const Target* const target = target_of(m);
     if (target != nullptr && target->measured > 0.0) {
@@ -249,8 +250,8 @@ class Screen {
   }
 
   const Report& report_;
-  std::vector<const Measurement*> rows_;  // our measurements with times
-  std::string device_;                    // the first device that is not the processor
+  std::vector<const Measurement*> rows_;  // Lapwing's measurements with times
+  std::string device_;                    // the first device that is not the CPU
 };
 
 }  // namespace

@@ -6,14 +6,14 @@
 
 namespace lapwing::bench {
 
-/// Returns one screen of at most 100 columns. For each stage it has Lapwing's time on the processor
-/// and on the first other device, a peer's time, the ratios, and whether the targets are met. The
-/// mesh is the Armadillo if it was measured, or else the largest one. Stages without a measurement
-/// on this mesh follow, on the largest mesh that has one.
+/// Returns a summary that fits on one screen of 100 columns. For each stage, it contains Lapwing's
+/// time on the CPU and on the first other device, a peer's time, the ratios, and whether the
+/// targets are met. The mesh is the Armadillo if it was measured, otherwise the largest one. The
+/// last rows are stages that were measured only on other meshes; each uses the largest of these.
 std::string screen_of(const Report& report);
 
-/// Returns all measurements and the targets, in at most 100 columns. Every mesh, size and device
-/// has a block with a row for every stage.
+/// Returns a table of all measurements and targets with at most 100 columns. For every mesh, size
+/// and device, there is a block with a row for every stage.
 std::string table_of(const Report& report);
 
 }  // namespace lapwing::bench

@@ -40,7 +40,7 @@ void send(int pipe, std::string_view text) {
 
 // Skips the exit handlers, which belong to the original process.
 [[noreturn]] void work_and_exit(const Work& work, int pipe, double most_seconds) {
-  // The kernel ends this process when the parent ends or the time limit expires.
+  // The kernel kills this process when the parent ends or the time limit expires.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   itimerval limit{};
   limit.it_value.tv_sec = static_cast<time_t>(most_seconds);
@@ -57,7 +57,7 @@ void send(int pipe, std::string_view text) {
   _exit(0);
 }
 
-// Returns all bytes that the other end writes before it closes the pipe.
+// Returns all bytes that the other process writes before it closes the pipe.
 std::string receive(int pipe) {
   std::string text;
   std::array<char, 4096> part;

@@ -30,8 +30,8 @@ struct RunSettings {
   bool only_counts = false;  ///< runs everything once and keeps only the counts
 };
 
-/// Measures work on one mesh and collects the rows of the report. A row is Lapwing's unless a peer
-/// is named.
+/// Measures work on one mesh and collects the rows of the report. A row without the name of a peer
+/// is a measurement of Lapwing.
 class BenchRun {
  public:
   BenchRun(const RunSettings& settings, Subject subject);
@@ -47,13 +47,13 @@ class BenchRun {
   bool wants_peer(const std::string& stage, const std::string& by) const;
 
   /// Measures `work` and adds a row to the report. Calls `before` before every run, outside the
-  /// measured time. Returns the row, to which the caller may add counts until the next row is
-  /// measured, or null if the filter excludes the row. Runs at least `least_runs` times if the
-  /// settings allow it and a run is shorter than kLongRun_ms.
+  /// measured time. Runs at least `least_runs` times if the settings allow it and a run is shorter
+  /// than kLongRun_ms. Returns the row, or null if the filter excludes it. The caller may add
+  /// counts to the row until the next row is measured.
   Measurement* measure(const std::string& stage, const BenchDevice& device,
                        const std::function<void()>& work, const std::function<void()>& before = {},
                        int least_runs = 0);
-  /// These measure work of Lapwing and of a peer on the processor.
+  /// The first function measures work of Lapwing on the CPU, the second that of a peer.
   Measurement* measure(const std::string& stage, const std::function<void()>& work,
                        const std::function<void()>& before = {});
   Measurement* measure_peer(const std::string& stage, const std::string& by,
@@ -81,9 +81,9 @@ class BenchRun {
   std::map<std::string, std::vector<gpu::KernelUse>> last_kernels_;
 };
 
-// Each group of rows has a file with its name, stages_*.cpp or peers.cpp.
+// Each group of rows is in the file of the same name, stages_*.cpp or peers.cpp.
 
-/// Measures "read OBJ", "read PLY", "check" and "topology" on the processor.
+/// Measures "read OBJ", "read PLY", "check" and "topology" on the CPU.
 void measure_mesh_stages(BenchRun& run);
 
 /// Measures each stage of a preparation alone: "pattern", "order", "laplacian weights", "assemble"
@@ -99,7 +99,7 @@ void measure_edit_stages(BenchRun& run);
 /// hills.
 void measure_layer_stages(BenchRun& run);
 
-/// Measures "show mesh" and "render", a picture of 1280 x 800 pixels, on every device that draws.
+/// Measures "show mesh" and "render", an image of 1280 x 800 pixels, on every device that draws.
 void measure_render(BenchRun& run);
 
 /// Measures the same work by others: CGAL's ARAP ("preparation", "settle iteration", "settle

@@ -29,7 +29,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
   return memory;
 }
 
-// Returns the sum of the processor times of all threads of this process.
+// Returns the total CPU time of all threads of this process.
 double processor_ms() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -77,7 +77,7 @@ void Meter::run_once(Measurement& measurement, const std::function<void()>& work
     return;
   }
   const gpu::DeviceUse use = context_->profile()->take();
-  // The processor may have done all the work itself, in the device's memory.
+  // The CPU may have done all the work in the device's memory.
   if (use.submissions > 0) measurement.device_ms.push_back(use.device_ms);
   measurement.counts["submissions"] = use.submissions;
   std::uint64_t dispatches = 0;

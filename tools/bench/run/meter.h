@@ -11,13 +11,13 @@
 
 namespace lapwing::bench {
 
-/// A longer run needs no warm-up, because the extra cost of a first run is small beside it.
+/// A longer run needs no warm-up, because the extra cost of a first run is then small.
 inline constexpr double kLongRun_ms = 2000.0;
 
 /// How often a measurement runs its work.
 struct Repeats {
-  int least = 5;           ///< counted runs, however long they take
-  int most = 60;           ///< counted runs, however short
+  int least = 5;           ///< minimum number of measured runs
+  int most = 60;           ///< maximum number of measured runs
   double enough_ms = 500;  ///< time that counted runs should fill, within these two bounds
   int least_long = 3;      ///< replaces `least` if a run takes longer than kLongRun_ms
 };
@@ -38,11 +38,11 @@ std::vector<double> time_runs(int repeats, Work work) {
 /// Reads clocks and counters around repeated runs of one piece of work.
 class Meter {
  public:
-  /// `context` is that of the device, made with ContextOptions::profile; null on the processor.
+  /// `context` is that of the device, made with ContextOptions::profile; null on the CPU.
   explicit Meter(gpu::Context* context) : context_(context) {}
 
   /// Runs `work` once to warm up, then as often as `repeats` says. Fills in times, peak memory and
-  /// the counts of the last run: allocations on the processor (a device's driver allocates, too);
+  /// the counts of the last run: allocations by the CPU (a device's driver allocates, too);
   /// dispatches, submissions and bytes uploaded and downloaded on a device. Calls `before` before
   /// every run, outside the measurement.
   void run(Measurement& measurement, const Repeats& repeats, const std::function<void()>& work,

@@ -108,7 +108,7 @@ class EditStages {
     options_.settle->tolerance = kSettleTolerance;
   }
 
-  // A function that prepares an edit for a drag and returns the object that owns the result.
+  // A function that prepares an edit for a drag and returns an object that keeps the result alive.
   using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const EditRegion&,
                                                             const DeformOptions&)>;
 
@@ -164,8 +164,9 @@ class EditStages {
     return row;
   }
 
-  // Measures a frame that the shaders compute, even on a software device, for which the processor
-  // usually computes frames. The values of the response are arbitrary.
+  // Measures a frame that the shaders compute. On a software device, too, the shaders compute it,
+  // although the CPU usually computes the frames of such a device. The response has arbitrary
+  // values.
   void measure_shader_frame() {
     if (device_.context == nullptr || !wants("shader frame")) return;
     const BenchDevice staged = open_bench_device(device_.name, false);

@@ -74,7 +74,7 @@ void measure_render(BenchRun& run) {
       Surface shown(device.context, subject.mesh.positions, subject.mesh.topology());
       shown.place(subject.mesh.positions);
     });
-    // The rest pose suffices: the cost of a picture does not depend on the positions.
+    // The rest pose suffices, because the cost of an image does not depend on the positions.
     const Surface surface(device.context, subject.mesh.positions, subject.mesh.topology());
     SurfacePaint paint(surface);
     paint.set_classes(vertex_classes(subject.region, subject.vertices()));

@@ -37,7 +37,7 @@ constexpr std::array kScans{
 // Vertices per side, for about 1,000, 10,000, 100,000, 250,000 and 1,000,000 vertices.
 constexpr std::array<Index, 5> kHillsAcross{32, 100, 316, 500, 1000};
 
-// Returns a sheet of `across` x `across` vertices one unit apart, with hills 30 units wide and a
+// Returns a sheet of `across` x `across` vertices at distances of 1, with hills of width 30 and a
 // fine relief. The wavelengths do not depend on the size of the sheet.
 Mesh hills(Index across) {
   using std::numbers::pi;

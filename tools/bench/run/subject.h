@@ -61,7 +61,8 @@ struct SubjectSource {
 /// generated hills, one at every order of magnitude from 1,000 to 1,000,000 vertices.
 std::vector<SubjectSource> all_subjects(const std::filesystem::path& models);
 
-/// Returns the names of the scans of `least` to `most` vertices that the folder `models` lacks.
+/// Returns the names of the scans with `least` to `most` vertices that are missing in the folder
+/// `models`.
 std::vector<std::string> missing_scans(const std::filesystem::path& models, std::size_t least,
                                        std::size_t most);
 

@@ -10,7 +10,8 @@ namespace lapwing::bench {
 std::unique_ptr<BlockSolver> make_eigen_solver();
 
 #ifdef LAPWING_HAVE_CHOLMOD
-/// Returns a solver that uses CHOLMOD's supernodal Cholesky with the given order of the blocks.
+/// Returns a solver that uses CHOLMOD's supernodal Cholesky factorization. The caller supplies the
+/// elimination order of the blocks.
 std::unique_ptr<BlockSolver> make_cholmod_solver();
 #endif
 

@@ -79,8 +79,8 @@ struct LeaningMesh {
   }
 };
 
-// Runs one edit in a separate process. Prints its time and the ratio to `beside_ms`, the time of
-// another edit. Returns the time, which excludes reading and subdividing the mesh.
+// Runs one edit in a separate process. Prints its time and the ratio of this time to `beside_ms`,
+// the time of another edit. Returns the time, which excludes reading and subdividing the mesh.
 double print_edit(const ConstraintsBench& settings, const std::string& name, double beside_ms,
                   const std::function<DeformRequest(const LeaningMesh&)>& request) {
   const Told told = run_in_child_process([&](const auto& tell) {

@@ -120,8 +120,9 @@ class FollowedDrag {
     step(0.0, {});
   }
 
-  // Moves the handle along the whole motion. Returns some poses, each with its share of the motion.
-  // The caller checks them after the drag, because a check gives background work extra time.
+  // Moves the handle along the whole motion. Returns some poses, each with the completed fraction
+  // of the motion. The caller checks the poses after the drag, because checks during the drag would
+  // give background work extra time.
   std::vector<std::pair<double, DragState>> move() {
     std::vector<std::pair<double, DragState>> poses;
     for (int k = 1; k <= kFrames; ++k) {
@@ -138,8 +139,8 @@ class FollowedDrag {
     return poses;
   }
 
-  // Computes frames with the handle at rest until the surface has settled, or until `end_ms` after
-  // the motion.
+  // Computes frames with an unmoving handle until the surface has settled, but for at most `end_ms`
+  // after the motion.
   const DragState& rest_until(double end_ms) {
     const MinimizerResult& last = drag_.state().last_result;
     while (rest_ms < end_ms && !last.settled && !last.exhausted) {

@@ -20,10 +20,11 @@ using Eigen::Vector2d;
 using viewer::FrameTimings;
 using viewer::InputKind;
 
-// One counted run draws this many frames of each kind.
+// The number of frames of each kind in one measured run.
 constexpr int kFramesPerRun = 8;
 
-// Records the times of each part of frames of one kind. The parts have the order of the table.
+// Records the times of the parts of a frame, for frames of one kind. The parts are in the order of
+// the table.
 struct FrameParts {
   std::array<std::vector<double>, 4> parts_ms;
 
@@ -76,7 +77,7 @@ class WholeViewer {
     draw(parts);
   }
 
-  // Turns the view by a drag beside the mesh.
+  // Rotates the view by a mouse drag beside the mesh.
   void turn_view(int frame, FrameParts& parts) {
     const Vector2d at(0.95 * size_.width, 0.5 * size_.height);
     ImGui::GetIO().MousePos = {static_cast<float>(at.x()), static_cast<float>(at.y())};
@@ -124,8 +125,8 @@ class WholeViewer {
   bool is_turning_ = false;
 };
 
-// Draws the frames of one run. Draws one more frame first, which is not counted, because it may
-// follow a frame of another kind.
+// Draws the frames of one run. Before them, it draws one frame that is not measured, because that
+// frame may follow a frame of another kind.
 void draw_run(WholeViewer& viewer, void (WholeViewer::*draw)(int, FrameParts&), FrameParts& parts) {
   FrameParts uncounted;
   for (int f = 0; f <= kFramesPerRun; ++f) (viewer.*draw)(f, f == 0 ? uncounted : parts);

@@ -47,8 +47,8 @@ DeformOptions linear_options() {
   return options;
 }
 
-// Returns the largest ratio of length to rest length among the edges at the vertices `rows`. The
-// ratio is 1 without stretch. Ignores edges whose rest length is zero.
+// Returns the largest ratio of length to rest length among the edges at the vertices `rows`. An
+// edge that is not stretched has the ratio 1. Ignores edges whose rest length is zero.
 double largest_edge_ratio(std::span<const Index> rows, const Topology& topology,
                           std::span<const Eigen::Vector3d> rest,
                           std::span<const Eigen::Vector3d> current) {
@@ -68,7 +68,7 @@ void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutco
   Certificate measures;
   measure_region(edit.region, edit.mesh.topology(), edit.weights, rest, positions, measures);
   outcome.flipped_triangles = measures.flipped_triangles;
-  // The detail error is NaN if the surface is flat, because it then has no details to lose.
+  // The detail error of a flat surface is NaN, because such a surface has no detail.
   outcome.detail_error = std::isnan(measures.detail_error) ? 0.0 : measures.detail_error;
   outcome.edge_stretch = measures.edge_stretch;
   outcome.largest_edge = largest_edge_ratio(edit.region.roi, edit.mesh.topology(), rest, positions);
@@ -110,7 +110,7 @@ void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int 
 #endif
 }
 
-// Shortens the message of an exception for a table. The advice after a semicolon is omitted.
+// Shortens an error message for a table by removing the advice after a semicolon.
 std::string shortened(const std::string& message) {
   constexpr std::size_t kMostCharacters = 90;
   return clipped(message.substr(0, message.find(';')), kMostCharacters);
@@ -137,8 +137,8 @@ std::string skip_reason(const Mesh& mesh, std::size_t most_vertices) {
   return {};
 }
 
-// Returns the edits that have a region. Adds a run for each motion to `all`, also for an edit that
-// fails.
+// Returns an edit for each motion that has a valid region. Adds a run to `all` for every motion. If
+// the region is invalid, the run contains the error message.
 std::vector<RealEdit> ready_edits(const Mesh& mesh, const std::vector<double>& weights,
                                   const std::string& name, RealMesh& all) {
   const Topology& topology = mesh.topology();
@@ -161,8 +161,8 @@ std::vector<RealEdit> ready_edits(const Mesh& mesh, const std::vector<double>& w
   return ready;
 }
 
-// Deforms one mesh by both motions with every method, ours first. Calls `done` with all results so
-// far after each of them. The runs contain `name` as the name of the mesh.
+// Deforms one mesh by both motions with every method, Lapwing first. After each result, calls
+// `done` with all results so far. `name` is the name of the mesh in the results.
 void run_real_mesh(const fs::path& path, const std::string& name, const RealBench& settings,
                    const std::function<void(const RealMesh&)>& done) {
   RealMesh all;

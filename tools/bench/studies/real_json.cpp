@@ -9,7 +9,7 @@ const char* const kFormat = "lapwing-bench real 2";
 
 }  // namespace
 
-// nlohmann::json calls the following functions, which it finds by name.
+// nlohmann::json calls the following functions, which it finds by argument-dependent lookup.
 
 void to_json(Json& json, const RealOutcome& outcome) {
   if (!outcome.measured) {

@@ -41,7 +41,7 @@ struct RealMesh {
   std::vector<RealRun> runs;
 };
 
-/// A run or a file that the report mentions, and the reason.
+/// A run or a file that the report lists, and the reason for listing it.
 struct Noted {
   std::string name;  ///< for example "cgal/meshes/cow.off lift"
   std::string why;
@@ -67,13 +67,13 @@ struct RealFigure {
   std::size_t of = 0;  ///< number of runs that were checked
   std::vector<Noted> exceptions = {};
 
-  bool met() const;  ///< false if there are no runs
+  bool met() const;  ///< also false if there are no runs
 };
 
 struct RealSummary {
   std::size_t meshes = 0;
   std::size_t runs = 0;
-  std::size_t compared = 0;  ///< number of runs with results of ours and of ARAP
+  std::size_t compared = 0;  ///< number of runs with results of Lapwing and of ARAP
   std::vector<RealFigure> figures;
   std::vector<Noted> failures;  ///< runs in which a method failed
 };
@@ -85,8 +85,8 @@ RealSummary summary_of(const std::vector<RealRun>& runs);
 /// Returns the two heading lines of a table of `line_of`.
 std::string real_heading();
 
-/// Returns one run as a line of 100 columns. A second line has the reasons for missing results. A
-/// star means that our minimizer reached its maximum number of iterations.
+/// Returns one run as a line of 100 columns. If results are missing, a second line gives the
+/// reasons. A star means that Lapwing's minimizer reached its maximum number of iterations.
 std::string line_of(const RealRun& run);
 
 /// Returns the summary for a terminal: figures with exceptions, failures and files passed over.
@@ -96,11 +96,11 @@ std::string text_of(const RealReport& report);
 /// which is not read back. Numbers have six significant digits.
 std::string to_json(const RealReport& report);
 
-/// Reads a report that to_json wrote. If the text is not a report, throws InputError with `name` as
-/// the name of the file.
+/// Parses a report that to_json wrote. If the text is not a report, throws an InputError that gives
+/// `name` as the file name.
 RealReport parse_real_report(std::string_view json, const std::string& name);
 
-/// Returns the JSON of one mesh in one line.
+/// Returns the JSON text of one mesh, in one line.
 std::string to_json_line(const RealMesh& mesh);
 RealMesh parse_real_mesh(std::string_view json);
 

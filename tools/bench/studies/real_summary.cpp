@@ -25,8 +25,9 @@ bool linear_measured(const RealRun& run) {
   return run.linear.measured;
 }
 
-// Counts the runs to which a figure applies, and those in which it holds. `figure.bound` is a share
-// of the former. The runs that count against the target become exceptions, with their `values`.
+// Counts the runs to which a figure applies and the runs in which it holds. `figure.bound` is the
+// required fraction of the former. The runs that count against the target become exceptions, with
+// their `values`.
 RealFigure counted(RealFigure figure, const std::vector<RealRun>& runs,
                    const std::function<bool(const RealRun&)>& applies,
                    const std::function<bool(const RealRun&)>& holds,
@@ -124,7 +125,7 @@ std::string ratio_text(double value) {
   return text.data();
 }
 
-// Returns the cells of the table for one measure, of our result and of ARAP's.
+// Returns the table cells of one measure: those of Lapwing's results and that of ARAP.
 std::string cells(const RealRun& run, std::size_t width,
                   const std::function<std::string(const RealOutcome&)>& text) {
   std::string line;
@@ -160,7 +161,7 @@ std::vector<Noted> by_reason(const std::vector<Noted>& files) {
 }  // namespace
 
 bool RealFigure::met() const {
-  // A share of runs, such as 0.95 of 20, need not be exact.
+  // A fraction of the runs, such as 0.95 * 20, is subject to rounding.
   constexpr double kRounding = 1e-9;
   const auto runs = static_cast<double>(count);
   return of > 0 && (is_floor ? runs >= bound - kRounding : runs <= bound + kRounding);

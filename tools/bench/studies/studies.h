@@ -13,13 +13,14 @@ struct RealBench {
   int arap_iterations = 300;                       ///< maximum number of iterations
   double seconds = 120.0;                          ///< time limit of a mesh
   std::string show;                                ///< a file of --json to show; measures nothing
-  std::string json;  ///< file for all runs and the summary; empty: none
+  std::string json;  ///< output file for all runs and the summary; empty: none
 };
 
-/// Moves one end of every mesh of at least 100 vertices in two ways (`studies/ends_motion.h`).
-/// Applies the same measures to the result of a recipe's defaults, the linear response alone and
-/// CGAL's as-rigid-as-possible deformation. Then counts the runs that meet the engine's targets and
-/// names the exceptions. Each mesh runs in a separate process.
+/// Moves one end of every mesh that has at least 100 vertices by two motions
+/// (`studies/ends_motion.h`). Computes the same measures for three results: that of a recipe with
+/// default settings, the linear response without settling, and CGAL's as-rigid-as-possible
+/// deformation. Then counts the runs that meet the engine's targets and lists the exceptions. Each
+/// mesh runs in a separate process.
 void bench_real(const RealBench& settings);
 
 struct ConstraintsBench {
@@ -29,8 +30,9 @@ struct ConstraintsBench {
   std::size_t landmarks = 2000;
 };
 
-/// Measures the cost of many constraints. One end of a mesh is fixed. One handle, many handles of
-/// one vertex each, or hard landmarks lean the other end. Each edit runs in a separate process.
+/// Measures the cost of many constraints. One end of a mesh is fixed, and the other end is tilted
+/// by one handle, by many handles of one vertex each, or by hard landmarks. Each edit runs in a
+/// separate process.
 void bench_constraints(const ConstraintsBench& settings);
 
 struct FollowBench {
@@ -39,9 +41,9 @@ struct FollowBench {
   double budget_ms = 0.0;  ///< of a frame; 0: frame_budget_ms
 };
 
-/// Drags one end of each mesh in two ways (`studies/ends_motion.h`) with a time budget per frame.
-/// Prints the times of frames and their distances from the settled surface, beside those of the
-/// linear response. Measures during the motion and half a second after its end.
+/// Drags one end of each mesh by two motions (`studies/ends_motion.h`) with a time budget per
+/// frame. Prints the times of the frames and their distances from the settled surface, and the same
+/// for the linear response. Measures during the motion and half a second after its end.
 void bench_follow(const FollowBench& settings);
 
 struct FrameBench {
@@ -52,8 +54,8 @@ struct FrameBench {
   int repeats = 7;
 };
 
-/// Opens the mesh in the viewer, drawn offscreen. Prints the cost of each part of its frames while
-/// the cursor moves over the panels, and while a drag turns the view.
+/// Opens the mesh in the viewer, which draws offscreen. Prints the cost of each part of a frame,
+/// both while the cursor moves over the panels and while a mouse drag rotates the view.
 void bench_frame(const FrameBench& settings);
 
 }  // namespace lapwing::bench

@@ -63,7 +63,7 @@ Positions read_positions(const py::object& vertices) {
   return positions;
 }
 
-// Tables of faces usually contain triangles or quads, which have at most this many corners.
+// Face arrays usually contain triangles or quads. These have at most this number of corners.
 constexpr std::size_t kMostCornersInRows = 4;
 
 // Collects polygons and checks that all their vertices exist.
@@ -78,7 +78,7 @@ class FaceReader {
                        shape_of(table));
     }
     const auto count = static_cast<std::size_t>(table.shape(0));
-    // A transposed table has few rows, and each row has one corner of every face.
+    // A transposed array has few rows, and each row contains one corner of every face.
     if (count <= kMostCornersInRows && corners > 2 * kMostCornersInRows && 2 * corners > count_) {
       throw InputError("faces: " + std::to_string(count) + " faces of " + std::to_string(corners) +
                        " corners have too many for the " + std::to_string(count_) +

@@ -33,8 +33,9 @@ py::object faces_of(const Mesh& mesh);
 /// `V, F = mesh`. The caller may change both arrays.
 py::iterator arrays_of(const Mesh& mesh);
 
-/// Makes an array, or the arrays of a list, read-only, and returns it. Use it for attributes that
-/// return a new array on each access, because a number written to this array would be lost.
+/// Makes an array, or each array of a list, read-only and returns its argument. Use this function
+/// for attributes that return a new array on each access, because values written to such an array
+/// would be lost.
 py::object read_only(py::object arrays);
 
 /// Returns the value of the choice named `chosen`. Throws InputError, naming `place` and all

@@ -14,7 +14,7 @@ void replace_all(std::string& text, const std::string& old, const std::string& b
   }
 }
 
-// A longer phrase comes before the phrases that it contains, so that it is replaced first.
+// A phrase precedes the shorter phrases that it contains, so that it is replaced first.
 constexpr std::array<std::pair<const char*, const char*>, 11> kPhrases{{
     {"`lapwing check MESH --fix OUT`", "`lapwing.fix`"},
     {"`lapwing check --fix`", "`lapwing.fix`"},
@@ -29,8 +29,8 @@ constexpr std::array<std::pair<const char*, const char*>, 11> kPhrases{{
     {"transplant: part.mesh", "transplant: part"},
 }};
 
-// Replaces the JSON pointer after the name of a function by a Python expression: "/a/0/b" becomes
-// "a[0].b".
+// Replaces the JSON pointer after the name of a function by a Python expression. For example,
+// "/a/0/b" becomes "a[0].b".
 std::string without_pointer(const std::string& message) {
   static const std::regex place(
       "^((?:deform|Deformer|coat|mix|transplant|peel|remesh|parameterize): (?:\\w+: )?)"

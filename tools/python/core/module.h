@@ -8,8 +8,8 @@ namespace lapwing::python {
 /// Adds `run_step`, `run` and `Edit`: the operations of recipes.
 void add_edits(pybind11::module_& module);
 
-/// Adds the exceptions, each with an attribute `vertices`, and translates the engine's errors to
-/// these exceptions.
+/// Adds the exception classes, which have an attribute `vertices`. Registers the translation of the
+/// engine's errors to these classes.
 void add_errors(pybind11::module_& module);
 
 /// Adds `Mesh`, `read` and `write`.

@@ -10,7 +10,7 @@ namespace {
 using python::pack;
 using python::unpack;
 
-// Packs bytes, because the names and comments in a mesh file need not be UTF-8.
+// Packs each string as bytes, because names and comments in a mesh file may be invalid UTF-8.
 py::tuple pack(const std::vector<std::string>& lines) {
   py::list packed;
   for (const std::string& line : lines) packed.append(py::bytes(line));
@@ -48,7 +48,7 @@ void unpack(const py::handle& packed, bool& value) {
   value = packed.cast<bool>();
 }
 
-// Returns references to all fields. The compiler reports an error if a field is missing here.
+// Returns references to all fields. If a field is missing here, the compiler reports an error.
 template <class Attributes>
 auto fields_of(Attributes& attributes) {
   auto& [uvs, corner_uvs, normals, corner_normals, has_vertex_normals, groups_are_objects,

@@ -18,7 +18,7 @@ py::bytes pack(const std::vector<Number>& numbers) {
   return py::bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
 }
 
-/// Reverses `pack`. Throws InputError if the length is not a multiple of a number's size.
+/// The inverse of `pack`. Throws InputError if the length is not a multiple of a number's size.
 template <class Number>
 void unpack(const py::handle& packed, std::vector<Number>& numbers) {
   const auto bytes = packed.cast<std::string>();
@@ -27,10 +27,9 @@ void unpack(const py::handle& packed, std::vector<Number>& numbers) {
   bytes.copy(reinterpret_cast<char*>(numbers.data()), bytes.size());
 }
 
-/// Packs the positions, polygons and attributes of a mesh. Leaves out the file that it was read
-/// from.
+/// Packs the positions, polygons and attributes of a mesh, but not the content of its file.
 py::tuple pack(const Mesh& mesh);
-/// Reverses `pack`. Throws InputError if the data are inconsistent.
+/// The inverse of `pack`. Throws InputError if the data are inconsistent.
 Mesh unpack_mesh(const py::tuple& packed);
 
 /// Adds `__copy__` and `__deepcopy__` to an immutable class. Both return the same object.

@@ -64,7 +64,7 @@ Image picture_of(const Mesh& mesh, std::span<const float> values,
   return render_image(surface, paint, request.camera(mesh.positions, colored), options);
 }
 
-// Returns the picture, and also writes it to `path` unless the path is empty.
+// Returns the image. If `path` is not empty, also writes the image to this file.
 py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& values,
                                  std::optional<std::pair<float, float>> limits,
                                  const std::string& legend, const py::dict& picture,
@@ -96,7 +96,7 @@ py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& 
   return array;
 }
 
-// Returns a picture for notebooks, or None without Vulkan. Notebooks then show the text instead.
+// Returns an image for notebooks. Without Vulkan, returns None, and notebooks show text instead.
 py::object png_of(const Mesh& mesh) {
   PictureRequest request;
   request.background = Background::white;

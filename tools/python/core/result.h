@@ -11,10 +11,10 @@
 
 namespace lapwing::python {
 
-/// Holds the result of an edit for Python. An array is computed when Python reads it.
+/// The result of an edit for Python. Its arrays are computed when Python reads them.
 struct Result {
   Result() = default;
-  /// `rest` holds the positions before the edit, one per vertex of `mesh`. `region` is the region
+  /// `rest` contains the position of each vertex of `mesh` before the edit. `region` is the region
   /// of the last step.
   Result(Mesh mesh, Positions rest, EditRegion region, RunReport report);
 

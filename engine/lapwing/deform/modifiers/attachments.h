@@ -39,23 +39,24 @@ struct CarryShares {
 
 /// Finds the vertices of a surface at rest that points around it follow.
 ///
-/// The contacts of a point are the closest points of all triangles in a band. The band begins at
-/// the distance of the nearest contact. Its width is kCarryBand times that distance, but at most
-/// kWidestCarryBand times the surface's diagonal. Area and closeness determine the weight of a
-/// contact. Closeness falls to 0 at the far edge of the band.
+/// On each triangle near a point, the contact is the triangle's closest point. Contacts count if
+/// they are at most a band width farther away than the nearest contact. The band width is
+/// kCarryBand times the distance of the nearest contact, but at most kWidestCarryBand times the
+/// surface's diagonal. A contact's weight depends on area and distance. It decreases to 0 at the
+/// far edge of the band.
 class SurfaceContacts {
  public:
   /// `rest` and `topology` must outlive the object. O(n log n). Throws InputError for a mesh
   /// without triangles.
   SurfaceContacts(std::span<const Eigen::Vector3d> rest, const Topology& topology);
 
-  /// Replaces `shares` by those of one finite point, in ascending order of vertices. Costs O(log n)
-  /// near the surface. `hint` speeds up the search. Pass kNoIndex at first, and then the value from
-  /// the last search nearby.
+  /// Sets `shares` to those of one finite point, in ascending order of vertices. Takes O(log n)
+  /// near the surface. `hint` speeds up the search. Pass kNoIndex in the first call, and later the
+  /// value that the last call for a nearby point has set.
   void find(const Eigen::Vector3d& point, Index& hint, std::vector<CarryShare>& shares) const;
 
-  /// Returns the shares of all points, on all processors. Returns nothing if there are more than
-  /// `most` shares, of 16 bytes each.
+  /// Returns the shares of all points, computed on all CPU cores. Returns nothing if there are more
+  /// than `most` shares, which take 16 bytes each.
   std::optional<CarryShares> find_all(std::span<const Eigen::Vector3d> points,
                                       std::size_t most) const;
 
@@ -73,20 +74,20 @@ class SurfaceContacts {
 /// and S be the weighted means of rest position, new position, rotation (VertexMotion) and rest
 /// stretch over the contacts of a point p. Then
 ///     p' = x' + R S (p - x).
-/// Points on the surface stay on it, p' is continuous in p, and points whose contacts did not move
-/// keep their bits.
+/// Points on the surface stay on it, and p' is continuous in p. Points whose contacts did not move
+/// stay exactly where they are.
 class AttachmentDeformer {
  public:
   /// `rest` are the positions before `deformed`; both must outlive the object. O(n log n). Throws
   /// InputError for a mesh without triangles.
   AttachmentDeformer(std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
-  /// The same with `contacts` that several deformations of one surface share, for example in a
-  /// drag.
+  /// Uses `contacts`, which several deformations of one surface can share, for example in a drag.
   AttachmentDeformer(std::shared_ptr<const SurfaceContacts> contacts, const Deformed& deformed);
 
-  /// Runs on all processors. Positions must be finite.
+  /// Moves `points`, using all CPU cores. Positions must be finite.
   CarriedPoints carry(std::span<const Eigen::Vector3d> points) const;
-  /// The same for known shares of the points, bit for bit. Linear in the shares.
+  /// Gives bitwise identical results from the known shares of the points. Takes time linear in the
+  /// number of shares.
   CarriedPoints carry(std::span<const Eigen::Vector3d> points, const CarryShares& shares) const;
 
  private:
@@ -99,7 +100,8 @@ class AttachmentDeformer {
   VertexMotion motion_;
 };
 
-/// Carries points once, e.g. carry_points(hat.positions, head.positions, deformed).
+/// Moves points with a single deformation, e.g. carry_points(hat.positions, head.positions,
+/// deformed).
 CarriedPoints carry_points(std::span<const Eigen::Vector3d> points,
                            std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
 

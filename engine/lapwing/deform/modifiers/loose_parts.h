@@ -10,12 +10,12 @@
 
 namespace lapwing {
 
-/// Moves the loose parts of a region with the surface. Each part moves rigidly by the best fit to
-/// its contacts (weighted least squares; Kabsch 1976). It also scales with the prescribed stretch
-/// at the contacts. Contacts are the points of the rest of the mesh that are closest to the part's
-/// vertices. Their weight decreases with distance. It is 0 for contacts farther than the nearest
-/// one by kContactBand times the part's size. Vertices of the part on belt or handles have a much
-/// larger weight.
+/// Moves the loose parts of a region with the surface. Each part moves by the rigid motion that
+/// best fits its contacts (weighted least squares; Kabsch 1976). It also scales with the prescribed
+/// stretch at the contacts. The contact of a vertex of the part is the closest point on the rest of
+/// the mesh. The weight of a contact decreases with its distance. The weight is 0 if the distance
+/// exceeds that of the nearest contact by more than kContactBand times the part's size. Vertices of
+/// the part that are in the belt or in handles have a much larger weight.
 class LooseParts {
  public:
   LooseParts() = default;  ///< no parts
@@ -27,7 +27,8 @@ class LooseParts {
 
   /// Sets the displacements `u` of the loose parts, per vertex of the mesh, so that they follow the
   /// surface. `prescribed` holds the displacements of their anchors. `scales` holds the mean scale
-  /// of S_i per vertex of the mesh; empty if all are 1. Parts that do not move keep their bits.
+  /// of S_i per vertex of the mesh; it is empty if all scales are 1. The displacements of parts
+  /// that do not move are exactly 0.
   void carry(std::span<const Eigen::Vector3d> prescribed, std::span<const double> scales,
              std::span<Eigen::Vector3d> u) const;
 

@@ -26,7 +26,7 @@ struct AutomaticMirror {
 /// A mirror as the user wrote it.
 struct MirrorSpec {
   std::variant<AutomaticMirror, MirrorPlane> plane = {};
-  std::string where = "mirror";  ///< as in RegionSpec; no part of the value
+  std::string where = "mirror";  ///< as in RegionSpec; ignored by ==
   bool operator==(const MirrorSpec& other) const { return plane == other.plane; }
 };
 
@@ -55,9 +55,9 @@ FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where);
 /// Returns FoundMirror::asymmetry of a mesh for `plane`.
 double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::string& where);
 
-/// Returns for each vertex the vertex at its mirror image: the nearest corner of the triangle that
-/// is closest to the image. A vertex without a triangle is its own image. O(n log n). Throws the
-/// errors of `require_through`.
+/// Returns, for each vertex, the vertex that serves as its mirror image. This is the nearest corner
+/// of the triangle that is closest to the mirrored position. A vertex without a triangle is its own
+/// image. Takes O(n log n). Throws the errors of `require_through`.
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where);
 

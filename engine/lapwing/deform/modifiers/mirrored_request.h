@@ -20,8 +20,9 @@ Move along_mirror(const Move& move, const MirrorPlane& plane);
 /// A request without a mirror that is equivalent to one with a mirror.
 struct MirroredRequest {
   DeformRequest request;
-  /// For each handle of `request` the index of its image, or its own index if it lies across the
-  /// plane. The original handles come first, then the images. Empty without a mirror.
+  /// For each handle of `request`, the index of its image, or its own index if it is merged with
+  /// its image. The original handles come first, then the images. The list is empty without a
+  /// mirror.
   std::vector<std::size_t> handle_images;
   std::optional<MirrorPlane> plane;  ///< given or found
   std::vector<std::string> notes;    ///< for the user: the plane and how symmetric the mesh is
@@ -29,10 +30,10 @@ struct MirroredRequest {
 
 /// Adds the images of ROI, belt, handles and targets, by `mirror_images` of the vertices. A handle
 /// that shares a vertex with its image is merged with it and moves `along_mirror`; so does a target
-/// that is its own image. Regions become vertex lists and falloffs become fields. Both are exactly
-/// symmetric on a symmetric mesh. Vertices in the plane between a falloff and its image are free.
-/// Throws the errors of `mirror_images` and `resolve_edit_region`. Also throws InputError if the
-/// image of a handle contains vertices of another handle.
+/// that is its own image. Regions become vertex lists, and falloffs become one weight per vertex.
+/// Both are exactly symmetric on a symmetric mesh. Vertices that lie in the plane between a falloff
+/// and its image are free. Throws the errors of `mirror_images` and `resolve_edit_region`. Also
+/// throws InputError if the image of a handle contains vertices of another handle.
 MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh);
 
 }  // namespace lapwing

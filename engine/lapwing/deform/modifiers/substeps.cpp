@@ -76,7 +76,7 @@ LargestTurn largest_turn(const DeformRequest& request) {
 std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
                                       bool has_path) {
   if (parameters.commit_every) return parameters.commit_every;
-  // Linear responses ignore paths.
+  // Linear responses ignore paths, so large turns must be split even if there is a path.
   const bool follows_path = parameters.settle && has_path;
   return exceeds_settled_turn(turn_degrees) && !follows_path ? std::optional(kFarTurnDegrees)
                                                              : std::nullopt;

@@ -22,9 +22,10 @@ struct ResolvedRequest {
   /// The handles' centroids before the request is carried out.
   std::span<const Eigen::Vector3d> centroids;
 
-  /// Returns the motion of each handle between the shares `from` and `to` of the request.
+  /// Returns the motion of each handle between the fractions `from` and `to` (0 to 1) of its move.
   std::vector<Eigen::Affine3d> motions(double from, double to) const;
-  /// Returns the same motions with their turns, including whole turns, and with the free handles.
+  /// Returns the same motions, with their turns (including whole turns) and with the list of free
+  /// handles.
   HandleMotions handle_motions(double from, double to) const;
   /// Returns the waypoints of the request's paths, in order. Empty without paths.
   std::vector<HandleMotions> path() const;
@@ -40,23 +41,24 @@ LargestTurn largest_turn(const DeformRequest& request);
 /// More commits than this count as a mistake, since each repeats the preparation.
 inline constexpr std::size_t kMostCommits = 1000;
 
-/// Returns the largest turn of one part, which is `commit_every` if that is set. Otherwise returns
-/// 90 degrees if `turn_degrees` exceeds kLargestSettledTurnDegrees and the surface does not settle
-/// along a path. Beyond that turn, the energy may be lower in the other direction. Returns nothing
-/// in all other cases.
+/// Returns the largest turn of one substep, which is `commit_every` if that is set. Otherwise
+/// returns 90 degrees if `turn_degrees` exceeds kLargestSettledTurnDegrees, because the energy may
+/// then be lower for a turn in the other direction. Returns nothing for smaller turns, and if the
+/// surface settles along a path.
 std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
                                       bool has_path);
 
-/// Returns the smallest number of equal parts of `request` that keeps the turn of every handle
-/// within `substep_degrees`; 1 without that limit. Throws InputError, naming `where`, above
-/// kMostCommits.
+/// Returns the smallest number of equal substeps in which no handle turns by more than
+/// `substep_degrees`, or 1 if there is no such limit. Throws InputError, naming `where`, if the
+/// number exceeds kMostCommits.
 std::size_t commit_count(const DeformRequest& request);
 
-/// One certificate for a request carried out in `parts`, from the surface `start` to `end`. Shape,
-/// details, stretch and handles are measured between the two, since what the parts lose adds up.
-/// Residual and last step are the worst of the parts, iterations their sum, and `settled` is true
-/// only if every part settled. `stretch` is the rest stretch of all parts together. Throws
-/// SolverError if the certificate does not hold.
+/// Returns one certificate for a request carried out in substeps `parts`, from the surface `start`
+/// to `end`. Shape, details, stretch and handle errors are measured between these two surfaces,
+/// because the errors of the substeps add up. Residual and last step are the largest of all
+/// substeps. The number of iterations is their sum, and `settled` is true only if every substep
+/// settled. `stretch` is the rest stretch of all substeps together. Throws SolverError if the
+/// certificate does not hold.
 Certificate certify(const ResolvedRequest& bound, std::span<const Eigen::Vector3d> start,
                     std::span<const Eigen::Vector3d> end, std::span<const Certificate> parts,
                     std::span<const Eigen::Matrix3d> stretch = {});

@@ -7,17 +7,17 @@
 
 namespace lapwing {
 
-/// Returns the accumulated rotation of the rings about the axis of `largest`, from the surface
-/// `start` before the request to `end`. The result is the handle's turn, or differs from it by
-/// whole turns. It is the sum along a shortest edge path from a vertex that does not move to the
-/// handle. Returns nothing if no path exists, and for turns up to 90 degrees, which have only one
-/// direction.
+/// Returns the accumulated rotation of the rings about the axis of `largest`, in degrees. `start`
+/// is the surface before the request and `end` the surface after it. The rotation is accumulated
+/// along a shortest edge path from a vertex that does not move to the handle. It equals the
+/// handle's turn up to a multiple of 360 degrees. Returns nothing if no path exists. Also returns
+/// nothing for turns up to 90 degrees, whose direction is unambiguous.
 std::optional<double> winding_degrees(const ResolvedRequest& bound, const LargestTurn& largest,
                                       std::span<const Eigen::Vector3d> start,
                                       std::span<const Eigen::Vector3d> end);
 
-/// Returns a warning with advice if `wound` differs from the handle's turn by more than 180
-/// degrees. Otherwise returns an empty string.
+/// Returns a warning that suggests a remedy if `wound` differs from the handle's turn by more than
+/// 180 degrees. Otherwise returns an empty string.
 std::string winding_warning(const DeformRequest& request, const std::optional<double>& wound);
 
 }  // namespace lapwing

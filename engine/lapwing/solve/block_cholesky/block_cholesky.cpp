@@ -218,7 +218,7 @@ void BlockCholesky::factorize(const BlockMatrix& matrix) {
   factorize(matrix, {});
 }
 
-// Recomputes all nodes except those that `kept` marks. An empty `kept` marks none.
+// Recomputes all nodes except those marked in `kept`. If `kept` is empty, recomputes all nodes.
 void BlockCholesky::factorize(const BlockMatrix& matrix, const std::vector<char>& kept) {
   guard([&] {
     check(matrix);

@@ -25,10 +25,10 @@ struct Front {
   int children_begin = 0;
   int children_end = 0;       ///< in Symbolic::children
   int parent_pivots = 0;      ///< number of leading update rows that are pivots of the parent
-  bool keeps_update = false;  ///< its update matrix is kept after its parent is done
+  bool keeps_update = false;  ///< its update matrix is cached after its parent is done
   int depth_parity = 0;       ///< which of the two stacks holds its update otherwise
   std::size_t panel_at = 0;   ///< in the factor
-  std::size_t update_at = 0;  ///< its update matrix, in the kept store or its stack
+  std::size_t update_at = 0;  ///< its update matrix, in the cache or on its stack
   std::size_t vector_at = 0;  ///< its update rows of one right-hand side, likewise
   std::size_t rows_at = 0;    ///< in Symbolic::rows
   std::size_t positions_at = 0;
@@ -103,8 +103,8 @@ struct Symbolic {
 /// in the size of the factor's block structure.
 Symbolic analyze_pattern(const BlockPattern& pattern, int block_size, std::span<const int> order);
 
-/// Fills all lists of `symbolic` (front_structure.cpp). Its fronts must already have their columns,
-/// children and numbers of update blocks.
+/// Sets all remaining lists of `symbolic` (front_structure.cpp). The columns, the children and the
+/// numbers of update blocks of its fronts must already be set.
 void find_structure(const BlockPattern& pattern, const EliminationGraph& graph, Symbolic& symbolic);
 
 }  // namespace lapwing::cholesky

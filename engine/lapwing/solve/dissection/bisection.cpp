@@ -69,7 +69,7 @@ class CutEdges {
   int value_ = 0;
 };
 
-// Returns the cut of `graph` into `sides` after one pass of improving moves.
+// Improves the cut of `graph` into `sides` by one pass of moves, and returns it.
 EdgeCut improved_cut(const WeightedGraph& graph, Sides sides) {
   constexpr int kPatience = 20;
   CutEdges cut(graph, sides);
@@ -121,7 +121,8 @@ std::vector<std::vector<int>> distances_from_tips(const WeightedGraph& graph) {
   return tips;
 }
 
-// Tries every cut between nodes in the order of a key, and keeps the best one.
+// Sorts the nodes by a key, tries every cut between successive nodes, and stores the best cut of
+// all sweeps.
 class Sweeps {
  public:
   explicit Sweeps(const WeightedGraph& graph) : graph_(graph) {
@@ -186,9 +187,10 @@ class Sweeps {
   Sides best_;
 };
 
-// Returns a cut of a small graph. Sweeps the nodes in the order of their distances from nodes far
-// apart, such as the tips of the limbs of a body. Also sweeps them in the order of the differences
-// of two of these distances. Improves the best cut found.
+// Returns a cut of a small graph. Each sweep sorts the nodes by a number and tries to cut between
+// successive nodes. The numbers are the distances from several nodes that are far apart, such as
+// the tips of a body's limbs, and the differences of two such distances. The best cut of all sweeps
+// is then improved.
 EdgeCut best_sweep(const WeightedGraph& graph) {
   const auto distances = distances_from_tips(graph);
   Sweeps sweeps(graph);

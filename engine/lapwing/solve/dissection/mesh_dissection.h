@@ -16,10 +16,11 @@ struct CouplingGraph {
 };
 
 /// Returns an order of the unknowns, new to old, that keeps the Cholesky factor of M'M sparse. It
-/// is a nested dissection (George 1973) of the graph of the rows of M. The unknowns at both ends of
-/// the cut edges come last. Both sides are ordered in the same way, where those unknowns are nodes
-/// that only couple others. Minimum degree orders sets of up to ninety unknowns. The order does not
-/// depend on the number of threads. Throws Cancelled and std::bad_alloc.
+/// is a nested dissection (George 1973) of the graph of the rows of M. A cut divides this graph,
+/// and the unknowns at both ends of the cut edges come last in the order. Both sides are ordered
+/// recursively; the unknowns already ordered take part only as nodes that couple others. Sets of up
+/// to ninety unknowns are ordered by minimum degree. The order does not depend on the number of
+/// threads. Throws Cancelled and std::bad_alloc.
 std::vector<int> dissection_order(const CouplingGraph& graph);
 
 }  // namespace lapwing

@@ -16,7 +16,7 @@ struct WeightedGraph {
   int size() const { return static_cast<int>(weights.size()); }
 };
 
-/// Holds the side of a cut, 0 or 1, for each node.
+/// The side of a cut, 0 or 1, per node.
 using Sides = std::vector<unsigned char>;
 
 /// Groups of neighbouring nodes.
