@@ -304,7 +304,9 @@ TEST_F(DraggedFineCylinder, CanBeLeftWhileTheCoarseSurfaceIsBuilt) {
     drag.prepare();
     drag.prepare();
     for (int frame = 0; frame < frames; ++frame) drag.step(twist(3.0 * frame), kNoTime);
-    if (frames > 1) EXPECT_LT(off(drag.state(), 3.0 * (frames - 1)), 0.1);
+    if (frames > 1) {
+      EXPECT_LT(off(drag.state(), 3.0 * (frames - 1)), 0.1);
+    }
   }
 }
 

@@ -39,6 +39,58 @@ TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
             std::string("press on a pin and drag it, or pin another vertex"));
 }
 
+// Returns the vertex that is nearest to the camera at the height `z`.
+Index front_of(const Positions& positions, double z) {
+  Index nearest = 0;
+  for (Index v = 0; v < positions.size(); ++v) {
+    const bool is_at_height = std::abs(positions[v].z() - z) < 0.2;
+    if (is_at_height && positions[v].y() < positions[nearest].y()) nearest = v;
+  }
+  return nearest;
+}
+
+TEST_F(AnEditor, GrabsAreOneStepOfTheHistoryEachAndOneOfTheRecipe) {
+  expects_notes_ = true;
+  ASSERT_TRUE(editor_->take(Action::take_grab));
+  const auto done = [&] { return editor_->session().history().done(); };
+  const auto grab_at = [&](double z) {
+    const Index grabbed = front_of(editor_->positions(), z);
+    const Vector2d from = *view_.projection().to_pixel(editor_->positions()[grabbed]);
+    send(press(from));
+    EXPECT_TRUE(editor_->is_dragging());
+    wait_until_ready();
+    const double before = on_screen()[grabbed].x();
+    send(move_to(from + 0.3 * kRight));
+    wait_until_drag_is_settled();
+    const double dragged = on_screen()[grabbed].x() - before;
+    EXPECT_GT(dragged, 0.05);
+    send(release(from + 0.3 * kRight));
+    wait_until_ready();
+    EXPECT_NE(editor_->state().settled, nullptr);
+    EXPECT_NEAR(on_screen()[grabbed].x() - before, dragged, kSettled * diagonal());
+  };
+  grab_at(3.0);
+  EXPECT_EQ(done(), 1U);
+  EXPECT_EQ(editor_->state().moves.at(0).orientation, HandleOrientation::free);
+  const Positions first = on_screen();
+  grab_at(1.0);
+  EXPECT_EQ(done(), 2U);
+  EXPECT_EQ(editor_->state().steps.size(), 1U);
+  editor_->undo();
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), first), kVisible);
+}
+
+TEST_F(AnEditor, TakesTheDiskWhenAPartIsChosenAndNoToolInHandChoosesParts) {
+  ASSERT_TRUE(editor_->take(Action::take_grab));
+  EXPECT_FALSE(editor_->chooses_parts());
+  editor_->begin_choosing(kRoi);
+  EXPECT_EQ(editor_->row()->action, Action::take_disk);
+  editor_->take(Action::take_brush);
+  editor_->begin_choosing(kRoi);
+  EXPECT_EQ(editor_->row()->action, Action::take_brush);
+}
+
 TEST_F(AnEditor, AnotherFeatureAngleKeepsTheSurfaceAndTheDrag) {
   const auto normals = [&] { return editor_->surface().shown().normals().size(); };
   turn_and_settle(30.0);

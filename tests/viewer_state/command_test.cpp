@@ -25,6 +25,16 @@ TEST(Command, ChoosingMakesARegionThatFits) {
   EXPECT_THROW(edit_region(open_state(bumpy_tube())), InputError) << "says what is missing";
 }
 
+TEST(Command, AGrabMakesTheEditAStepAndBeginsAnotherOne) {
+  const Grab grab{box(0.6, 4.0), box(3.0, 4.0), {.transition = Transition{.width = 0.2}}};
+  const AppState after = apply(settled_tube(), grab);
+  EXPECT_EQ(after.steps.size(), 1U);
+  ASSERT_EQ(after.selection.handles.size(), 1U);
+  EXPECT_EQ(after.selection.handles[0].falloff, grab.falloff);
+  EXPECT_EQ(after.moves, std::vector<HandleMove>(1));
+  EXPECT_NO_THROW(edit_region(after));
+}
+
 TEST(Command, ApplyLeavesTheStateItWasGiven) {
   const AppState before = settled_tube();
   const AppState copy = before;

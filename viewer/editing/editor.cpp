@@ -105,7 +105,8 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
     choose_elsewhere(event, view);
   }
   const ToolAnswer answer = tool_->handle(event, scene(view, projection));
-  const bool chooses_roi = answer.holds && state().selection.roi.vertices.empty();
+  const bool grabs = answer.command && std::holds_alternative<Grab>(*answer.command);
+  const bool chooses_roi = answer.holds && !grabs && state().selection.roi.vertices.empty();
   if (chooses_roi) perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
   classes_are_old_ = classes_are_old_ || answer.taken;
   if (postpones(answer, event, view)) return {true, true};
@@ -345,6 +346,11 @@ void Editor::choose(const Part& part) {
   part_ = part;
   tools_.loop.reset();
   if (part.role == Role::handle && part.handle < handle_count()) handle_ = part.handle;
+}
+
+void Editor::begin_choosing(const Part& part) {
+  choose(part);
+  if (!chooses_parts()) take(Action::take_disk);
 }
 
 void Editor::go_on() {

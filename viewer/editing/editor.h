@@ -111,9 +111,14 @@ class Editor {
   /// The part that the tools choose.
   const Part& part() const { return part_; }
   void choose(const Part& part);
+  /// Whether the active tool chooses vertices of `part()`.
+  bool chooses_parts() const { return !has_in_hand(tools_.gizmo) && !has_in_hand(tools_.grab); }
+  /// Calls `choose`, and activates the disk unless the active tool chooses parts.
+  void begin_choosing(const Part& part);
   /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
   void go_on();
 
+  GrabTool& grab_tool() { return tools_.grab; }
   PaintTool& paint_tool() { return tools_.paint; }
   const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
   const RulerTool& ruler_tool() const { return tools_.ruler; }
@@ -203,7 +208,7 @@ class Editor {
   std::unique_ptr<EditSession> session_;
 
   Tools tools_;
-  SceneTool* tool_ = &tools_.disk;
+  SceneTool* tool_ = &tools_.grab;
   const ToolRow* row_ = &tool_rows().front();
   Part part_;
   std::size_t handle_ = 0;

@@ -41,10 +41,6 @@ bool perform_on(Editor& editor, Action action) {
     return true;
   }
   const std::size_t handles = editor.state().selection.handles.size();
-  const auto choose = [&](const Part& part) {
-    editor.choose(part);
-    if (editor.has_in_hand(editor.gizmo_tool())) editor.take(Action::take_disk);
-  };
   if (editor.take(action)) return true;
   const auto of_part = std::ranges::find(kPartActions, action, &PartAction::action);
   if (of_part != kPartActions.end()) {
@@ -65,16 +61,16 @@ bool perform_on(Editor& editor, Action action) {
       editor.redo();
       return true;
     case Action::choose_roi:
-      choose({Role::roi});
+      editor.begin_choosing({Role::roi});
       return true;
     case Action::choose_handle:
-      choose({Role::handle, editor.handle()});
+      editor.begin_choosing({Role::handle, editor.handle()});
       return true;
     case Action::add_handle:
-      choose({Role::handle, handles});
+      editor.begin_choosing({Role::handle, handles});
       return true;
     case Action::choose_belt:
-      choose({Role::belt});
+      editor.begin_choosing({Role::belt});
       return true;
     case Action::toggle_mirror:
       if (editor.state().selection.mirror) {

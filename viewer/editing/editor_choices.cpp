@@ -18,7 +18,7 @@ const char* const kBeginsHere = "a new edit begins here; undo goes back to the l
 }  // namespace
 
 bool commits(const Command& command) {
-  return is_one_of<Choose, Paint, RemoveHandle, Commit, NewEdit>(command);
+  return is_one_of<Choose, Paint, Grab, RemoveHandle, Commit, NewEdit>(command);
 }
 
 // A handle lies in the ROI, so a disk for a handle outside it begins a new ROI.

@@ -80,6 +80,9 @@ Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplan
                const Editor& editor) {
   if (transplant.is_open()) return guide_of_transplant(transplant, editor);
   if (layers.is_open()) return guide_of_layers(layers, editor);
+  if (editor.row() != nullptr && editor.row()->action == Action::take_grab) {
+    return {.count = 0, .what = editor.hint()};
+  }
   const bool moves = editor.has_in_hand(editor.gizmo_tool());
   return guide_of(editor.state(), editor.part(), editor.tool(), moves);
 }

@@ -14,6 +14,7 @@ SceneTool& take_paint(Tools& tools) {
 using Shape = PaintTool::Shape;
 
 constexpr std::array kRows{
+    ToolRow{"Grab", Action::take_grab, [](Tools& tools) -> SceneTool& { return tools.grab; }},
     ToolRow{"Disk", Action::take_disk, [](Tools& tools) -> SceneTool& { return tools.disk; }},
     ToolRow{"Loop", Action::take_loop, [](Tools& tools) -> SceneTool& { return tools.loop; }},
     ToolRow{"Brush", Action::take_brush, take_paint<Shape::brush>},

@@ -5,6 +5,7 @@
 #include "navigation/keymap.h"
 #include "tools/disk_tool.h"
 #include "tools/gizmo_tool.h"
+#include "tools/grab_tool.h"
 #include "tools/loop_tool.h"
 #include "tools/paint_tool.h"
 #include "tools/pin_tool.h"
@@ -14,6 +15,7 @@ namespace lapwing::viewer {
 
 /// The tools of the window.
 struct Tools {
+  GrabTool grab;
   DiskTool disk;
   LoopTool loop;
   PaintTool paint;

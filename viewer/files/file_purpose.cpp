@@ -115,9 +115,9 @@ std::string trouble_with_old(const fs::path& path, const PathWords& words) {
 }  // namespace
 
 bool FileKind::holds(const fs::path& file) const {
-  const std::string name = lower_case(file.filename().string());
+  const std::string lower_name = lower_case(file.filename().string());
   return extensions.empty() || std::ranges::any_of(extensions, [&](std::string_view extension) {
-           return name.ends_with(extension);
+           return lower_name.ends_with(extension);
          });
 }
 

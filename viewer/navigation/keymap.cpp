@@ -58,6 +58,10 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'H', kPlain, Action::choose_handle, "choose the handle"},
      {'H', kShift, Action::add_handle, "choose one more handle"},
      {'T', kPlain, Action::choose_belt, "choose the belt by hand"},
+     {'G', kShift, Action::take_grab,
+      "grab: press on the surface and pull; with Shift a smaller part, with Ctrl a larger one; [ "
+      "and "
+      "] size the circle"},
      {'D', kPlain, Action::take_disk,
       "choose by a disk: drag from its middle to its rim, or click; [ and ], or a dot of its rim, "
       "size it"},

@@ -40,6 +40,7 @@ enum class Action {
   choose_handle,
   add_handle,
   choose_belt,
+  take_grab,
   take_move,
   take_disk,
   take_loop,

@@ -25,7 +25,7 @@ struct Range {
 };
 constexpr Range kSidebarLetters{16.0, 80.0};
 constexpr Range kWindowUnits{320.0, 16384.0};
-constexpr Range kBrushPt{1.0, 200.0};
+constexpr Range kBrushPt{1.0, 500.0};
 
 // Visits every preference with its key in the file.
 template <typename P, typename Visit>
@@ -41,6 +41,7 @@ void keys_of(P& preferences, const Visit& visit) {
   visit("window_height", preferences.window_height, kWindowUnits);
   visit("tool", preferences.tool);
   visit("brush_radius", preferences.brush_radius_pt, kBrushPt);
+  visit("grab_radius", preferences.grab_radius_pt, kBrushPt);
   visit("paint_through", preferences.paints_through);
 }
 

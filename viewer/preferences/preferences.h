@@ -19,8 +19,9 @@ struct Preferences {
   double sidebar_letters = 24.0;    ///< sidebar width, in letters of the font
   int window_width = 1280;          ///< in points (tools/projection.h)
   int window_height = 800;
-  std::string tool = "Disk";  ///< tool that a new mesh begins with
+  std::string tool = "Grab";  ///< tool that a new mesh begins with
   double brush_radius_pt = 20.0;
+  double grab_radius_pt = 40.0;
   bool paints_through = false;
 
   bool operator==(const Preferences&) const = default;

@@ -206,6 +206,11 @@ struct Applier {
     VertexSet vertices = subtract(unite(before.vertices, command.added), command.removed);
     replace(command.part, repainted(before, std::move(vertices)));
   }
+  void operator()(const Grab& command) const {
+    (*this)(NewEdit{});
+    (*this)(Choose{{Part::Role::roi}, command.roi});
+    (*this)(Choose{{Part::Role::handle, 0}, command.handle, command.falloff});
+  }
   void operator()(const SetFalloff& command) const {
     require_handle(state, command.handle);
     ChosenHandle& handle = state.selection.handles[command.handle];
@@ -389,6 +394,7 @@ struct CommandDescriber {
                                                : "change ";
     return verb + name_of(command.part);
   }
+  std::string operator()(const Grab&) const { return "grab"; }
   std::string operator()(const SetFalloff& command) const {
     const Falloff& falloff = command.falloff;
     const std::string of = "handle " + std::to_string(command.handle + 1);

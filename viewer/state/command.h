@@ -31,6 +31,13 @@ struct Paint {
   VertexSet removed;
 };
 
+/// Begins another edit with this region and one handle.
+struct Grab {
+  RegionSpec roi;
+  RegionSpec handle;
+  Falloff falloff;
+};
+
 /// Sets the weight and the falloff of the handle.
 struct SetFalloff {
   std::size_t handle = 0;
@@ -104,7 +111,7 @@ struct Revise {
 };
 
 /// One action of a user, a test or a recipe.
-using Command = std::variant<Choose, Paint, SetFalloff, RemoveHandle, SetBeltWidth, SetMirror,
+using Command = std::variant<Choose, Paint, Grab, SetFalloff, RemoveHandle, SetBeltWidth, SetMirror,
                              MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
                              CarryAlong, StopCarrying, Apply, Revise>;
 

@@ -26,13 +26,6 @@ constexpr double kFirstRadius = 0.1;
 
 constexpr double kFactorOfSize = 1.1;
 
-// Returns by how many steps the event resizes a disk; 0 if it does not.
-double steps_of(const InputEvent& event) {
-  if (event.kind == InputKind::scroll && event.modifiers == kSizes) return event.scroll;
-  if (event.kind != InputKind::key || event.modifiers != Modifiers{}) return 0.0;
-  return event.key == ']' ? 1.0 : event.key == '[' ? -1.0 : 0.0;
-}
-
 // Returns the barycentric coordinates of `p`; 1/3 each if the triangle has no area.
 Vector3d barycentric(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& p) {
   const Vector3d normal = (b - a).cross(c - a);
@@ -129,7 +122,7 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const ToolScene& scene) {
     begin(*pick, event, scene);
     return ToolAnswer::only_taken();
   }
-  if (const double steps = steps_of(event); steps != 0.0 && center_ != kNoIndex) {
+  if (const double steps = size_steps(event); steps != 0.0 && center_ != kNoIndex) {
     return resized(steps);
   }
   if (!dragging_) return ToolAnswer::passed_on();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include <Eigen/Core>
@@ -46,6 +48,20 @@ struct InputEvent {
   char32_t text = 0;    ///< for text events
   double scroll = 0.0;  ///< for scroll events; positive away from the user
 };
+
+/// Returns by how many steps the event resizes a disk or a brush: [ and ], or the wheel with
+/// kSizes. Returns 0 if it does not.
+inline double size_steps(const InputEvent& event) {
+  if (event.kind == InputKind::scroll && event.modifiers == kSizes) return event.scroll;
+  if (event.kind != InputKind::key) return 0.0;
+  return event.key == ']' ? 1.0 : event.key == '[' ? -1.0 : 0.0;
+}
+
+/// Returns the radius of a brush after `steps` of `size_steps`, within the limits of all brushes.
+inline double resized_brush_pt(double radius_pt, double steps) {
+  constexpr double kFactorOfStep = 1.15;
+  return std::clamp(radius_pt * std::pow(kFactorOfStep, steps), 1.0, 500.0);
+}
 
 /// Returns true for mouse events and false for keyboard events.
 inline bool is_of_pointer(const InputEvent& event) {

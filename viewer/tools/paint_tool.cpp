@@ -7,23 +7,12 @@
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
-namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFactorOfStep = 1.15;
-constexpr double kSmallestBrushPt = 1.0;
-constexpr double kLargestBrushPt = 500.0;
-
-}  // namespace
-
 ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
-  if (event.kind == InputKind::key && (event.key == '[' || event.key == ']')) {
-    resize_brush(event.key == ']' ? 1.0 : -1.0);
-    return ToolAnswer::only_taken();
-  }
-  if (event.kind == InputKind::scroll && event.modifiers == kSizes) {
-    resize_brush(event.scroll);
+  if (const double steps = size_steps(event); steps != 0.0) {
+    options_.radius_pt = resized_brush_pt(options_.radius_pt, steps);
     return ToolAnswer::only_taken();
   }
   if (!dragging_) {
@@ -97,11 +86,6 @@ void PaintTool::give_up() {
   dragging_ = false;
   way_.clear();
   touched_.clear();
-}
-
-void PaintTool::resize_brush(double steps) {
-  options_.radius_pt = std::clamp(options_.radius_pt * std::pow(kFactorOfStep, steps),
-                                  kSmallestBrushPt, kLargestBrushPt);
 }
 
 const char* PaintTool::hint(const AppState& state, const Part& part) const {

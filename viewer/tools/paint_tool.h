@@ -36,7 +36,6 @@ class PaintTool final : public SceneTool {
   VertexSet seen(VertexSet vertices, const ToolScene& scene) const;
   ToolAnswer finish(const ToolScene& scene);
   void give_up();
-  void resize_brush(double steps);
   std::vector<Eigen::Vector2d> outline() const;
 
   Options options_;

@@ -12,8 +12,8 @@ using Role = Part::Role;
 void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color,
                Action action) {
   draw_swatch(color);
-  const bool chosen = editor.part().role == part.role && !editor.has_in_hand(editor.gizmo_tool());
-  if (toggle_button(name, chosen)) editor.choose(part);
+  const bool chosen = editor.part().role == part.role && editor.chooses_parts();
+  if (toggle_button(name, chosen)) editor.begin_choosing(part);
   explain(action);
 }
 

@@ -144,6 +144,7 @@ void ViewerApp::take_preferred_tools() {
   editor.set_gizmo_keys(gizmo_keys());
   editor.set_feature_angle(display_.feature_angle);
   editor.set_settles_while_dragging(preferences_.settles_while_dragging);
+  editor.grab_tool().set_radius_pt(preferences_.grab_radius_pt);
   editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
   editor.paint_tool().options().through = preferences_.paints_through;
   // An edit that has begun goes on with its gizmo.

@@ -145,6 +145,7 @@ void ViewerApp::keep_preferences() {
   if (document_) {
     Editor& editor = document_->editor;
     preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
+    preferences_.grab_radius_pt = editor.grab_tool().radius_pt();
     preferences_.brush_radius_pt = editor.paint_tool().options().radius_pt;
     preferences_.paints_through = editor.paint_tool().options().through;
     if (editor.row() != nullptr && chooses(*editor.row())) {
