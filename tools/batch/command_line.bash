@@ -1,8 +1,9 @@
-# Parses the command line of parallel-shards and slurm-shards, which is
+# Parses the command line of parallel-shards and slurm-shards:
 #   SCRIPT N [options of the scheduler] -- JOBS.jsonl -o DIR [options of lapwing batch]
-# read_command_line SCRIPT ARGUMENTS... sets `shards` (N), `options` and `batch` (the arrays before
-# and after "--") and `lapwing` (the program: $LAPWING, or lapwing from PATH). For --help it prints
-# the opening comment of SCRIPT. On an error it prints a message and exits with 2.
+# read_command_line SCRIPT ARGUMENTS... sets `shards` (N), `options` and `batch` (the arguments
+# before and after "--", as arrays) and `lapwing` (the program: $LAPWING, or lapwing from PATH). For
+# --help, prints the comment at the beginning of SCRIPT. After an error, prints a message and exits
+# with 2.
 
 wrong_usage() {
   echo "$1 (see --help)" >&2
@@ -46,7 +47,7 @@ read_command_line() {
   esac
 }
 
-# need PROGRAM PACKAGE
+# need PROGRAM PACKAGE: exits with 1 and a message if PROGRAM is not installed.
 need() {
   command -v "$1" >/dev/null || {
     echo "The program $1 was not found: install it (on Debian, apt-get install $2)" >&2

@@ -103,7 +103,7 @@ def measure_modifier(side):
     bound = []
     for _ in range(BINDS):
         if laplacian.is_bind:
-            bpy.ops.object.laplaciandeform_bind(modifier="Laplacian")  # unbinds
+            bpy.ops.object.laplaciandeform_bind(modifier="Laplacian")  # toggles: unbinds
         bound.append(seconds(bind))
     if not laplacian.is_bind:
         return None
@@ -158,7 +158,7 @@ def main():
         del arguments[at:at + 2]
     import lapwing_blender
 
-    lapwing_blender.register()  # from the folder of this file, not installed
+    lapwing_blender.register()  # the package beside this file, not the installed add-on
     if engine:
         sys.path.insert(0, engine)
     for side in [int(a) for a in arguments] or [161, 316]:

@@ -1,8 +1,9 @@
-# Writes FILE with one CTest test per suite of the GoogleTest program PROGRAM, named FOLDER.SUITE. All
-# tests of a suite run in one process; their results go to RESULTS/FOLDER.SUITE.xml. Suites that match the
-# regular expression SLOW start first and have the label "slow", the others "fast". With ONE_BY_ONE each
-# test is a separate CTest test with the label "window", and SLOW is matched with SUITE.TEST. ENVIRONMENT is
-# set for all.
+# Writes a CTest script, FILE, with one test per suite of the GoogleTest program PROGRAM, named
+# FOLDER.SUITE. All tests of a suite run in one process, which writes results to
+# RESULTS/FOLDER.SUITE.xml. Suites that match the regular expression SLOW start first and have the
+# label "slow"; the other suites have the label "fast". With ONE_BY_ONE, each GoogleTest test is a
+# separate CTest test with the label "window", and SLOW is compared with SUITE.TEST. All tests run
+# with ENVIRONMENT.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests
   OUTPUT_VARIABLE listing RESULT_VARIABLE result ERROR_VARIABLE errors TIMEOUT 120)
 if(NOT result EQUAL 0)
@@ -10,7 +11,7 @@ if(NOT result EQUAL 0)
 endif()
 
 set(script "# Written by tools/cmake/DiscoverSuites.cmake.\n")
-# add(NAME FILTER LABEL COST)
+# add(NAME FILTER LABEL COST): adds a CTest test that runs the GoogleTest tests that match FILTER.
 function(add name filter label cost)
   string(REPLACE "/" "-" file ${name})
   string(APPEND script "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
@@ -19,7 +20,8 @@ function(add name filter label cost)
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 
-# Remove the parameters of tests, which follow a #: their brackets and semicolons would break lists.
+# Remove the parameters of tests, which follow a #, because their brackets and semicolons would
+# split CMake lists.
 string(REGEX REPLACE " *#[^\n]*" "" listing "${listing}")
 string(REPLACE "\n" ";" lines "${listing}")
 foreach(line IN LISTS lines)

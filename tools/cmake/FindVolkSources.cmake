@@ -1,4 +1,5 @@
-# volk.h, which our headers include, and volk.c. Debian: libvulkan-volk-dev, without a package file.
+# Finds volk.h, which the public headers include, and volk.c. Debian's libvulkan-volk-dev has no
+# package file.
 find_path(VolkSources_INCLUDE_DIR volk.c DOC "Folder with volk.h and volk.c")
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(VolkSources REQUIRED_VARS VolkSources_INCLUDE_DIR)

@@ -1,5 +1,5 @@
-# find_imported_library(NAME HEADER LIBRARY [PATH_SUFFIXES ...]): for find modules of libraries without a
-# package file. Defines the imported target NAME::NAME.
+# find_imported_library(NAME HEADER LIBRARY [PATH_SUFFIXES ...]): finds a library without a package
+# file, and defines the imported target NAME::NAME.
 include(FindPackageHandleStandardArgs)
 macro(find_imported_library name header library)
   find_path(${name}_INCLUDE_DIR ${header} ${ARGN})

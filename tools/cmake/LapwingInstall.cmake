@@ -1,9 +1,9 @@
-# Installs the libraries, their headers and a package file: find_package(lapwing) then gives
-# lapwing::core, lapwing::gpu, lapwing::vulkan and lapwing::render.
+# Installs the libraries, their headers and a package file. find_package(lapwing) then defines the
+# targets lapwing::core, lapwing::gpu, lapwing::vulkan and lapwing::render.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lapwing)
-# The public headers and all that they include; the others are internals.
+# Installs the public headers and all headers that they include. The other headers are internal.
 set(public_headers
   lapwing/lapwing.h lapwing/base/cancellation.h lapwing/base/errors.h lapwing/base/limits.h
   lapwing/batch/batch.h lapwing/deform/deform_solver.h lapwing/deform/drag_preview.h
@@ -44,7 +44,7 @@ install(FILES
   tools/cmake/FindVolkSources.cmake tools/cmake/ImportedLibrary.cmake
   DESTINATION ${package_dir})
 
-# For builds without CMake: all libraries, and for static ones those that they link.
+# The linker options in lapwing.pc: all libraries and, for static libraries, their dependencies.
 set(linked "-llapwing_core")
 if(LAPWING_VULKAN)
   set(linked "-llapwing_render -llapwing_vulkan -llapwing_gpu ${linked}")

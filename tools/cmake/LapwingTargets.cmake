@@ -2,32 +2,34 @@
 
 # The warnings for the project's code; dependencies are system headers.
 add_library(lapwing_warnings INTERFACE)
-# g++ 12 wrongly warns of overlaps and overflows inside std::string (GCC bug 105651), and of unset numbers
-# in Eigen's fixed-size decompositions. Vulkan's structures are initialized by name.
+# g++ 12 wrongly warns of overlaps and overflows inside std::string (GCC bug 105651), and of
+# uninitialized values in Eigen's fixed-size decompositions. Vulkan's structures are initialized by
+# member name, so missing initializers are intended.
 target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wall -Wextra -Wshadow
   -Wconversion -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
   -Wno-missing-field-initializers
   $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>
   $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-missing-field-initializers>)
 
-# Round every operation, so that results do not depend on fused operations.
+# Do not fuse multiplications and additions, so that results do not depend on the compiler's choice.
 add_compile_options(-ffp-contract=off)
-# Libraries share precompiled headers, which fit only code that is compiled the same way.
+# The libraries share precompiled headers, which require the same compile options everywhere.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(lapwing_sanitizers INTERFACE)
 if(LAPWING_SANITIZE)
   target_compile_options(lapwing_sanitizers INTERFACE
     -fsanitize=${LAPWING_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-    # Checked loops cannot be unrolled, which Clang would report for each kernel.
+    # Loops with checks cannot be unrolled, and Clang would warn about this in each kernel.
     $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-pass-failed>)
   target_link_options(lapwing_sanitizers INTERFACE -fsanitize=${LAPWING_SANITIZE})
 endif()
 
-# lapwing_add_sources(TARGET SOURCES...): adds sources to TARGET. With LAPWING_FOLDER_UNITS the sources of
-# one folder, or of the folders that set LAPWING_UNIT to the same name, are one translation unit, so headers
-# and templates are compiled once. Names must then differ across files, even in unnamed namespaces. A
-# source with separate compile options or definitions stays a separate unit.
+# lapwing_add_sources(TARGET SOURCES...): adds sources to TARGET. With LAPWING_FOLDER_UNITS, the
+# sources of one folder, or of the folders that set LAPWING_UNIT to the same name, form one
+# translation unit, so that headers and templates are compiled once. Names must then differ between
+# files, even in unnamed namespaces. A source with separate compile options or definitions remains a
+# separate unit.
 function(lapwing_add_sources target)
   target_sources(${target} PRIVATE ${ARGN})
   set_target_properties(${target} PROPERTIES
@@ -54,7 +56,7 @@ function(lapwing_add_library name export_name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${name} PRIVATE
     $<BUILD_INTERFACE:lapwing_warnings> $<BUILD_INTERFACE:lapwing_sanitizers>)
-  # The libraries share precompiled headers, so none may have a definition of its own.
+  # The libraries share precompiled headers, so their compile definitions must be the same.
   set_target_properties(${name} PROPERTIES
     EXPORT_NAME ${export_name} CXX_EXTENSIONS OFF DEFINE_SYMBOL "" INSTALL_RPATH "\$ORIGIN"
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
@@ -78,7 +80,7 @@ function(lapwing_add_program name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 
-# Headers that nearly every file includes, precompiled once per library or test program.
+# Headers that nearly every file includes. They are precompiled once per library or test program.
 set(lapwing_common_headers
   <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <filesystem> <functional> <memory> <span> <string>
   <vector>)

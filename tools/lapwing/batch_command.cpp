@@ -20,7 +20,7 @@ volatile std::sig_atomic_t caught = 0;
 
 void on_signal(int signal) {
   caught = signal;
-  // A second signal ends the program at once.
+  // A second signal ends the program immediately.
   std::signal(signal, SIG_DFL);
 }
 
@@ -53,7 +53,7 @@ void BatchOptions::run() {
   }
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  // Exceeding the file size limit is an error to report, not the end of the program.
+  // If a file exceeds the size limit, report an error instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
   BatchDisplay display(quiet);
   BatchCount count;

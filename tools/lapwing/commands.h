@@ -4,9 +4,10 @@
 
 namespace lapwing::cli {
 
-/// Each adds a subcommand to `app` and runs it if it was chosen. Errors leave as exceptions.
+/// Each function adds a subcommand to `app`. CLI11 runs the subcommand that the arguments name.
+/// Errors are thrown as exceptions.
 void add_run(CLI::App& app);
-/// Adds one command per operation of a recipe: "deform", "coat", ...
+/// Adds one command per operation of a recipe, such as "deform" and "coat", except "peel".
 void add_steps(CLI::App& app);
 void add_batch(CLI::App& app);
 void add_peel(CLI::App& app);
@@ -30,15 +31,15 @@ enum ExitCode : int {
   kDone = 0,
   kFault = 1,  ///< a bug in the program
   kUsage = 2,
-  kInput = 3,  ///< mesh or recipe
+  kInput = 3,  ///< invalid mesh or recipe
   kSolver = 4,
   kDevice = 5,
   kFile = 6,
-  kSignalled = 128,  ///< plus the signal's number, as shells report it
-  kCancelled = 130,  ///< by an interrupt
+  kSignalled = 128,  ///< plus the number of the signal that ended the program, as in shells
+  kCancelled = 130,  ///< cancelled by an interrupt (Ctrl+C)
 };
 
-/// Thrown by a command that has finished, to set the exit code.
+/// Thrown by a finished command to set the exit code.
 struct ExitWith {
   int code;
 };

@@ -15,21 +15,21 @@ constexpr double kMargin = 0.04;  // as a fraction of the image size
 constexpr double kBoldWidth = 3.0;
 constexpr double kThickestLine = 1.2;
 constexpr double kThinnestLine = 0.25;
-constexpr double kLinePerEdge = 0.12;  // of the mean edge in pixels
+constexpr double kLinePerEdge = 0.12;  // line width as a fraction of the mean edge length
 constexpr double kPinRadius = 6.0;
 constexpr double kSpotRadius = 3.0;
 using Color = std::array<std::uint8_t, 3>;  // red, green, blue in sRGB
 constexpr Color kBlue{30, 60, 120};
 constexpr Color kRed{220, 30, 30};
 
-// The coverage of each pixel by a layer of ink. Overlapping ink covers no more, so that lines do
-// not darken where they meet.
+// The coverage of each pixel by a layer of ink. Overlapping lines do not add up, so that their
+// intersections are not darker.
 class Ink {
  public:
   explicit Ink(std::uint32_t size) : size_(size), coverage_(std::size_t{size} * size, 0.0F) {}
 
   void line(const Vector2d& a, const Vector2d& b, double width) {
-    // A line thinner than a pixel is drawn one pixel wide, but paler.
+    // A line thinner than a pixel is drawn one pixel wide, with less coverage.
     const double drawn = std::max(width, 1.0);
     const double strength = width / drawn;
     const double reach = 0.5 * drawn + 0.5;

@@ -265,8 +265,7 @@ std::string EditOutput::add_pictures(const RunResult& result,
                                      FileReplacements& files) const {
   Pictures pictures;
   try {
-    // An edit on the CPU has no device or has lost it. In this case, a device is opened to draw the
-    // image.
+    // If the edit ran on the CPU, or its device was lost, open a device to draw the images.
     const bool has_failed = !used.kernels->device().took_over.empty();
     const std::string changed = draw_on_any_device(
         has_failed ? nullptr : used.context,

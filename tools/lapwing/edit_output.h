@@ -25,24 +25,24 @@ struct EditOutput {
   std::string frames = "auto";
   bool strict = false;
   bool quiet = false;
-  std::string sandbox;  ///< the only folder that the recipe may use; empty: any
+  std::string sandbox;  ///< if not empty, the only folder whose files the recipe may use
   PictureOptions picture;
 
   void add_to(CLI::App& command);
-  /// Runs `recipe` and writes the requested files, and the recipe itself to `recipe_path` unless
-  /// that is empty. Writes all of them or none, except that if no device can draw the pictures, the
-  /// others are written with exit code 5. Prints progress, stages and certificate. `recipe_file` is
-  /// the file of the recipe, if there is one.
+  /// Runs `recipe` and writes the requested files. Also writes the recipe to `recipe_path` unless
+  /// this path is empty. Writes either all files or none, with one exception: if no device can draw
+  /// the images, writes all other files and exits with code 5. Prints progress, stages and
+  /// certificate. `recipe_file` is the file from which the recipe was read, or empty.
   void run(const Recipe& recipe, const std::filesystem::path& recipe_file,
            const std::filesystem::path& recipe_path) const;
 
  private:
-  // Checks before the run that the target can hold the vertex motion.
+  // Throws CLI::ValidationError if the format of `target` cannot store the vertex motion.
   void require_place_for_motion(const std::filesystem::path& target) const;
   void require_places(const Recipe& recipe, const std::filesystem::path& target,
                       const std::filesystem::path& recipe_file,
                       const std::filesystem::path& recipe_path) const;
-  // PNG files; empty if not requested.
+  // The contents of PNG files. An image that was not requested is empty.
   struct Pictures {
     std::string before;
     std::string after;
@@ -50,7 +50,7 @@ struct EditOutput {
   };
   Pictures draw(const RunResult& result, const std::filesystem::path& mesh_file,
                 const std::shared_ptr<gpu::Context>& context) const;
-  // Returns why the pictures could not be drawn, or an empty string.
+  // Draws the images and adds them to `files`. Returns an error message, or an empty string.
   std::string add_pictures(const RunResult& result, const std::filesystem::path& mesh_file,
                            const Device& device, FileReplacements& files) const;
 };

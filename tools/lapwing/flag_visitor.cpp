@@ -30,7 +30,7 @@ CLI::Validator in(const Range& range, bool whole) {
           ""};
 }
 
-// The flags of a mix's weight.
+// The flags for the weight of a mix.
 struct WeightFlags {
   std::vector<double> domain_v;
   std::string distance_to;
@@ -241,7 +241,7 @@ void FlagVisitor::weight(const StepKey& key, MixWeight&) {
 
 void FlagVisitor::file(const StepKey& key, std::filesystem::path&) {
   auto path = std::make_shared<std::string>();
-  // The name of a list item is the flag of its file.
+  // In a list such as the sources of a mix, the flag of the file is the name of the item.
   command_.add_option(prefix_.empty() ? flag(key) : "--" + prefix_, *path, help_of(key));
   set_at_end(key, [path](const Json&, const StepFiles& files) {
     return path->empty() ? Json() : Json(files.from_recipe(*path));

@@ -14,31 +14,32 @@
 
 namespace lapwing::cli {
 
-/// The paths of the files that a command with one step reads or writes.
+/// The files that a command with one step reads or writes.
 struct StepFiles {
   std::string mesh;
-  std::string recipe;  ///< output file for the recipe; empty: none
+  std::string recipe;  ///< output file for the recipe; empty if the recipe is not written
 
   /// Returns the folder to which relative paths in the recipe refer.
   std::filesystem::path recipe_folder() const;
-  /// Converts `path` from relative to the current folder to relative to the recipe's folder.
+  /// Converts a path relative to the current folder to a path relative to `recipe_folder`.
   std::string from_recipe(const std::string& path) const;
 };
 
-/// A step built from flags: the given keys, and those whose flag has its own default. Other
-/// defaults come from the recipe.
+/// A step that is built from flags. It contains the keys of the given flags, and the keys for which
+/// the flag has another default than the recipe.
 struct StepDraft {
   using Json = nlohmann::ordered_json;
 
   Json json;
-  /// Values of flags with their places. They are written only after all flags are known to fit each
-  /// other.
+  /// Values of flags, each with its position in `json`. They are written only after CLI11 has
+  /// checked the combination of all flags.
   std::vector<std::pair<Json::json_pointer, Json>> given;
-  /// Actions that need all flags, such as paths relative to the recipe.
+  /// Actions that run after all flags are parsed, for example to make paths relative to the recipe.
   std::vector<std::function<void(Json&, const StepFiles&)>> at_end;
 };
 
-/// Adds flags to a command for the keys of a step. Flags that are given write to `draft`.
+/// Adds a flag to a command for each key of a step. The parser writes the value of a flag to
+/// `draft`.
 class FlagVisitor final : public KeyVisitor {
  public:
   FlagVisitor(CLI::App& command, std::shared_ptr<StepDraft> draft)
@@ -76,21 +77,21 @@ class FlagVisitor final : public KeyVisitor {
   using Json = nlohmann::ordered_json;
   using Place = Json::json_pointer;
 
-  // An object that is optional as a whole.
+  // The flags of an optional object of the step.
   struct Scope {
     CLI::Option* off = nullptr;          // the flag that disables the object
-    std::vector<CLI::Option*> required;  // which the others need
+    std::vector<CLI::Option*> required;  // required if one of `others` is given
     std::vector<CLI::Option*> others;
   };
 
   std::string flag(const StepKey& key) const;
   Place place_of(const StepKey& key) const { return path_ / std::string(key.name); }
-  // Returns a function that stores its argument as the value of `key`.
+  // Returns a function that sets the value of `key` to its argument.
   std::function<void(Json)> setter(const StepKey& key) const;
   // Calls `value` after all flags are parsed. Stores the result as the value of `key` unless it is
   // null.
   void set_at_end(const StepKey& key, std::function<Json(const Json&, const StepFiles&)> value);
-  // Sets the properties that all options share; `fallback` is the default shown in help.
+  // Sets the common properties of options. `fallback` is the default in the help.
   CLI::Option* finish(const StepKey& key, CLI::Option* option, const std::string& fallback = "");
   void add_number(const StepKey& key, const Range& range, bool whole, const std::string& fallback);
   void add_region(const StepKey& key, const std::string& help, const std::string& fallback);

@@ -56,8 +56,8 @@ CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
   return report;
 }
 
-// Repairs the mesh and writes it. If the format does not change, the encoding (text or binary) also
-// does not.
+// Repairs the mesh and writes it. If the format stays the same, so does the encoding (text or
+// binary).
 void write_repaired(DamagedMesh& damaged, const std::string& path) {
   WriteOptions options{.original_file = damaged.file};
   const bool keeps_format = format_of(path) == damaged.file->format();

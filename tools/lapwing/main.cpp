@@ -64,8 +64,8 @@ int run(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// Destructors of libraries may run out of memory, which ends the program. Exits with a message and
-// without a core file.
+// Called if an exception cannot be caught, for example if a destructor of a library runs out of
+// memory. In this case, prints a message and exits without a core file.
 [[noreturn]] void on_terminate() {
   try {
     if (const auto exception = std::current_exception()) std::rethrow_exception(exception);
@@ -77,7 +77,8 @@ int run(CLI::App& app, int argc, char** argv) {
   std::abort();
 }
 
-// Output that was lost, for instance on a full disk, is a failure.
+// Flushes standard output. Returns kFile if this fails, for example on a full disk; otherwise
+// returns `code`.
 int with_output(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
   say(std::string("cannot write to standard output: ") + std::strerror(errno) +

@@ -7,7 +7,7 @@
 
 namespace lapwing::cli {
 
-/// Prints "lapwing: " and a line to standard error, as printable text (printable).
+/// Prints "lapwing: " and a line to standard error. Escapes unprintable characters (`printable`).
 void say(const std::string& line);
 /// Prints a line about a decision of the program. The line begins with "lapwing: note: ". On a
 /// terminal, the word "note" is coloured unless NO_COLOR is set. The colour distinguishes notes
@@ -20,7 +20,7 @@ void warn(const std::string& text);
 /// Prints a warning if `mesh`, which was read from `path`, has no surface. A point cloud has none.
 void warn_without_surface(const Mesh& mesh, const std::string& path);
 
-/// Prints the report of a written file to standard error. Reports lost data as warnings.
+/// Prints the report of a written file to standard error. Lost data are warnings.
 void print_notes(const WriteReport& report);
 
 /// Returns a file name, or a name inside a file, as printable text for standard output.

@@ -10,8 +10,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Place = Json::json_pointer;
 
-// Sets `object[place]`. Throws CLI::ValidationError if it is already set, because the flag then
-// occurs twice.
+// Sets `object[place]`. Throws CLI::ValidationError if it is already set, because `flag` was given
+// twice.
 void set_once(Json& object, const std::string& flag, const Place& place, Json value) {
   if (object.contains(place)) {
     throw CLI::ValidationError(flag, "is given twice for one move; put the next --handle first");

@@ -12,7 +12,7 @@ namespace lapwing::cli {
 
 /// Adds the flags of a move. When the parser reads a flag, it sets a key of the JSON object that
 /// `move` returns. The help texts contain the name of the moved object, `what`, such as "the
-/// handle", and `default_pivot`, such as "the handle's centroid".
+/// handle", and the words for its default pivot, such as "the handle's centroid".
 void add_move_flags(CLI::App& command, const std::string& what, const std::string& default_pivot,
                     const std::function<nlohmann::ordered_json&()>& move);
 
@@ -24,9 +24,9 @@ class HandleFlags {
   /// Adds --handle and the flags of its move. If `graded` is true, also adds the flags for weights
   /// and orientation. Returns --handle. This object must outlive `command`.
   CLI::Option* add_to(CLI::App& command, bool graded);
-  /// Returns the handles, or null if there are none. `mesh` is the file that contains the vertex
-  /// properties of --handle-field. Throws CLI::ParseError if the flags of a handle do not fit each
-  /// other.
+  /// Returns the handles in the form of a recipe, or null if there are none. `mesh` is the file
+  /// that contains the vertex properties of --handle-field. Throws CLI::ParseError if the flags of
+  /// a handle cannot be combined.
   nlohmann::ordered_json json(const std::string& mesh) const;
 
  private:

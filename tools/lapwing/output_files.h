@@ -6,20 +6,20 @@
 
 namespace lapwing::cli {
 
-/// Checks the input and output files of a command before its work. An unwritable path, or one file
-/// for two purposes, is an error at once.
+/// Checks the input and output files of a command before the command begins its work. Rejects paths
+/// that cannot be written, and files that are used for two purposes.
 class OutputFiles {
  public:
-  /// `name` is the flag or argument of the file, for messages. Empty paths are ignored. An output
-  /// mesh may replace an input with `replaced`.
+  /// Adds an input file. `name` is the flag or argument of the file, for messages. Ignores empty
+  /// paths. If `replaced` is true, an output mesh may replace the file.
   void reads(const std::string& name, const std::filesystem::path& path, bool replaced = false);
-  /// Throws CLI::ValidationError if `path` is an input or another output, and IoError if no file
-  /// can be written there.
+  /// Adds an output file. Throws CLI::ValidationError if `path` is an input or another output.
+  /// Throws IoError if the file cannot be written.
   void writes(const std::string& name, const std::filesystem::path& path);
-  /// The same for a mesh, which may replace the mesh that it was made from. Throws InputError for
-  /// an extension that is not a mesh format.
+  /// Adds an output mesh, which may replace an input with `replaced`. Also throws InputError if the
+  /// extension is not a mesh format.
   void writes_mesh(const std::string& name, const std::filesystem::path& path);
-  /// The same for a picture, whose name must end in .png.
+  /// Adds an output image. Also throws CLI::ValidationError if the name does not end in .png.
   void writes_picture(const std::string& name, const std::filesystem::path& path);
 
  private:

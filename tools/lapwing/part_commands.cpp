@@ -54,7 +54,7 @@ VertexSet all_vertices(const Mesh& mesh) {
   return all;
 }
 
-// Notes everything that prevents `lapwing transplant` from joining a piece without further options.
+// Prints a note for each property of a piece that may prevent `lapwing transplant` from joining it.
 void note_obstacles(const Mesh& mesh, const std::string& path) {
   const DiskReport report = report_disk(region_triangles(all_vertices(mesh), mesh.topology()));
   const auto note = [&](const std::string& text) { cli::note(path + " " + text); };
@@ -77,7 +77,7 @@ void describe_piece(const CutPiece& piece, const std::string& path, bool quiet) 
   try {
     print_loops(boundary_loops(piece.mesh.topology().triangles, path), piece.mesh.positions);
   } catch (const InputError&) {
-    // note_obstacles has already reported this error.
+    // `note_obstacles` has already reported the reason of this error.
   }
 }
 
@@ -89,7 +89,7 @@ void cut(const CutArguments& a) {
   const Mesh mesh = read_mesh(a.mesh);
   const VertexSet region = resolve(region_spec("--region", a.region), mesh);
   const CutPiece part = cut_out(mesh, region, "--region");
-  // Both files are written, or neither.
+  // Write either both files or none.
   CutPiece rest;
   if (!a.rest.empty()) rest = cut_away(mesh, region, "--region");
   FileReplacements written;

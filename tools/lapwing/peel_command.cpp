@@ -53,7 +53,7 @@ void peel_mesh(const PeelArguments& a) {
   const PeelRequest request = request_of(a);
   const Peeled peeled = peel(mesh, request);
   print_notes(write_mesh(carrying(a.coating, mesh, request, peeled), a.output));
-  // The only warning says that nothing moved, as does this line.
+  // Do not print the only possible warning, that no vertex moved: this line also shows it.
   std::printf("%s: %zu of %s smoothed; coating %.3g on average, %.3g at most\n",
               shown(a.output).c_str(), peeled.moved.size(),
               counted(mesh.vertex_count(), "vertices").c_str(), peeled.mean_coating,

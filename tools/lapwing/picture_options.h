@@ -17,7 +17,7 @@ namespace lapwing::cli {
 struct PictureOptions {
   std::string size = "1280x960";
   std::string view = "three-quarter";
-  std::vector<double> from;  ///< direction to the eye, instead of a named view
+  std::vector<double> from;  ///< direction from the mesh to the eye; replaces `view` if not empty
   std::string up = "y";
   std::string background = "gradient";
   bool orthographic = false;
@@ -26,27 +26,28 @@ struct PictureOptions {
   double feature_angle_degrees = kFeatureAngleDegrees;
 
   void add_to(CLI::App& command);
-  /// Returns the request. Throws CLI::ValidationError for an invalid size or direction.
+  /// Returns the request for the renderer. Throws CLI::ValidationError if the size or the direction
+  /// is invalid.
   PictureRequest request() const;
 };
 
-// --color accepts these values in addition to those of pose_colors().
-inline const std::string kFileColor = "file";    ///< the colours of the mesh's file
-inline const std::string kPlainColor = "plain";  ///< clay
+// Values of --color, in addition to those of pose_colors().
+inline const std::string kFileColor = "file";    ///< the colours in the mesh file
+inline const std::string kPlainColor = "plain";  ///< one colour, like clay
 
-/// Values of --color that compare a pose with its rest pose: displacement, rotation, detail (of
-/// uniform Laplacians) and stretch.
+/// Returns the values of --color that compare a pose with its rest pose: displacement, rotation,
+/// detail (of uniform Laplacians) and stretch.
 const std::vector<std::string>& pose_colors();
 
-/// Colours `paint`, of the triangles of `mesh`, with the colours of its file at `path`, if there
-/// are any. Returns what could not be read, and the remedy.
+/// Sets the colours of `paint` to those in the file `path`, from which `mesh` was read. `paint`
+/// belongs to the triangles of `mesh`. Returns notes about colours that could not be read.
 std::vector<std::string> color_by_file(const Mesh& mesh, const std::filesystem::path& path,
                                        SurfacePaint& paint, RenderOptions& options);
 
-/// Colours `paint` by the difference between `mesh` and its vertices at `rest`. `measure` is one of
-/// `pose_colors()`; range and legend are set to match. The range begins at 0 and excludes outliers.
-/// Vertices whose rings did not move have no colour. Seams that are closed in both poses are
-/// treated as joined.
+/// Colours `paint` by the difference between `mesh` and its rest positions `rest`. `measure` is one
+/// of `pose_colors()`. Sets the range and the title of the legend in `options`. The range begins at
+/// 0 and excludes outliers. Vertices whose rings did not move have no colour. Seams that are closed
+/// in both poses count as joined.
 void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eigen::Vector3d> rest,
               SurfacePaint& paint, RenderOptions& options);
 

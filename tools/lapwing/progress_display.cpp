@@ -25,7 +25,7 @@ volatile std::sig_atomic_t interrupted = 0;
 
 void on_interrupt(int) {
   interrupted = 1;
-  // A second interrupt ends the program at once.
+  // A second interrupt ends the program immediately.
   std::signal(SIGINT, SIG_DFL);
 }
 
@@ -69,8 +69,8 @@ void ProgressDisplay::clear() {
 
 BatchDisplay::BatchDisplay(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
-// Returns text such as "312 of 1000 done, 2 failed, 31.4 edits/s, 0:00:22 left". The rate is that
-// of this run.
+// Returns text such as "312 of 1000 done, 2 failed, 31.4 edits/s, 0:00:22 left". The rate does not
+// include edits of earlier runs.
 std::string BatchDisplay::words_of(const BatchCount& count) const {
   const double seconds = since_begin_.elapsed_ms() / 1e3;
   const auto done = static_cast<double>(count.done - count.before);
@@ -94,7 +94,7 @@ void BatchDisplay::show(const BatchCount& count) {
     std::fprintf(stderr, "%s\n", words_of(count).c_str());
     return;
   }
-  // A shard may have no jobs.
+  // Avoid a division by 0, because a shard may have no jobs.
   const auto jobs = static_cast<double>(std::max<std::size_t>(count.jobs, 1));
   print_bar(static_cast<double>(count.done + count.failed) / jobs, words_of(count));
 }

@@ -31,8 +31,8 @@ class ProgressDisplay {
   bool bar_shown_ = false;
 };
 
-/// Shows the progress of a batch on standard error, with its rate and the time left: a progress bar
-/// on a terminal, otherwise a line every ten seconds. Shows nothing if `quiet`.
+/// Shows the progress of a batch on standard error, with its rate and the remaining time: a bar on
+/// a terminal, otherwise a line every ten seconds. Shows nothing if `quiet` is true.
 class BatchDisplay {
  public:
   explicit BatchDisplay(bool quiet);
@@ -47,7 +47,7 @@ class BatchDisplay {
   bool quiet_;
   bool terminal_;
   Stopwatch since_begin_;
-  double shown_ms_ = 0.0;  ///< time of the last display, from the beginning
+  double shown_ms_ = 0.0;  ///< time of the last output, since construction
 };
 
 }  // namespace lapwing::cli

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
   throw CLI::ValidationError(flag, "cannot read \"" + text + "\"; expected " + expected);
 }
 
-// Parses numbers separated by commas. There must be exactly `count` unless that is 0.
+// Parses numbers separated by commas. Unless `count` is 0, there must be exactly `count` numbers.
 std::vector<Json> numbers(const std::string& flag, const std::string& text, const std::string& list,
                           std::size_t count, const char* expected = kRegionHelp) {
   std::vector<Json> values;
@@ -30,7 +30,7 @@ std::vector<Json> numbers(const std::string& flag, const std::string& text, cons
     double value = 0.0;
     const auto [next, error] = std::from_chars(at, end, value);
     if (error != std::errc()) fail(flag, text, expected);
-    // Vertex numbers must reach the recipe as integers.
+    // Write whole numbers as integers, because vertex numbers in a recipe must be integers.
     const auto whole = static_cast<long long>(value);
     values.push_back(static_cast<double>(whole) == value ? Json(whole) : Json(value));
     if (next == end) break;

@@ -23,12 +23,12 @@ namespace {
 
 // The options of a turntable: a series of images for which the camera circles around the mesh.
 struct TurntableOptions {
-  int count = 0;  ///< number of images of a turntable; 0: a single image
+  int count = 0;  ///< number of images of a turntable; 0 for a single image
   double per_second = 30.0;
 
   void add_to(CLI::App& command);
-  // Call this before reading the mesh. Throws CLI::ValidationError if `output` names a video but
-  // only one image is requested. Also throws the exceptions of check_frames_name.
+  // Checks the options. Throws CLI::ValidationError if `output` names a video but only one image is
+  // requested. Also throws the errors of `check_frames_name`.
   void check(const std::string& output) const;
 };
 
@@ -56,7 +56,7 @@ void TurntableOptions::check(const std::string& output) const {
 }
 
 // Draws `surface` from the cameras of `way` and shows the progress. Writes the images to `output`
-// (open_frames). After an interrupt, the numbered images that are complete remain, but no video.
+// (open_frames). After an interrupt, the finished numbered images remain, but no video.
 void write_turntable(const std::string& output, const TurntableOptions& turntable,
                      const Turntable& way, Surface& surface, const SurfacePaint& paint,
                      const RenderOptions& options) {
@@ -88,7 +88,7 @@ struct RenderArguments {
   std::string mesh;
   std::string image;
   std::string rest;
-  std::string color;  ///< empty: chosen by the input
+  std::string color;  ///< if empty, `color_of` chooses the colour
   std::string device = "auto";
   PictureOptions picture;
   TurntableOptions turntable;
@@ -104,7 +104,8 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
   return rest;
 }
 
-// Throws CLI::ValidationError if the colour does not fit `--rest`.
+// Returns the value of --color or its default. Throws CLI::ValidationError if the colour compares
+// two poses but --rest is missing, or the reverse.
 std::string color_of(const RenderArguments& arguments) {
   const bool has_rest = !arguments.rest.empty();
   if (arguments.color.empty()) return has_rest ? pose_colors().front() : kFileColor;
@@ -133,7 +134,7 @@ void require_places(const RenderArguments& arguments) {
   }
 }
 
-// Returns notes on the file's colours.
+// Draws the requested images. Returns notes about the colours in the mesh file.
 std::vector<std::string> draw(const RenderArguments& arguments, const std::string& color,
                               const Mesh& mesh, const std::optional<Mesh>& rest,
                               const std::shared_ptr<gpu::Context>& context) {
@@ -162,7 +163,7 @@ std::vector<std::string> draw(const RenderArguments& arguments, const std::strin
 void render(const RenderArguments& arguments) {
   require_places(arguments);
   const std::string color = color_of(arguments);
-  arguments.picture.request();  // reports invalid options before the work
+  arguments.picture.request();  // throws if an option is invalid
   const Mesh mesh = read_mesh(arguments.mesh);
   warn_without_surface(mesh, arguments.mesh);
   std::optional<Mesh> rest;

@@ -1,6 +1,7 @@
-# Sourced by tools/classics, tools/coats and tools/transplants, which run recipes and draw pictures.
-# begin NAME ARGUMENTS... sets `lapwing` (the variable LAPWING, or the program in build/release), `out`
-# (build/NAME, for pictures, reports and meshes), `models` and `arguments` (those of `lapwing run`).
+# Functions that run recipes and draw images, for tools/classics, tools/coats and tools/transplants.
+
+# begin NAME ARGUMENTS...: sets `lapwing` ($LAPWING, or the program in build/release), `out` (the
+# output folder build/NAME), `models` (the folder of models) and `arguments` (for `lapwing run`).
 
 begin() {
   cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -22,5 +23,5 @@ run_recipe() {
   "$lapwing" run "tools/recipes/$1.json" --report "$out/$1.json" "${@:2}" "${arguments[@]}"
 }
 
-# picture MESH NAME [options of lapwing render]: draws a mesh as NAME.png.
+# picture MESH NAME [options of lapwing render]: draws an image of a mesh, NAME.png.
 picture() { "$lapwing" render "$1" -o "$out/$2.png" "${@:3}"; }

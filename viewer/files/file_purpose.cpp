@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using Wants = PathWords::Wants;
 
-// The extensions that format_of knows.
+// The extensions that `format_of` accepts.
 constexpr std::array<std::string_view, 9> kMesh{".glb", ".gltf", ".obj",  ".off",  ".ply",
                                                 ".stl", ".coff", ".noff", ".cnoff"};
 constexpr std::array<std::string_view, 1> kRecipe{".json"};
@@ -37,7 +37,7 @@ constexpr std::array kFollowers{FileKind{"Meshes, clouds and tables", kCarried},
 constexpr std::string_view kFormats =
     "The extension chooses the format: glb, gltf, obj, off, ply or stl.";
 
-// In the order of PathPurpose.
+// The texts of each PathPurpose, in the order of the enumeration.
 constexpr std::array<PathWords, 12> kWords{{
     {"Open", "A mesh, or a recipe, which is carried out.", "Open", Wants::file, kOpened},
     {"Save the mesh", kFormats, "Save", Wants::new_file, kMeshes},
@@ -129,7 +129,7 @@ fs::path with_extension(fs::path typed, PathPurpose purpose, const fs::path& sug
   const PathWords& words = words_of(purpose);
   if (words.wants != Wants::new_file || typed.filename().empty()) return typed;
   if (words.kinds.front().holds(typed)) return typed;
-  // A name such as "hand.v2" keeps its dot; one such as "hand.fbx" is refused, not renamed.
+  // Append an extension to "hand.v2", but not to "hand.fbx", so that this format is rejected.
   const std::string extension = lower_extension(typed);
   const bool looks_like_format = extension.size() > 1 && extension.size() <= 5 &&
                                  std::all_of(extension.begin() + 1, extension.end(),

@@ -7,7 +7,7 @@
 
 namespace lapwing::viewer {
 
-/// The purpose of a path that the user is asked for.
+/// The purpose for which the viewer asks the user for a path.
 enum class PathPurpose {
   open,
   save_mesh,
@@ -23,13 +23,13 @@ enum class PathPurpose {
   add_part,
 };
 
-/// A filter of a file dialog, such as "Meshes": extensions in lower case, with the dot. Without
-/// extensions it matches all files.
+/// A filter of a file dialog, such as "Meshes".
 struct FileKind {
   std::string_view name;
+  /// Lower-case extensions with the dot. If empty, the filter matches all files.
   std::span<const std::string_view> extensions;
 
-  /// Whether the filter matches `file`, in upper or lower case.
+  /// Returns whether the filter matches `file`. Ignores upper and lower case.
   bool holds(const std::filesystem::path& file) const;
 };
 
@@ -41,17 +41,17 @@ struct PathWords {
   std::string_view note;
   std::string_view button;  ///< label of the button that accepts the path
   Wants wants = Wants::file;
-  std::span<const FileKind> kinds;  ///< filters, the default one first; none for a folder
+  std::span<const FileKind> kinds;  ///< filters, starting with the default; empty for a folder
 };
 const PathWords& words_of(PathPurpose purpose);
 
-/// Returns the name typed for a new file, with the extension of `suggested` if it has none: "hand"
-/// becomes "hand.ply". An extension that looks like another format stays.
+/// Returns `typed`, the name of a new file. If it has no extension, appends that of `suggested`:
+/// "hand" becomes "hand.ply". Does not change an extension that may be another format.
 std::filesystem::path with_extension(std::filesystem::path typed, PathPurpose purpose,
                                      const std::filesystem::path& suggested);
 
-/// Returns why the absolute `path` does not suit `purpose`, and what to do; empty if nothing is
-/// wrong. Does not read the file.
+/// Returns a message with the reason why the absolute `path` cannot be used for `purpose`, and the
+/// next step. Empty if the path can be used. Does not read the file.
 std::string trouble_with(const std::filesystem::path& path, PathPurpose purpose);
 
 }  // namespace lapwing::viewer

@@ -14,26 +14,26 @@ namespace lapwing::viewer {
 struct FolderEntry {
   std::string name;
   bool is_folder = false;
-  std::uint64_t bytes = 0;                     ///< of a file
-  std::filesystem::file_time_type modified{};  ///< the epoch if it is not known
+  std::uint64_t bytes = 0;                     ///< size of a file; 0 for a folder
+  std::filesystem::file_time_type modified{};  ///< the epoch of the file clock if unknown
 };
 
 /// The contents of a folder: folders first, then files, each sorted by `comes_before`.
 struct FolderListing {
   std::filesystem::path folder;
   std::vector<FolderEntry> entries;
-  std::string trouble;  ///< why it cannot be read, and what to do; empty otherwise
+  std::string trouble;  ///< message if the folder cannot be read; otherwise empty
 };
 
 /// Selects the entries of a listing.
 struct ListingFilter {
-  FileKind kind;              ///< for files; folders always show
-  bool shows_hidden = false;  ///< also names that begin with a dot
+  FileKind kind;              ///< filter for files; folders are always listed
+  bool shows_hidden = false;  ///< also list names that begin with a dot
   bool folders_only = false;
 };
 
-/// The natural order of names: numbers by value ("part-2" before "part-10"), letters regardless of
-/// case.
+/// Returns whether `a` precedes `b` in natural order, which compares numbers by value ("part-2"
+/// before "part-10") and ignores upper and lower case.
 bool comes_before(std::string_view a, std::string_view b);
 
 /// Lists `folder`. Follows symbolic links and omits broken ones. Calls `check_cancelled`, so that a

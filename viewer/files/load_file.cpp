@@ -32,7 +32,7 @@ OpenedMesh read(const fs::path& path, const Progress& progress) {
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
   report_progress(progress, "check", 0.0);
   const Mesh& mesh = *opened.mesh;
-  // List all places, because the user may want to see them.
+  // Do not limit the number of listed defects, because the user may want to see all of them.
   CheckReport report = check(mesh, std::numeric_limits<std::size_t>::max());
   const bool closed = is_closed_outward(mesh.positions, mesh.topology().triangles);
   return {std::move(opened), std::move(report), std::move(history), closed};
@@ -46,14 +46,14 @@ LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
 LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels,
                        const Progress& progress) {
   History history = from_recipe(open_state(opened.mesh), recipe, carry_out_with(kernels, progress));
-  // The recipe already has these steps.
+  // The recipe already contains these steps.
   history.mark_saved();
   return examined(std::move(opened), std::move(history), progress);
 }
 
 void carry_from_here(History& history, const std::vector<fs::path>& files) {
   if (files.empty()) return;
-  // Commit the edit that a recipe left open, because the files take no part in it.
+  // Commit the open step of the recipe first, because the files do not follow this step.
   history.perform(Commit{});
   for (const fs::path& file : files) {
     history.perform(CarryAlong{open_carried(fs::absolute(file).lexically_normal())});

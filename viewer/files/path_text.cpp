@@ -27,7 +27,7 @@ bool begins(std::string_view name, std::string_view with, bool any_case) {
   });
 }
 
-// Returns the names in `folder` that start with `begin`; folders end in a slash.
+// Returns the names in `folder` that start with `begin`. Names of folders end in a slash.
 std::vector<std::string> names_in(const fs::path& folder, std::string_view begin, bool any_case) {
   std::vector<std::string> names;
   std::error_code error;
@@ -43,7 +43,7 @@ std::vector<std::string> names_in(const fs::path& folder, std::string_view begin
   return names;
 }
 
-// Returns the common prefix, in the case of the first name.
+// Returns the longest common prefix. Ignores case; the result has the case of the first name.
 std::string common_beginning(const std::vector<std::string>& names) {
   std::string common = names.front();
   for (const std::string& name : names) {
@@ -52,7 +52,7 @@ std::string common_beginning(const std::vector<std::string>& names) {
                       [](char a, char b) { return lower_case(a) == lower_case(b); });
     common.erase(mine, common.end());
   }
-  // Do not cut a UTF-8 character of several bytes.
+  // Do not split a multi-byte UTF-8 character.
   const auto is_inside = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   const std::string& name = names.front();
   while (!common.empty() && common.size() < name.size() && is_inside(name[common.size()])) {
@@ -84,7 +84,7 @@ fs::path path_of(std::string_view typed, const fs::path& folder) {
     path = home / fs::path(typed.substr(std::min<std::size_t>(2, typed.size())));
   }
   path = (folder / path).lexically_normal();
-  // "models/" and "models" are one folder.
+  // Remove a trailing slash: "models/" is the same folder as "models".
   if (!path.has_filename() && path != path.root_path()) path = path.parent_path();
   return path;
 }
@@ -118,7 +118,7 @@ std::string size_in_words(std::uint64_t bytes) {
   constexpr std::array<const char*, 5> kUnits{"B", "KB", "MB", "GB", "TB"};
   auto size = static_cast<double>(bytes);
   std::size_t unit = 0;
-  // A size that would be rounded to 1000 goes to the next unit.
+  // A size that would be rounded to 1000 is written in the next larger unit.
   while (size >= 999.5 && unit + 1 < kUnits.size()) {
     size /= 1000.0;
     ++unit;

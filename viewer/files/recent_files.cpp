@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The list takes a few kilobytes. A larger file is not such a list.
+// The list has a few kilobytes. A larger file is not read.
 constexpr std::size_t kMostBytes = 1U << 20U;
 
 // Reads the paths in `list` and skips lines that are not absolute paths.
@@ -54,7 +54,7 @@ void RecentFiles::reload() {
 
 void RecentFiles::add(const fs::path& file) {
   const fs::path path = fs::absolute(file).lexically_normal();
-  // A path with a newline would become two lines.
+  // Skip a path that contains a newline, because each line is one path.
   if (path.string().find('\n') != std::string::npos) return;
   change({path}, true);
 }
@@ -67,7 +67,7 @@ void RecentFiles::change(const std::vector<fs::path>& first, bool keeps_others) 
   if (kept_in_.empty()) return;
   std::error_code error;
   fs::create_directories(kept_in_.parent_path(), error);
-  // Only the holder of the lock on a file beside the list may replace the list.
+  // Lock a separate file, because the list itself is replaced.
   const std::string lock_path = kept_in_.string() + ".lock";
   const FileDescriptor lock(open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   if (lock.is_open()) flock(lock.get(), LOCK_EX);
@@ -83,7 +83,7 @@ void RecentFiles::change(const std::vector<fs::path>& first, bool keeps_others) 
   try {
     replace_file(kept_in_, text);
   } catch (const IoError&) {
-    // Not reported, because nothing that the user asked for has failed.
+    // Do not report the error, because the user's action has succeeded.
   }
   reload();
 }

@@ -10,26 +10,26 @@ namespace lapwing::viewer {
 /// ~/.local/state.
 std::filesystem::path recent_files_path();
 
-/// Meshes and recipes that were opened, the newest first. All viewers share the file that holds
-/// them, one absolute path per line. If it cannot be read or written, nothing is remembered; that
-/// is no error.
+/// The list of recently opened meshes and recipes, the newest first. All viewers share the file
+/// that stores it, with one absolute path per line. If the file cannot be read or written, the list
+/// is not stored; this is not an error.
 class RecentFiles {
  public:
   static constexpr std::size_t kMost = 12;
 
   struct Item {
     std::filesystem::path path;
-    bool is_there = true;  ///< existed when the list was read
+    bool is_there = true;  ///< whether the file existed when the list was read
   };
 
-  /// Reads `kept_in`, which need not exist. If the path is empty, nothing is remembered.
+  /// Reads the list from `kept_in` if this file exists. If `kept_in` is empty, no list is stored.
   explicit RecentFiles(std::filesystem::path kept_in);
 
   std::span<const Item> items() const { return items_; }
   /// Reads the list again, because other viewers may have added to it.
   void reload();
-  /// Puts `file` first. Reads, changes and replaces the list under a lock, so that viewers that add
-  /// files at the same time lose none.
+  /// Moves or adds `file` to the front of the list. Locks the list while it is changed, so that
+  /// several viewers may add files at the same time.
   void add(const std::filesystem::path& file);
   void clear();
 

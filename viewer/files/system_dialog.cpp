@@ -24,9 +24,10 @@ namespace {
 
 using Wants = PathWords::Wants;
 
-// A toolkit may write messages without end. The last ones say why the program ended.
+// The number of bytes of error messages that are kept. The program may write any number of
+// messages, but only the last one explains a failure.
 constexpr std::size_t kMaxErrorBytes = 4096;
-// A program ends a moment after it closes its output.
+// The interval at which the end of the program is polled after it has closed its output.
 constexpr int kLookAgainMs = 10;
 
 struct Pipe {
@@ -43,7 +44,7 @@ Pipe open_pipe() {
   return {ends[0], ends[1]};
 }
 
-// Appends what can be read now; returns false at the end.
+// Appends the available bytes to `text`. Returns false at the end of the file.
 bool read_some(int descriptor, std::string& text) {
   std::array<char, 1024> part;
   const ssize_t count = read(descriptor, part.data(), part.size());
@@ -58,8 +59,8 @@ std::string last_line(std::string_view text) {
   return std::string(newline == std::string_view::npos ? text : text.substr(newline + 1));
 }
 
-// Both programs exit with 0 and print the path, or with 1 if the user cancels. zenity also exits
-// with 1 if it cannot open a display.
+// Converts the exit status and the output of the program to an answer. Both programs print the path
+// and exit with 0, or exit with 1 if the user cancels. zenity also exits with 1 without a display.
 DialogAnswer answer_of(const std::string& name, int status, std::string output,
                        const std::string& errors) {
   using What = DialogAnswer::What;
@@ -84,7 +85,7 @@ bool is_set(const char* name) {
   return value != nullptr && *value != '\0';
 }
 
-// Returns patterns as in "*.obj *.OBJ", because the dialogs distinguish upper and lower case.
+// Returns patterns such as "*.obj *.OBJ", because the dialogs distinguish upper and lower case.
 std::string patterns(const FileKind& kind) {
   if (kind.extensions.empty()) return "*";
   std::string text;
@@ -103,7 +104,7 @@ std::vector<std::string> ask_zenity(const std::string& program, const DialogRequ
                                    "--title=" + std::string(words.title)};
   if (words.wants == Wants::new_file) command.emplace_back("--save");
   if (words.wants == Wants::folder) command.emplace_back("--directory");
-  // If this ends in a slash, it is the start folder.
+  // If the name is empty, this path ends in a slash and zenity uses it as the start folder.
   command.push_back("--filename=" + (request.folder / request.name).string());
   for (const FileKind& kind : words.kinds) {
     command.push_back("--file-filter=" + std::string(kind.name) + " | " + patterns(kind));
@@ -180,8 +181,8 @@ void SystemDialog::wait_for_answer() {
   std::array<pollfd, 3> watched{
       {{output_->get(), POLLIN, 0}, {errors_->get(), POLLIN, 0}, {stop_->get(), POLLIN, 0}}};
   bool stopped = false;
-  // The output ends with the program. A process that it leaves behind may hold the other pipe
-  // forever.
+  // Wait only for the end of the output, because a child process of the dialog may keep the pipe of
+  // error messages open.
   while (watched[0].fd >= 0 && !stopped) {
     if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) break;
     if (watched[1].revents != 0 && !read_some(errors_->get(), errors)) watched[1].fd = -1;
@@ -195,7 +196,7 @@ void SystemDialog::wait_for_answer() {
     stopped = poll(&stop, 1, kLookAgainMs) > 0;
   }
   if (stopped) {
-    // A dialog has nothing to clean up.
+    // The dialog can be killed, because it has no data to save.
     kill(-process_, SIGKILL);
     waitpid(process_, &status, 0);
     return;

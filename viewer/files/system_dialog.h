@@ -20,29 +20,29 @@ struct DialogProgram {
   std::filesystem::path path;
 };
 
-/// Returns kdialog on KDE and zenity elsewhere, or the other one if that is not on $PATH. Returns
-/// nullopt without either, or without a display ($DISPLAY, $WAYLAND_DISPLAY).
+/// Prefers kdialog on KDE and zenity on other desktops. If the preferred program is not on $PATH,
+/// returns the other one. Returns nullopt if neither is on $PATH, or if there is no display
+/// ($DISPLAY, $WAYLAND_DISPLAY).
 std::optional<DialogProgram> find_dialog_program();
 
-/// The request to a file dialog.
+/// The arguments of a file dialog.
 struct DialogRequest {
   PathPurpose purpose = PathPurpose::open;
   std::filesystem::path folder;  ///< start folder, absolute
-  std::string name;              ///< suggested for a new file
+  std::string name;              ///< suggested name of a new file
 };
 
-/// Returns the program and its arguments.
+/// Returns the command line of the dialog: the program and its arguments.
 std::vector<std::string> dialog_command(const DialogProgram& program, const DialogRequest& request);
 
 struct DialogAnswer {
   enum class What { chosen, cancelled, failed } what = What::cancelled;
-  std::filesystem::path path;  ///< if one was chosen
-  std::string reason;          ///< of a failure: "zenity: cannot open display"
+  std::filesystem::path path;  ///< the chosen path; empty unless `chosen`
+  std::string reason;          ///< reason of a failure, such as "zenity: cannot open display"
 };
 
-/// A file dialog of the desktop, run as a child process without a shell. A thread reads its answer
-/// and then calls `wake`; nothing else waits for it. The destructor kills the process and its
-/// children.
+/// A file dialog of the desktop, run as a child process without a shell. A background thread reads
+/// the answer and then calls `wake`. The destructor kills the process and its children.
 class SystemDialog {
  public:
   /// Throws IoError if the program cannot be started.
@@ -51,21 +51,21 @@ class SystemDialog {
   SystemDialog(const SystemDialog&) = delete;
   SystemDialog& operator=(const SystemDialog&) = delete;
 
-  /// Returns the answer once; nullopt while the user chooses.
+  /// Returns the answer once after the dialog has ended; otherwise returns nullopt.
   std::optional<DialogAnswer> take();
 
  private:
   void wait_for_answer();
 
-  std::string name_;  // of the program, for messages
+  std::string name_;  // name of the program, for messages
   pid_t process_ = -1;
   std::optional<FileDescriptor> output_;
   std::optional<FileDescriptor> errors_;
-  std::optional<FileDescriptor> stop_;  // readable once the destructor runs
+  std::optional<FileDescriptor> stop_;  // becomes readable when the destructor runs
   std::function<void()> wake_;
   std::mutex mutex_;
   std::optional<DialogAnswer> answer_;  // guarded by the mutex
-  std::thread thread_;                  // last: it uses all the others
+  std::thread thread_;                  // declared last, because it uses all other members
 };
 
 }  // namespace lapwing::viewer

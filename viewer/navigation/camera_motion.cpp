@@ -22,14 +22,14 @@ double distance_of(const Camera& camera) {
   return (camera.eye - camera.target).norm();
 }
 
-// Returns the length of one pixel at the target's distance.
+// Returns the length of one pixel at the target's depth.
 double length_per_pixel(const Camera& camera, const Vector2d& size) {
   const double half_height =
       std::tan(camera.field_of_view * std::numbers::pi / 360.0) * distance_of(camera);
   return 2.0 * half_height / size.y();
 }
 
-// Returns the point under the cursor at the target's distance.
+// Returns the point under the cursor at the target's depth.
 Vector3d under_cursor(const Camera& camera, const Vector2d& cursor, const Vector2d& size) {
   const Ray ray = line_of_sight(camera, cursor, size);
   const Vector3d backward = rotation_of(camera).row(2);
@@ -50,7 +50,7 @@ Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& siz
   const Matrix3d axes = rotation_of(camera);
   const Vector3d right = axes.row(0);
   const Vector3d backward = axes.row(2);
-  // The angle between `upward` and the direction to the eye. At 0 and pi the camera looks along it.
+  // The angle between `upward` and the direction from the target to the eye.
   const double polar = std::acos(std::clamp(backward.dot(upward.normalized()), -1.0, 1.0));
   const double wanted = std::clamp(polar - pixels.y() * angle_per_pixel, 0.0, std::numbers::pi);
   const Eigen::AngleAxisd pitch(wanted - polar, right);

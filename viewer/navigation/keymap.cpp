@@ -11,7 +11,8 @@ constexpr Modifiers kControl{.control = true};
 constexpr Modifiers kAlt{.alt = true};
 constexpr Modifiers kControlShift{.shift = true, .control = true};
 
-// Unless a tool uses it, the left button orbits in every keymap: not every mouse has three buttons.
+// Unless a tool uses the left button, it orbits in every keymap, because some mice have no middle
+// button.
 constexpr std::array kBlenderDrags{DragBinding{MouseButton::middle, kPlain, Motion::orbit},
                                    DragBinding{MouseButton::middle, kShift, Motion::pan},
                                    DragBinding{MouseButton::middle, kControl, Motion::zoom},
@@ -30,7 +31,8 @@ constexpr std::array kMeshLabDrags{DragBinding{MouseButton::left, kPlain, Motion
 constexpr std::array kKeymaps{Keymap{"Blender", kBlenderDrags}, Keymap{"Maya", kMayaDrags},
                               Keymap{"MeshLab", kMeshLabDrags}};
 
-// In the order of the list of controls. Other keys for the same action follow without words.
+// The key bindings, in the order of the list of controls. Further keys for the same action follow
+// without words.
 constexpr auto kKeyBindings = std::to_array<KeyBinding>(
     {{kHome, kPlain, Action::frame_all, "show all of the mesh"},
      {'F', kPlain, Action::frame_selection, "show the selection, or all"},
@@ -112,7 +114,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
       "save pictures from all around, or a video of them"},
      {'Q', kControl, Action::quit, "quit"}});
 
-// Indexed by Motion.
+// The descriptions of the motions, indexed by Motion.
 constexpr std::array<std::string_view, 3> kMotions{"turn the view", "move the view sideways",
                                                    "zoom"};
 
@@ -128,7 +130,7 @@ std::string words(const Modifiers& modifiers) {
   return text;
 }
 
-// Indexed by `key - kEscape`.
+// The names of special keys, indexed by `key - kEscape`.
 constexpr std::array<std::string_view, 12> kKeyNames{"Escape", "Enter", "Tab",  "Backspace",
                                                      "Delete", "Home",  "End",  "Left",
                                                      "Right",  "Up",    "Down", "F1"};
@@ -138,7 +140,7 @@ std::string key_name(int key) {
   return std::string(kKeyNames[static_cast<std::size_t>(key - kEscape)]);
 }
 
-// GizmoTool's keys.
+// Returns the keys of GizmoTool.
 std::vector<ControlLine> gizmo_controls() {
   return {{"left drag on a handle", "pull it: it goes along and turns as the surface wants"},
           {"G, R, S", "move, turn, scale the handle with the mouse (Maya: R scales, E turns)"},
@@ -151,7 +153,7 @@ std::vector<ControlLine> gizmo_controls() {
           {"W, E, Q", "the gizmo moves, turns, scales the handle"}};
 }
 
-// PlaceTool's keys.
+// Returns the keys of PlaceTool.
 std::vector<ControlLine> part_controls() {
   return {{"Ctrl + wheel, [ and ], with a part in hand", "size it; Shift + wheel turns it"},
           {"G, Enter, Escape, when it is set down", "take it up again, apply it, give it up"}};

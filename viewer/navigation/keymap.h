@@ -89,12 +89,13 @@ struct DragBinding {
   Motion motion = Motion::orbit;
 };
 
-/// A key pressed with exactly these modifiers. '?' is the typed character, on any keyboard layout.
+/// A key that is pressed with exactly these modifiers. '?' means the typed character, because its
+/// key depends on the keyboard layout.
 struct KeyBinding {
   int key = 0;
   Modifiers modifiers;
   Action action = Action::frame_all;
-  std::string_view words = "";  ///< description; empty: that of the binding before
+  std::string_view words = "";  ///< description; if empty, that of the previous binding
 };
 
 /// The mouse bindings of one program.
@@ -103,12 +104,12 @@ struct Keymap {
   std::span<const DragBinding> drags;
 };
 
-/// Returns the keymaps of Blender, Maya and MeshLab. They differ in how the mouse moves the camera;
-/// keys are the same.
+/// Returns the keymaps of Blender, Maya and MeshLab. They differ only in the mouse controls of the
+/// camera; `key_bindings` is the same for all of them.
 std::span<const Keymap> keymaps();
 std::span<const KeyBinding> key_bindings();
 
-/// Returns the motion of a drag with this button, if any.
+/// Returns the motion for a drag with this button and these modifiers, if any.
 std::optional<Motion> motion_of(const Keymap& keymap, MouseButton button,
                                 const Modifiers& modifiers);
 /// Returns the action of a key or text event, if any.
@@ -119,11 +120,11 @@ struct ControlLine {
   std::string how;
   std::string what;
 };
-/// Return the controls of the mouse in `keymap`, and those of the keys.
+/// Return the mouse controls of `keymap`, and the key controls.
 std::vector<ControlLine> mouse_controls(const Keymap& keymap);
 std::vector<ControlLine> key_controls();
-/// Returns the key of `action` as menus write it, "Ctrl+Shift+Z", and its description; empty if it
-/// has no key.
+/// Returns the key of `action` in the notation of menus, such as "Ctrl+Shift+Z", and its
+/// description. Both are empty if the action has no key.
 ControlLine control_of(Action action);
 /// Returns the controls of all keymaps as a table in Markdown.
 std::string controls_table();

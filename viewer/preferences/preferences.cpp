@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-// Limits that keep the window usable with an untrusted file.
+// The valid range of a preference. Values outside it are rejected, so that the window is usable.
 struct Range {
   double least;
   double most;
@@ -27,7 +27,7 @@ constexpr Range kSidebarLetters{16.0, 80.0};
 constexpr Range kWindowUnits{320.0, 16384.0};
 constexpr Range kBrushPt{1.0, 500.0};
 
-// Visits every preference with its key in the file.
+// Calls `visit` with every preference and its key in the file.
 template <typename P, typename Visit>
 void keys_of(P& preferences, const Visit& visit) {
   visit("theme", preferences.theme);
@@ -53,7 +53,7 @@ Json json_of(const Value& value) {
   return value;
 }
 
-// Reads a value. Returns false if `json` has another type or is out of range.
+// Reads a value. Returns false if `json` has another type or the value is out of range.
 bool take(const Json& json, Theme& theme) {
   if (json != "light" && json != "dark") return false;
   theme = json == "light" ? Theme::light : Theme::dark;
@@ -74,7 +74,8 @@ bool take(const Json& json, Number& number, const Range& range) {
   return true;
 }
 
-// Returns nullopt if there is no file to read, and a discarded value if it is not JSON.
+// Returns the contents of the file. Returns nullopt if the file cannot be opened, and a discarded
+// JSON value if its contents are not JSON.
 std::optional<Json> parsed(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {};

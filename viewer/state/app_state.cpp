@@ -19,13 +19,13 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Smaller differences are rounding, not what a user means.
+// Smaller differences are rounding errors.
 constexpr double kSameMotion = 1e-9;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-// Returns the rotation as a recipe writes it. The turns that lead to R differ by whole turns; this
-// is the one nearest to `followed`.
+// Returns the rotation R as an axis and an angle for a recipe. R determines the angle up to full
+// turns; the result is the rotation nearest to `followed`.
 AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
   constexpr double kWhole = 2.0 * std::numbers::pi;
   const AngleAxisd shortest(R);
@@ -39,14 +39,14 @@ AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
                      : AxisRotation{shortest.axis(), angle * kDegrees};
 }
 
-// Returns the open step as it applies to `surface_of(state)`.
+// Returns the open step with its vertices on `surface_of(state)`.
 DeformRequest step_on_surface(const AppState& state) {
   const JoinedSurface* joined = joined_seams(state);
   return joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
 }
 
-// Calls `visit` with each handle of the DeformSolver, its move, and the selection's handle that it
-// comes from. `move_of` returns the moves of the selection's handles.
+// Calls `visit` for each handle of the DeformSolver. The arguments are its index, its move, and the
+// index of its handle in the selection. `move_of` returns the move of a handle of the selection.
 void each_move(const AppState& state, const auto& move_of, const auto& visit) {
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
     const bool lies_across = state.mirrored && state.mirrored->handle_images[h] == h;
@@ -97,7 +97,7 @@ AppState open_state(Mesh mesh) {
 AppState open_state(std::shared_ptr<const Mesh> mesh) {
   AppState state;
   set_rest(state, std::move(mesh));
-  // Compute these now, while the user expects to wait.
+  // Compute the topologies now, while the user waits for the file to open.
   state.rest->topology();
   surface_of(state)->topology();
   return state;
@@ -179,7 +179,7 @@ void renew_mirror(AppState& state) {
 Move shown_move(const AppState& state, std::size_t handle) {
   const HandleMove& to = state.moves[handle];
   if (to.orientation == HandleOrientation::kept || !state.settled) return to.move;
-  // Fit the rotation of the handle's vertices about the centre that its move prescribes.
+  // Fit a rotation to the handle's vertices, about the centre that its move prescribes.
   const Vector3d centroid = handle_centroid(state, handle);
   const Affine3d map = to_affine(to.move, centroid);
   const Vector3d centre = map * centroid;
@@ -254,7 +254,7 @@ void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
 Vector3d handle_centroid(const AppState& state, std::size_t handle) {
   if (state.mirrored) return state.mirrored->centroids[handle];
   const ChosenHandle& chosen = state.selection.handles[handle];
-  // Called in every frame of a drag, so it copies only if it must.
+  // This function is called in every frame of a drag, so avoid a copy if all weights are 1.
   if (chosen.falloff.field.empty()) {
     return handle_frame(chosen.vertices, state.rest->positions).centroid;
   }

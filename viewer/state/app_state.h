@@ -23,11 +23,11 @@ namespace lapwing::viewer {
 /// Parameters of the next edit.
 using EditParameters = DeformParameters;
 
-/// Remembers the options of settling while it is switched off.
+/// Stores the options of settling while settling is switched off.
 class LastSolveOptions {
  public:
-  /// Returns what a user means by changing `before` to `after`: settling that is switched on again
-  /// keeps its options.
+  /// Returns `after`. If the change from `before` switches settling on, its options are those from
+  /// before it was switched off.
   EditParameters meant(const EditParameters& before, EditParameters after) {
     if (before.settle) options_ = *before.settle;
     if (!before.settle && after.settle) after.settle = options_;
@@ -38,11 +38,11 @@ class LastSolveOptions {
   SettleOptions options_;
 };
 
-/// The vertices that a result moves, and their new positions.
+/// The vertices that are moved by a result, and their new positions.
 struct MovedVertices {
   std::vector<Index> vertices;  ///< ascending
   Positions positions;
-  /// New files for AppState::carried, in that order; empty if none of them follows.
+  /// The moved files, in the order of AppState::carried. Empty if no file follows the surface.
   CarriedFiles carried = {};
   /// The certificate of a settled edit; ignored by ==.
   std::shared_ptr<const Certificate> certificate = {};
@@ -58,7 +58,7 @@ MovedVertices moved_vertices(const Positions& before, const Positions& after);
 /// Writes the positions of the moved vertices to `positions`. Does not change other vertices.
 void place(const MovedVertices& moved, Positions& positions);
 
-/// Holds the result of a whole step: the moved vertices, or a new mesh if the connectivity changed.
+/// The result of a whole step: the moved vertices, or a new mesh if the connectivity changed.
 using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 
 /// Describes how a handle moves, on which path, and whether its orientation is free.
@@ -81,15 +81,15 @@ struct HandleMove {
 };
 bool any_moved(std::span<const HandleMove> moves);
 
-/// An edit with a mirror, on both sides of the plane.
+/// A mirrored edit, with the selection on both sides of the mirror plane.
 struct MirroredEdit {
-  EditRegion region;                       ///< for the DeformSolver
+  EditRegion region;                       ///< input of the DeformSolver
   std::vector<std::size_t> handle_images;  ///< as in MirroredRequest
-  std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, which turn about them
+  std::vector<Eigen::Vector3d> centroids;  ///< default pivots of the handles of `region`
 };
 
-/// Holds everything that a user edits. Copies share meshes and results through pointers, so copying
-/// a state costs little more than copying its selection.
+/// Contains everything that a user edits. Copies share meshes and results through pointers, so
+/// copying a state costs little more than copying its selection.
 ///
 /// The user chooses parts on the mesh `rest` and moves the handles (`moves`). The deformed surface
 /// is stored in `settled` once it is computed. When the user then chooses another part, the edit is
@@ -97,82 +97,83 @@ struct MirroredEdit {
 /// operations are whole steps (`Apply`), which may change the connectivity.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
-  std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null if it has no seam
+  std::shared_ptr<const JoinedSurface> joined;  ///< `rest` with joined seams; null without seams
   EditSelection selection;
   EditParameters parameters;
-  std::vector<HandleMove> moves;       ///< one per handle, from the rest shape
+  std::vector<HandleMove> moves;       ///< one per handle, relative to the rest shape
   std::vector<CarriedObject> carried;  ///< carried by the open step or an earlier one
   /// The selection on both sides of the mirror plane, computed by `renew_mirror`. Null if mirroring
   /// is off or the edit is incomplete.
   std::shared_ptr<const MirroredEdit> mirrored;
   /// The result for `moves`. Null if no handle has moved or the result is not yet computed.
   std::shared_ptr<const MovedVertices> settled;
-  /// The steps from the opened mesh to `rest`. They name files by absolute paths.
+  /// The steps that lead from the opened mesh to `rest`. Their file paths are absolute.
   std::vector<std::shared_ptr<const Step>> steps;
 };
 
-/// Returns the state of a mesh as it was read, with nothing chosen. Throws what `Mesh::topology`
-/// throws.
+/// Returns the state of a newly opened mesh, with an empty selection. Throws the errors of
+/// `Mesh::topology`.
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
 
 /// Sets the rest shape and joins its seams. If the faces are those of the previous rest shape and
-/// the previous seams are still closed, joins the same vertices as before.
+/// the previous seams are still closed, the same vertices as in the previous rest shape are joined.
 void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
 
-/// Returns null if the parameters do not join seams, or if there are none.
+/// Returns `state.joined`, or null if the parameters leave the seams open.
 const JoinedSurface* joined_seams(const AppState& state);
-/// Returns the mesh that the user sees and edits: the rest shape, with its seams joined if the
-/// parameters say so. Joining does not renumber the vertices. A vertex that is joined to another
-/// one belongs to no triangle.
+/// Returns the mesh that the user sees and edits: the rest shape, with joined seams if
+/// `joined_seams(state)` is not null. Joining does not renumber the vertices. A vertex that is
+/// joined to another vertex belongs to no triangle.
 std::shared_ptr<const Mesh> surface_of(const AppState& state);
 
 /// Computes `mirrored` from the selection. Takes up to a second.
 void renew_mirror(AppState& state);
 
-/// Returns whether a handle is moved from rest.
+/// Returns whether a handle has moved from its rest position.
 bool is_moved(const AppState& state);
-/// Returns whether a handle is moved and the result is not known yet.
+/// Returns whether a handle has moved and the result is not computed yet.
 bool needs_settling(const AppState& state);
 
-/// Returns the surface: settled if there is a result, else at rest.
+/// Returns the vertex positions of the settled surface, or of the rest shape without a result.
 Positions positions_of(const AppState& state);
 Mesh mesh_of(const AppState& state);
-/// Returns the carried files on that surface, in the order of AppState::carried.
+/// Returns the carried files on the surface of `mesh_of`, in the order of AppState::carried.
 CarriedFiles carried_of(const AppState& state);
 
-/// Returns ROI, belt and handles, checked, for the DeformSolver. Throws InputError, which says what
-/// is still missing.
+/// Returns ROI, belt and handles for the DeformSolver. Throws InputError if the selection is
+/// incomplete or invalid; the message names the missing part.
 EditRegion edit_region(const AppState& state);
 
 /// Returns the motions for `DeformSolver::solve`. If mirroring is on, they include the handles on
 /// both sides of the plane. If the orientation of a handle is free and the state has a result, the
 /// handle's rotation is taken from the result.
 HandleMotions motions_of(const AppState& state);
-/// Returns the path to these motions, for `DeformSolver::solve_along`.
+/// Returns the motions at the waypoints of the moves, for `DeformSolver::solve_along`.
 std::vector<HandleMotions> path_of(const AppState& state);
-/// Writes the motions for a frame of a drag to `maps`, with `handle` moved by `move`. Does not
-/// allocate memory if `maps` already has the capacity for all handles.
+/// Writes the motions of all handles for a frame of a drag to `maps`; `handle` is moved by `move`.
+/// Does not allocate memory if `maps` already has the capacity for all handles.
 void maps_of(const AppState& state, std::size_t handle, const Move& move,
              std::vector<Eigen::Affine3d>& maps);
-/// Returns the move that the handle has made on the surface of `positions_of`. If the orientation
-/// of the handle is free and the state has a result, the rotation is taken from the result.
+/// Returns the handle's move. If the orientation of the handle is free and the state has a result,
+/// the rotation is taken from the result.
 Move shown_move(const AppState& state, std::size_t handle);
-/// Writes to `dragged`, in ascending order, the handles that move in each frame while `handle` is
-/// dragged: the handle itself and, with mirroring, its image. If frames start `from_rest`, also
-/// adds all handles that were moved earlier, with their images. Allocates memory only if `dragged`
-/// must grow.
+/// Writes the indices of the handles that move while `handle` is dragged to `dragged`, in ascending
+/// order: `handle` and, with mirroring, its image. If frames start `from_rest`, adds all handles
+/// that moved earlier, with their images. Allocates memory only if `dragged` must grow.
 void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
                      std::vector<std::size_t>& dragged);
-/// Returns the centroid of the handle's vertices at rest. A move without a pivot turns about it.
+/// Returns the centroid at rest of the vertices that the handle holds with full weight. It is the
+/// default pivot of a move.
 Eigen::Vector3d handle_centroid(const AppState& state, std::size_t handle);
 
-/// Converts a motion, reached by `turn`, to a move: a similarity with its whole turns if it is one
-/// up to rounding, else a matrix.
+/// Converts a motion to a move. `turn` is its accumulated rotation, which may exceed 180 degrees.
+/// Returns a SimilarityMove with all full turns if one equals the motion up to rounding errors,
+/// otherwise a MatrixMove.
 Move to_move(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
              const Eigen::Vector3d& centroid);
 
-/// Returns the open edit as a step. Parts that are not chosen yet are empty lists.
+/// Returns the open edit as a step. A part that is not selected yet is an empty vertex list.
 DeformRequest open_step(const AppState& state);
 
 }  // namespace lapwing::viewer

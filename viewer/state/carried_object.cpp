@@ -10,7 +10,7 @@ std::shared_ptr<const AttachmentFile> open_carried(const std::filesystem::path& 
                                                    const std::filesystem::path& save) {
   auto opened = std::make_shared<AttachmentFile>(file);
   opened->save = save;
-  // Compute it now, while the user expects to wait, and report faces with missing vertices.
+  // Compute the topology while the user waits. This throws if a face refers to a missing vertex.
   if (opened->mesh() != nullptr) opened->mesh()->topology();
   return opened;
 }

@@ -10,36 +10,35 @@
 
 namespace lapwing::viewer {
 
-/// A file that follows the surface, or did in an earlier step.
+/// A file that follows the surface, or that followed it in an earlier step.
 struct CarriedObject {
-  std::shared_ptr<const AttachmentFile> opened;  ///< as it was read
-  std::shared_ptr<const AttachmentFile> rest;    ///< where the open step finds it
-  bool follows = true;                           ///< whether it follows the open step
+  std::shared_ptr<const AttachmentFile> opened;  ///< with the positions in the file
+  std::shared_ptr<const AttachmentFile> rest;    ///< with the positions before the open step
+  bool follows = true;                           ///< whether the file follows the open step
 
   const std::filesystem::path& file() const { return rest->file(); }
   bool operator==(const CarriedObject&) const = default;
 };
 
-/// Files as a step leaves them.
+/// The carried files after a step.
 using CarriedFiles = std::vector<std::shared_ptr<const AttachmentFile>>;
 
-/// Reads `file` to show and carry it. It is saved as `save`, unless that is empty. Both paths are
-/// absolute. Throws what AttachmentFile throws.
+/// Reads a file that follows the surface. It is later saved to `save`, or to its default path if
+/// `save` is empty. Both paths are absolute. Throws the errors of AttachmentFile.
 std::shared_ptr<const AttachmentFile> open_carried(const std::filesystem::path& file,
                                                    const std::filesystem::path& save = {});
 
 bool any_follows(std::span<const CarriedObject> objects);
 
-/// Returns the objects that follow, as a deform step names them.
+/// Returns the entries for `DeformRequest::carry`, one per object that follows the open step.
 std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects);
 
-/// Converts to the files that a run has between steps, and back.
+/// Convert carried objects to the files of a RunResult, and these files to shared files.
 std::vector<AttachmentFile> carried_at_rest(std::span<const CarriedObject> objects);
 CarriedFiles share(std::vector<AttachmentFile> files);
 
-/// Returns the input of an AttachmentDeformer for an edit of `region` that moved the vertices of
-/// `rest` to `positions`. If `joined` is not null, `region` and `rest_stretch` refer to
-/// `joined->surface`.
+/// Returns the input of an AttachmentDeformer. The edit of `region` moved the vertices of `rest` to
+/// `positions`. If `joined` is not null, `region` and `rest_stretch` refer to `joined->surface`.
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
                      Positions positions, std::vector<Eigen::Matrix3d> rest_stretch);
 

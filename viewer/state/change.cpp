@@ -87,9 +87,9 @@ bool Change::is_nothing() const {
 }
 
 bool Change::concerns_surface() const {
-  // A commit moves the rest shape to where the surface was already.
+  // A commit changes the rest shape to the settled surface, so the visible surface does not move.
   if (rest_ || triangles_) return surface_moved_;
-  // A handle that comes or goes without having moved changes the list of moves only.
+  // Adding or removing a handle at rest changes the list of moves, but not the surface.
   return settled_ || (moves_ && (any_moved((*moves_)[0]) || any_moved((*moves_)[1])));
 }
 

@@ -7,18 +7,18 @@
 
 namespace lapwing::viewer {
 
-/// Stores the difference of two states, so that one step can be undone and redone. Stores set
-/// differences and the positions of moved vertices, or both meshes if the connectivity changes.
+/// The difference of two states, to undo and redo one step. It stores set differences and the
+/// positions of moved vertices, or both meshes if the connectivity changes.
 class Change {
  public:
   Change() = default;
   Change(const AppState& before, const AppState& after);
 
   bool is_nothing() const;
-  /// Returns whether the surface or its moved handles change.
+  /// Returns whether the surface or the move of a handle changes.
   bool concerns_surface() const;
 
-  /// `redo` takes a state from before the step to after it; `undo` takes it back.
+  /// `redo` changes the state before the step to the state after it; `undo` does the reverse.
   void redo(AppState& state) const { replace(state, 0, 1); }
   void undo(AppState& state) const { replace(state, 1, 0); }
 
@@ -27,7 +27,7 @@ class Change {
   template <class T>
   using Both = std::optional<std::array<T, 2>>;
 
-  // The vertices of the first set only, and of the second set only.
+  // The vertices that are only in the first set, and those that are only in the second set.
   using SetChange = std::array<VertexSet, 2>;
 
   struct RegionChange {
@@ -48,8 +48,8 @@ class Change {
   RegionChange roi_;
   RegionChange belt_;
   std::array<std::size_t, 2> handle_counts_{};
-  std::vector<RegionChange> handles_;    // of the longer list; a missing one counts as empty
-  Both<std::vector<Falloff>> falloffs_;  // of all handles
+  std::vector<RegionChange> handles_;    // a handle that one state lacks counts as empty there
+  Both<std::vector<Falloff>> falloffs_;  // one per handle
   Both<std::optional<MirrorPlane>> mirror_;
   Both<std::shared_ptr<const MirroredEdit>> mirrored_;
   Both<std::optional<double>> belt_fraction_;
@@ -59,9 +59,9 @@ class Change {
   Both<std::vector<CarriedObject>> carried_;
   Both<MovedVertices> rest_;                     // only the vertices whose positions differ
   Both<std::shared_ptr<const Mesh>> triangles_;  // instead of `rest_`
-  bool surface_moved_ = false;                   // by the change of the rest shape
-  std::size_t kept_steps_ = 0;
-  std::array<Steps, 2> steps_;  // after the kept ones
+  bool surface_moved_ = false;                   // whether a new rest shape changes the surface
+  std::size_t kept_steps_ = 0;                   // number of steps that both states share
+  std::array<Steps, 2> steps_;                   // the other steps
 };
 
 }  // namespace lapwing::viewer

@@ -27,7 +27,7 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
   throw InputError("vertex " + std::to_string(vertices.back()) + " is not in the mesh");
 }
 
-// Painted weights need one number per vertex, or they could not even be shown.
+// Throws InputError if the falloff is invalid, or if its painted weights are not one per vertex.
 void require_falloff_here(const AppState& state, const Falloff& falloff, const std::string& where) {
   require_falloff(falloff, where);
   const std::size_t count = state.rest->vertex_count();
@@ -36,7 +36,8 @@ void require_falloff_here(const AppState& state, const Falloff& falloff, const s
                    " vertices, got " + std::to_string(falloff.field.size()));
 }
 
-// Keeps the selected vertices on the new rest shape.
+// Updates the selection after a change of the rest shape. ROI, handles and a belt chosen by hand
+// keep their vertices.
 void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
   const JoinedSurface* joined = joined_seams(state);
@@ -50,8 +51,8 @@ void carry_selection_over(AppState& state) {
   renew_belt(selection, *state.rest, joined);
 }
 
-// Updates the selection after the seam policy has changed: joined seams are chosen by their
-// leaders, open ones by all their vertices.
+// Updates the selection after the seam policy has changed. If the seams are joined, the selection
+// contains only the leader of each group of joined vertices; if they are open, all vertices.
 void choose_seams_anew(AppState& state) {
   if (!state.joined) return;
   const auto choose_anew = [&](ChosenRegion& region) {
@@ -82,7 +83,7 @@ bool was_carried(const AppState& state, const fs::path& file) {
   });
 }
 
-// Takes over the carried files of a finished step. A file that the step opened is a new object.
+// Updates the carried files to those after a step. Files that the step has opened are added.
 void take_over(AppState& state, const CarriedFiles& carried) {
   for (std::size_t k = 0; k < carried.size(); ++k) {
     if (k == state.carried.size()) {
@@ -93,7 +94,7 @@ void take_over(AppState& state, const CarriedFiles& carried) {
   }
 }
 
-// Makes the settled surface the rest shape, and the open edit a step.
+// Makes the settled surface the rest shape, and adds the open edit to the steps.
 void commit(AppState& state) {
   if (!is_moved(state)) return;
   if (!state.settled) {
@@ -107,7 +108,7 @@ void commit(AppState& state) {
   carry_selection_over(state);
 }
 
-// Rejects a result of another mesh, because no recipe could lead to that state.
+// Moves the vertices of the rest shape. Rejects a result with vertices that the mesh does not have.
 void take_over(AppState& state, const MovedVertices& moved) {
   require_vertices(state, moved.vertices);
   auto mesh = std::make_shared<Mesh>(*state.rest);
@@ -117,7 +118,8 @@ void take_over(AppState& state, const MovedVertices& moved) {
   carry_selection_over(state);
 }
 
-// Clears the selection: vertex numbers have changed, and so has what a disk or box would hold.
+// Replaces the rest shape by a mesh with new connectivity. Clears the selection, because vertex
+// numbers have changed.
 void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
   set_rest(state, other);
   state.moves.clear();
@@ -126,7 +128,7 @@ void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
   if (fraction) state.selection.belt_fraction = fraction;
 }
 
-// Returns what moves with the ROI: the ROI and, with a mirror, its image.
+// Returns the ROI and, with mirroring, its mirror image.
 VertexSet both_sides(const VertexSet& roi, const AppState& state) {
   if (!state.selection.mirror) return roi;
   const auto images = mirror_images(*surface_of(state), *state.selection.mirror, "mirror");
@@ -139,8 +141,8 @@ void erase_handle(AppState& state, std::size_t handle) {
   state.moves.erase(state.moves.begin() + offset);
 }
 
-// Removes vertices outside the ROI from handles and belt, because they could not move with it.
-// Without an ROI they stay.
+// Removes vertices outside the ROI from handles and belt, because vertices outside do not move. If
+// the ROI is empty, handles and belt do not change.
 void let_go_outside_roi(AppState& state) {
   EditSelection& selection = state.selection;
   const VertexSet& roi = selection.roi.vertices;
@@ -167,7 +169,7 @@ void let_go_outside_roi(AppState& state) {
   if (selection.belt.vertices.empty()) selection.belt_fraction = BoundaryAnchors{}.fraction;
 }
 
-// Returns the region of `part`, which is created if it is a new handle.
+// Returns the region of `part`. Creates the handle if its index equals the number of handles.
 ChosenRegion& region_of(AppState& state, const Part& part) {
   if (part.role == Part::Role::roi) return state.selection.roi;
   if (part.role == Part::Role::belt) return state.selection.belt;
@@ -180,7 +182,7 @@ ChosenRegion& region_of(AppState& state, const Part& part) {
   return handles[part.handle];
 }
 
-// One overload per command.
+// Applies a command to `state`, with one overload per command.
 struct Applier {
   AppState& state;
 
@@ -249,7 +251,7 @@ struct Applier {
     extend_path(state, command.handle, to);
     now.move = to.move;
     now.orientation = to.orientation;
-    // With substeps, the surface does not depend on a path.
+    // With substeps, the surface does not depend on the path.
     if (!is_moved(state) || state.parameters.commit_every) clear_paths();
     state.settled = nullptr;
   }
@@ -294,7 +296,7 @@ struct Applier {
   }
   void operator()(const SetParameters& command) const {
     if (state.parameters == command.parameters) return;
-    // Reject what a recipe cannot express, because such a state could not be restored.
+    // Reject values that a recipe cannot contain, because the journal could not restore them.
     require_valid(command.parameters);
     for (const HandleMove& to : state.moves) require_valid(to.move, command.parameters);
     if (command.parameters.commit_every) clear_paths();
@@ -363,7 +365,7 @@ std::string name_of(const Part& part) {
   return "handle " + std::to_string(part.handle + 1);
 }
 
-// One overload per form.
+// Returns the name of a region's form, with one overload per form.
 struct FormName {
   std::string operator()(const AllVertices&) const { return "all vertices"; }
   std::string operator()(const ListedVertices& list) const {
@@ -383,7 +385,7 @@ std::string with_number(const char* format, double number) {
   return text.data();
 }
 
-// One overload per command.
+// Returns the name of a command, with one overload per command.
 struct CommandDescriber {
   std::string operator()(const Choose& command) const {
     return name_of(command.part) + ": " + std::visit(FormName{}, command.region.form);
@@ -439,7 +441,7 @@ AppState apply(AppState state, const Command& command) {
     std::visit(Applier{state}, command);
     return state;
   }
-  // Renewing the mirrored edit takes up to a second, so compare with a copy first.
+  // Renewing the mirrored edit takes up to a second, so renew it only if its inputs have changed.
   const AppState before = state;
   std::visit(Applier{state}, command);
   const bool same = before.mirrored && surface_of(state) == surface_of(before) &&

@@ -17,14 +17,14 @@ struct Part {
   bool operator==(const Part&) const = default;
 };
 
-/// Replaces the part by a region.
+/// Replaces the part of the selection by a region.
 struct Choose {
   Part part;
   RegionSpec region;
-  std::optional<Falloff> falloff = {};  ///< of a handle; if not set, it keeps its falloff
+  std::optional<Falloff> falloff = {};  ///< of a handle; if not set, the falloff does not change
 };
 
-/// Adds and removes vertices of the part: a stroke of the brush, a lasso, grow, shrink, invert.
+/// Adds vertices to the part and removes others: a brush stroke, a lasso, grow, shrink, invert.
 struct Paint {
   Part part;
   VertexSet added;
@@ -48,63 +48,64 @@ struct RemoveHandle {
   std::size_t handle = 0;
 };
 
-/// Sets the belt by its width, as a fraction of the ROI's radius, instead of by hand.
+/// Sets the width of the belt as a fraction of the ROI's radius. Replaces a belt chosen by hand.
 struct SetBeltWidth {
   double fraction = BoundaryAnchors{}.fraction;
 };
 
-/// Turns mirroring on for the plane, or off without one.
+/// Turns mirroring on, or off if there is no plane.
 struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
 /// Sets the handle's move from its rest position. `to.path` contains the waypoints since the
-/// handle's last move. `extend_path` extends the path in the state by them.
+/// handle's last move; they are added to the path in the state (`extend_path`).
 struct MoveHandle {
   std::size_t handle = 0;
   HandleMove to;
 };
 
-/// Moves all handles from their rest positions, along these paths instead of the earlier ones.
+/// Sets the moves of all handles from their rest positions, and replaces their paths.
 struct MoveHandles {
   std::vector<HandleMove> to;  ///< one per handle
 };
 
-/// Sets the result of the moves, which is computed elsewhere.
+/// Sets the settled surface of the current moves, which the caller has computed.
 struct Settle {
   std::shared_ptr<const MovedVertices> result;
 };
 
-/// Makes the result the rest shape of the next edit.
+/// Makes the settled surface the rest shape of the next edit.
 struct Commit {};
 
-/// The same, and clears the selection: another edit begins, with the same parameters, mirror and
-/// width of the belt.
+/// Commits, clears the selection and begins a new edit. Parameters, mirror plane and belt width
+/// stay the same.
 struct NewEdit {};
 
 struct SetParameters {
   EditParameters parameters;
 };
 
-/// Lets the file follow the surface from the open step on. A file that was carried before goes on
-/// from where it is. A `save` that is not empty replaces its earlier one.
+/// Makes the file follow the surface, starting with the open step. A file that an earlier step
+/// carried continues from its current positions. A non-empty `file->save` replaces its save path.
 struct CarryAlong {
-  std::shared_ptr<const AttachmentFile> file;  ///< open_carried
+  std::shared_ptr<const AttachmentFile> file;  ///< from `open_carried`
 };
 
-/// Leaves the file where it is from the open step on. Removes it if no earlier step carried it.
+/// Stops carrying the file, starting with the open step. Removes the file from the state if no
+/// earlier step carried it.
 struct StopCarrying {
   std::filesystem::path file;
 };
 
-/// Adds a step that was carried out elsewhere, on the visible surface (`apply_step`). If its result
-/// has other triangles, the selection is cleared.
+/// Adds a step that the caller has carried out on the visible surface (`apply_step`). If its result
+/// is a mesh with new connectivity, the selection is cleared.
 struct Apply {
-  Step step;  ///< naming files by absolute paths
+  Step step;  ///< its file paths are absolute
   std::shared_ptr<const AppliedStep> result;
 };
 
-/// Replaces an earlier step. The steps after it were carried out again elsewhere (`revised`).
+/// Replaces an earlier step. The caller has carried out the later steps again (`revised`).
 struct Revise {
   Step step;  ///< the changed step
   std::shared_ptr<const AppState> result;
@@ -120,15 +121,15 @@ bool is_one_of(const Command& command) {
   return (std::holds_alternative<Kinds>(command) || ...);
 }
 
-/// Returns the state after `command`. Commands that choose, paint or apply first make the settled
-/// surface the rest shape, so that parts are chosen on the visible surface. If the ROI changes,
-/// vertices outside it are removed from the handles and from a belt that the user has chosen. If
-/// moves, parameters, the belt's width or carried files change, the rest shape stays and a new
-/// result is needed. Throws what `resolve` throws. Throws InputError if the state does not allow
-/// the command, for example a choice while the result of a drag is not yet computed.
+/// Returns the state after `command`. Choose, Paint, RemoveHandle, NewEdit and Apply commit first,
+/// so that regions are chosen on the visible surface. If the ROI changes, vertices outside it are
+/// removed from the handles and from a belt that the user has chosen. If moves, falloffs,
+/// parameters, mirror, belt width or carried files change, the rest shape stays and the result is
+/// discarded. Throws the errors of `resolve`. Throws InputError if the state does not allow the
+/// command, for example a choice while the result of a drag is not yet computed.
 AppState apply(AppState state, const Command& command);
 
-/// Returns the command's name in the history panel: "ROI: disk", "move handle 1", "settle".
+/// Returns the command's name for the history panel: "ROI: disk", "move handle 1", "settle".
 std::string describe(const Command& command);
 
 }  // namespace lapwing::viewer

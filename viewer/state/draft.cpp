@@ -8,7 +8,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Existing handles could conflict with those of the step.
+// Removes all handles, because they could conflict with the handles of the next step.
 void remove_handles(History& history) {
   while (!history.state().selection.handles.empty()) {
     history.perform(RemoveHandle{history.state().selection.handles.size() - 1});
@@ -23,7 +23,7 @@ void choose_belt(History& history, const BeltSpec& belt) {
   }
 }
 
-// Returns the part of a move that a run has made at `share`.
+// Returns the intermediate move at `share` between rest (0) and `move` (1), as `run_recipe` does.
 Move part_of(const Move& move, const Eigen::Vector3d& centroid, double share) {
   if (const auto* similarity = std::get_if<SimilarityMove>(&move)) {
     SimilarityMove part = *similarity;
@@ -51,14 +51,14 @@ std::vector<HandleMove> moves_of(const DeformRequest& step, const AppState& stat
   return moves;
 }
 
-// Returns the plane of a step's mirror, which is found on the surface if the step does not give it.
+// Returns the step's mirror plane. If the step does not specify one, finds it on the surface.
 std::optional<MirrorPlane> plane_of(const DeformRequest& step, const Mesh& surface) {
   if (!step.mirror) return std::nullopt;
   const auto* plane = std::get_if<MirrorPlane>(&step.mirror->plane);
   return plane != nullptr ? *plane : find_mirror_plane(surface, step.mirror->where).plane;
 }
 
-// Returns whether the step's regions are chosen already.
+// Returns whether the state's selection equals the regions of the step.
 bool is_chosen(const AppState& state, const DeformRequest& step) {
   const DeformRequest there = open_step(state);
   return there.roi == step.roi && there.belt == step.belt &&
@@ -147,7 +147,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(SetParameters{step.parameters});
   const auto mirror = plane_of(step, *surface_of(history.state()));
   if (!is_chosen(history.state(), step)) {
-    // A mirror image could be in the way of the next handle.
+    // Turn mirroring off, because a mirror image could overlap the next handle.
     history.perform(SetMirror{});
     remove_handles(history);
     history.perform(Choose{{Part::Role::roi}, step.roi});
@@ -173,7 +173,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  // A deform with targets cannot be chosen by hand.
+  // The viewer's tools cannot create a deform with targets, so it is applied as a whole step.
   if (deform != nullptr && is_selection(*deform)) {
     return perform(history, *deform, carry_out.solve);
   }

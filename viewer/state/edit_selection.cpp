@@ -18,7 +18,7 @@ VertexSet resolve_on(const RegionSpec& spec, const Mesh& mesh, const JoinedSurfa
   return joined == nullptr ? resolve(spec, mesh) : resolve_leaders(spec, *joined);
 }
 
-// A list has no form worth keeping: its vertices count as added by hand.
+// Returns a region without a form: all its vertices count as added by hand.
 ChosenRegion painted(VertexSet vertices) {
   ChosenRegion region;
   region.added = vertices;

@@ -13,33 +13,33 @@
 
 namespace lapwing::viewer {
 
-/// Vertices that a user chose, and how, so that a recipe can describe them.
-/// `resolve(spec_of(region))` returns `vertices` on the mesh on which they were chosen.
+/// Vertices that the user has chosen, with the choices that led to them, for a recipe. On the mesh
+/// on which they were chosen, `resolve(spec_of(region))` returns `vertices`.
 struct ChosenRegion {
   RegionSpec made{ListedVertices{}, "selection"};  ///< the first choice: a disk, a loop, a box, ...
-  VertexSet added;                                 ///< added by hand; not in `made`
-  VertexSet removed;                               ///< removed by hand; in `made`
-  VertexSet vertices;                              ///< the result
+  VertexSet added;                                 ///< vertices outside `made`, added by hand
+  VertexSet removed;                               ///< vertices of `made`, removed by hand
+  VertexSet vertices;                              ///< `made` plus `added` minus `removed`
 
   bool operator==(const ChosenRegion&) const = default;
 };
 
-/// Returns the region that `spec` describes on a mesh. If seams are `joined`, it holds their
-/// leaders only. Throws what `resolve` throws.
+/// Returns the region that `spec` describes on a mesh. If `joined` is not null, the region contains
+/// only the leaders of joined vertices. Throws the errors of `resolve`.
 ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
-/// Returns the region changed by hand to hold `vertices`.
+/// Returns the region after a change by hand, with `vertices` as its vertices.
 ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices);
 
-/// Returns the region as a recipe writes it; messages call it `where`.
+/// Returns the region in the form of a recipe. `where` is its name in messages.
 RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
 
-/// Returns the same vertices on a mesh that has moved. They become a list if `made` would mean
-/// others there.
+/// Returns a region with the same vertices after the mesh has moved to `mesh`. If `made` describes
+/// other vertices on `mesh`, the result is a vertex list.
 ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
                           const JoinedSurface* joined = nullptr);
 
-/// A handle, and how firmly it holds.
+/// A handle with its weights.
 struct ChosenHandle : ChosenRegion {
   Falloff falloff;
 
@@ -48,28 +48,29 @@ struct ChosenHandle : ChosenRegion {
   bool operator==(const ChosenHandle&) const = default;
 };
 
-/// Returns the vertices that the handle holds with full weight. It turns and scales about them.
+/// Returns the vertices that the handle holds with full weight. Their centroid is the default
+/// pivot.
 VertexSet fully_held(const ChosenHandle& handle);
 
-/// The regions of the next edit. Any of them may still be missing.
+/// The regions of the next edit. A region that is not selected yet is empty.
 struct EditSelection {
   ChosenRegion roi;
   std::vector<ChosenHandle> handles;
   /// The belt's width as a fraction of the ROI's radius. If not set, the belt was chosen by hand.
   std::optional<double> belt_fraction = BoundaryAnchors{}.fraction;
   ChosenRegion belt;
-  /// The selection applies to both sides of this plane.
+  /// If set, the edit is applied to both sides of this plane.
   std::optional<MirrorPlane> mirror;
 
   bool operator==(const EditSelection&) const = default;
 };
 
-/// Fits a belt that is given by its width to the ROI and the handles. A belt chosen by hand stays.
-/// The cost is linear in the ROI, besides that of the geodesic distances.
+/// Recomputes the belt from its width, the ROI and the handles. Does not change a belt that was
+/// chosen by hand. The cost is linear in the size of the ROI, plus that of geodesic distances.
 void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
-/// Returns the vertices that handles hold with less than full weight, as `resolve_edit_region`
-/// finds them, without hard targets.
+/// Returns the vertices that handles hold with less than full weight. The result is that of
+/// `resolve_edit_region` without hard targets.
 std::vector<FalloffVertex> falloff_vertices(const EditSelection& selection, const Mesh& mesh);
 
 BeltSpec belt_spec(const EditSelection& selection);

@@ -31,7 +31,7 @@ void History::record(std::string name, const AppState& before, AppState after) {
   state_ = std::move(after);
 }
 
-// Removes the step if it changes nothing.
+// Replaces the last step by one that leads to `after`. Removes it if `after` changes nothing.
 void History::replace_last(std::string name, AppState after) {
   const bool is_saved = saved_at_ == done_ && !Change(state_, after).concerns_surface();
   const AppState before = before_last();
@@ -42,7 +42,7 @@ void History::replace_last(std::string name, AppState after) {
   if (is_saved) saved_at_ = done_;
 }
 
-// Undone steps then start from the settled state.
+// Adds the result to the last step. The next undone step then starts from the settled state.
 void History::take_result(AppState settled) {
   if (saved_at_ == done_) saved_at_.reset();
   steps_[done_ - 1].change = Change(before_last(), settled);

@@ -36,7 +36,7 @@ bool write_all(int file, std::string_view bytes) {
 }
 
 // Appends `bytes` and flushes them to the disk. On failure, sets errno, restores the file's length
-// and returns false. The length is restored because later lines would be appended to a partial one.
+// and returns false. Otherwise the next line would be appended to a partial line.
 bool append_to(FileDescriptor& file, std::string_view bytes) {
   const off_t before = ::lseek(file.get(), 0, SEEK_END);
   if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return true;
@@ -53,7 +53,7 @@ void flush_folder(const fs::path& folder) {
 }
 
 constexpr int kJournalVersion = 3;
-constexpr int kOldestVersion = 2;  // without results
+constexpr int kOldestVersion = 2;  // journals of version 2 have no results file
 const char* const kExtension = ".journal";
 
 [[noreturn]] void fail(const fs::path& path, int error) {
@@ -61,7 +61,7 @@ const char* const kExtension = ".journal";
                 "; make room or set XDG_CACHE_HOME to a folder that can be written");
 }
 
-// Uses the recipe's writer and reader for the steps.
+// Converts the steps with the writer of recipes.
 Json json_of(std::vector<Step> steps) {
   Recipe recipe;
   recipe.mesh = "mesh";
@@ -74,8 +74,8 @@ std::vector<Step> steps_of(const Json& json) {
   return parse_recipe(JsonNode::Document{recipe}, {}, "journal").steps;
 }
 
-// A recipe has no step without a handle, so an empty one stands in. The line stores the number of
-// handles, because a user may also remove all vertices of a handle.
+// Adds an empty handle to a step without handles, because a recipe requires one. The journal also
+// stores the number of handles, to distinguish this handle from one whose vertices were removed.
 DeformRequest with_handle(DeformRequest step) {
   if (step.handles.empty()) step.handles.push_back({RegionSpec{ListedVertices{}}, {}});
   return step;
@@ -95,7 +95,7 @@ Json difference(const Draft& last, const Draft& next) {
           {"settled", next.settled}};
 }
 
-// Checks the range, because the library converts any number to any type.
+// Returns a whole number. Checks its range, because nlohmann-json converts any number to any type.
 template <class Whole>
 Whole whole_number(const Json& json) {
   const bool fits = json.is_number_unsigned() ? std::in_range<Whole>(json.get<std::uint64_t>())
@@ -109,7 +109,7 @@ void carry_out(const Json& line, Draft& draft) {
   draft.steps.resize(std::min(whole_number<std::size_t>(line.at("keep")), draft.steps.size()));
   for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
   draft.open = std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0));
-  // Remove the handle that stands in.
+  // Remove the handle that `with_handle` added.
   std::vector<MovedHandle>& handles = draft.open.handles;
   handles.resize(std::min(whole_number<std::size_t>(line.at("handles")), handles.size()));
   draft.settled = line.at("settled").get<bool>();
@@ -139,7 +139,7 @@ MeshStamp stamp_from(const Json& json) {
           whole_number<std::int64_t>(json.at("modified"))};
 }
 
-// Returns complete lines only: the last one may have been cut short.
+// Returns the complete lines of a file. A crash may have left an incomplete last line.
 std::vector<std::string> lines_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::vector<std::string> lines;
@@ -147,7 +147,7 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-// Keeps the mesh's extension, because it selects the reader.
+// Returns the path of the copy of `mesh`. The extension stays, because it selects the reader.
 fs::path copy_of_mesh(fs::path journal, const fs::path& mesh) {
   return journal.replace_extension(mesh.extension());
 }
@@ -160,7 +160,8 @@ Json json_of(std::uint64_t key, const KeptResult& where) {
   return {{"result", key}, {"start", where.start}, {"vertices", where.vertices}};
 }
 
-// A step with substeps or without settling is bitwise reproducible.
+// Returns whether the journal must store the result. A step with substeps or without settling is
+// bitwise reproducible and needs no stored result.
 bool wants_result(const AppState& state) {
   return state.settled && state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
@@ -175,7 +176,7 @@ int create_locked(const fs::path& folder, fs::path& path) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0600);
     if (file < 0 && errno == EEXIST) continue;
     if (file < 0) fail(path, errno);
-    // The system releases the lock however the program ends.
+    // The operating system releases the lock when the program ends, even after a crash.
     if (::flock(file, LOCK_EX) != 0) fail(path, errno);
     return file;
   }
@@ -216,7 +217,7 @@ void Journal::record(const AppState& state) {
   if (wants_result(state)) keep_result(last_, *state.settled);
 }
 
-// Without its result, a step is restored by carrying it out again.
+// Ignores write errors, because a step without a stored result can be carried out again.
 void Journal::keep_result(const Draft& draft, const MovedVertices& result) {
   if (!open_results()) return;
   const auto start = static_cast<std::uint64_t>(::lseek(results_.get(), 0, SEEK_END));
@@ -314,13 +315,13 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
       carry_out(line, next);
       edit.draft = std::move(next);
     } catch (const std::exception&) {
-      break;  // after a power cut the end may be damaged; what precedes it is good
+      break;  // a power failure may have damaged the end; the lines before it are valid
     }
   }
   try {
     edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
   } catch (const std::exception&) {
-    edit.mesh_is_unchanged = false;  // it is gone, or has no name
+    edit.mesh_is_unchanged = false;  // the file does not exist, or the path is empty
   }
   return edit;
 }

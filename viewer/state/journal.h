@@ -12,7 +12,7 @@
 
 namespace lapwing::viewer {
 
-/// A mesh file as it was when it was opened.
+/// The path, size and modification time of a mesh file when it was opened.
 struct MeshStamp {
   std::filesystem::path path;  ///< absolute
   std::uint64_t bytes = 0;
@@ -30,9 +30,9 @@ std::filesystem::path journal_folder();
 struct InterruptedEdit;
 
 /// Records one edit in an append-only file, so that a crash loses no step. Each line is JSON. The
-/// first line describes the mesh. Each later line stores the change of the draft by one step, and
-/// the position of the settled surface in the results file (kept_results.h). When `record` returns,
-/// the step is on the disk.
+/// first line describes the mesh. A later line stores the change of the draft by one step, the
+/// position of a settled surface in the results file (kept_results.h), or a new path of the mesh.
+/// When `record` returns, the step is on the disk.
 class Journal {
  public:
   /// Creates a journal in `folder`, and creates the folder if necessary. The file remains locked
@@ -40,13 +40,13 @@ class Journal {
   Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
-  ~Journal() = default;  ///< leaves the file, as a crash does
+  ~Journal() = default;  ///< does not delete the file
 
-  /// Records the present state. Writes nothing if nothing has changed. Throws IoError, and
-  /// InputError if the name of a file is not UTF-8.
+  /// Records the current state. Writes nothing if it has not changed since the last call. Throws
+  /// IoError. Throws InputError if the name of a file is not UTF-8.
   void record(const AppState& state);
 
-  /// Copies the results of an edit that is restored. Call before the first `record`.
+  /// Copies the results of a restored edit. Call this before the first `record`.
   void keep_results_of(const InterruptedEdit& edit);
 
   /// Copies the opened mesh file into the journal's folder, because the steps start from this mesh.
@@ -55,7 +55,7 @@ class Journal {
   /// Copies `mesh` instead. Use this if the opened file has already been overwritten.
   void keep_mesh(const std::filesystem::path& mesh);
 
-  /// Ends the edit, saved or given up: deletes the journal and the files beside it.
+  /// Deletes the journal and the files beside it. Call this when the edit is saved or discarded.
   void close();
 
   const std::filesystem::path& path() const { return path_; }
@@ -73,18 +73,18 @@ class Journal {
   Draft last_;
 };
 
-/// A journal that was not closed, and whose program has ended.
+/// The contents of a journal that was not closed by `Journal::close`.
 struct InterruptedEdit {
   std::filesystem::path journal;
   std::filesystem::path opened;               ///< the mesh file that was opened
-  MeshStamp mesh;                             ///< where the steps start: that file, or a copy of it
-  bool mesh_is_unchanged = false;             ///< whether the file still matches `mesh`
+  MeshStamp mesh;                             ///< the mesh before the steps: `opened` or a copy
+  bool mesh_is_unchanged = false;             ///< whether the file at `mesh.path` matches `mesh`
   Draft draft;                                ///< the steps for `restore_after_crash`
-  KeptResults results;                        ///< in the results file
-  std::filesystem::file_time_type last_step;  ///< when it was recorded
+  KeptResults results;                        ///< positions in the results file
+  std::filesystem::file_time_type last_step;  ///< time at which the last step was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
-  /// Returns whether the file was saved over, so that `mesh` is a copy of the original.
+  /// Returns whether `mesh` is a copy, because the result was saved to the opened file.
   bool has_copy() const { return mesh.path != opened; }
   /// Returns the number of committed edits, plus one if a handle of the open edit has moved.
   std::size_t step_count() const;
@@ -93,15 +93,15 @@ struct InterruptedEdit {
 /// Returns the stored result of the state's open step, or nullopt if there is none.
 std::optional<MovedVertices> kept_result(const InterruptedEdit& edit, const AppState& state);
 
-/// Reads a journal, also while its program runs. Returns nothing if it cannot be read. Ignores an
-/// incomplete last line.
+/// Reads a journal; the program that writes it may still be running. Returns nullopt if the journal
+/// cannot be read. Ignores an incomplete last line.
 std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
 
-/// Returns the interrupted edits of `folder`, the latest first: readable journals of programs that
-/// have ended.
+/// Returns the interrupted edits in `folder`, the latest first. Skips unreadable journals and those
+/// of running programs.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
-/// Deletes the journal of the edit and the files beside it. Call this if the user gives up the
+/// Deletes the journal of the edit and the files beside it. Call this if the user discards the
 /// edit, or after the restored edit has a new journal.
 void discard(const InterruptedEdit& edit);
 

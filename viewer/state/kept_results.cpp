@@ -19,7 +19,7 @@ std::uint64_t result_key(const Draft& draft) {
   recipe.mesh = "mesh";
   recipe.steps = draft.steps;
   recipe.steps.emplace_back(draft.open);
-  // FNV-1a, 64 bits.
+  // Computes the 64-bit FNV-1a hash.
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : to_json(recipe)) {
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;

@@ -9,11 +9,11 @@
 
 namespace lapwing::viewer {
 
-/// How much attention a message needs.
+/// The severity of a message.
 enum class Tone {
-  note,     ///< information, or what was done
-  warning,  ///< done, but perhaps not as intended
-  error,    ///< not done
+  note,     ///< information
+  warning,  ///< the action was carried out, but the result may be unintended
+  error,    ///< the action was not carried out
 };
 
 /// A message to the user.
@@ -23,13 +23,13 @@ struct Message {
 
   Message(std::string words, Tone its_tone = Tone::note) : text(std::move(words)), tone(its_tone) {}
   Message(const char* words) : text(words) {}
-  /// Says what was not done, and why.
+  /// Reports an action that failed, with the reason.
   explicit Message(const std::exception& error) : text(error.what()), tone(Tone::error) {}
 
   bool operator==(const Message&) const = default;
 };
 
-/// Shows a message to the user. An empty one clears the last.
+/// Shows a message to the user. An empty message clears the previous message.
 using Say = std::function<void(Message)>;
 
 /// Calls `act` and returns true. If `act` throws an Error, passes its message to `say` and returns

@@ -7,7 +7,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Returns the steps that make the surface of `state`, including an open one.
+// Returns the steps that lead to the surface of `state`, including the open step if it has moved.
 std::vector<Step> steps_to(const AppState& state) {
   std::vector<Step> steps;
   for (const auto& step : state.steps) steps.push_back(*step);
@@ -15,7 +15,7 @@ std::vector<Step> steps_to(const AppState& state) {
   return steps;
 }
 
-// Returns whether the steps of `state` are the first of `steps`, and at most `most`.
+// Returns whether `state` is the result of the first k steps of `steps`, for some k <= `most`.
 bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t most) {
   if (needs_settling(state) || state.steps.size() > most) return false;
   const std::vector<Step> done = steps_to(state);

@@ -4,9 +4,10 @@
 
 namespace lapwing::viewer {
 
-/// Returns the folder "lapwing" for one kind of the user's files, by the XDG base directory
-/// specification. Its parent is the value of `variable`, such as XDG_CACHE_HOME, if that is an
-/// absolute path, else `below_home`, such as ".cache", in the home directory. It may not exist yet.
+/// Returns a folder for the user's files, according to the XDG base directory specification. If the
+/// environment variable `variable`, such as XDG_CACHE_HOME, contains an absolute path, this is the
+/// folder "lapwing" in it; otherwise "lapwing" in the folder `below_home`, such as ".cache", of the
+/// home directory. The folder may not exist.
 std::filesystem::path user_folder(const char* variable, const char* below_home);
 
 }  // namespace lapwing::viewer

@@ -13,12 +13,12 @@
 namespace lapwing::viewer {
 namespace {
 
-// With turns of 30 degrees and distances of a tenth of the region, a run finds the same minimum,
-// and a drag through a whole turn has a dozen waypoints.
+// If consecutive waypoints differ by at most 30 degrees and a tenth of the region's size, a run of
+// the recipe finds the same minimum as the drag. A rotation by 360 degrees has twelve waypoints.
 constexpr double kFarTurn = 30.0 * std::numbers::pi / 180.0;
 constexpr double kFarWay = 0.1;
 constexpr double kFarStretch = 0.25;
-// DeformSolver starts from rest again beyond this angle.
+// If a handle rotates farther than this in one step, DeformSolver starts again from the rest shape.
 constexpr double kJump = kFarTurnDegrees * std::numbers::pi / 180.0;
 
 Eigen::Vector3d turn_vector(const Move& move) {
@@ -74,7 +74,7 @@ WaypointRecorder::WaypointRecorder(Move start, const Eigen::Vector3d& handle_cen
       last_far_(std::move(start)),
       centroid_(handle_centroid),
       region_size_(region_size) {
-  // Enough that the frames of an ordinary drag allocate nothing.
+  // Reserve memory, so that the frames of a typical drag allocate none.
   constexpr std::size_t kUsual = 256;
   waypoints_.reserve(kUsual);
 }

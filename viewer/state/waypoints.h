@@ -8,11 +8,11 @@
 
 namespace lapwing::viewer {
 
-/// Returns whether the moves are made in substeps, each the rest shape of the next: if the
-/// parameters say so, or if a handle turns far and has no path.
+/// Returns whether the moves are made in substeps: if the parameters request substeps, or if a
+/// handle rotates by more than 180 degrees and no handle has a path.
 bool uses_substeps(const EditParameters& parameters, std::span<const HandleMove> moves);
 
-/// Returns the diagonal of the ROI at rest, the unit of distances. Linear in its vertices.
+/// Returns the diagonal of the ROI's bounding box at rest. Takes time linear in the ROI's size.
 double region_size(const AppState& state);
 
 /// Returns whether the moves differ so much that solving from `from` directly to `to` may find a
@@ -25,8 +25,8 @@ bool are_far_apart(const Move& from, const Move& to, const Eigen::Vector3d& hand
 /// rotation is then ambiguous.
 bool is_jump(const Move& from, const Move& to);
 
-/// Selects waypoints from the successive moves of a gesture: each is far from the one before, the
-/// first from `start`.
+/// Selects waypoints from the successive moves of a gesture. Each waypoint is far from the previous
+/// one (`are_far_apart`), and the first waypoint is far from `start`.
 class WaypointRecorder {
  public:
   WaypointRecorder() = default;
@@ -34,7 +34,7 @@ class WaypointRecorder {
 
   void add(const Move& move);
   bool has_jumped() const { return has_jumped_; }
-  /// Empty after a jump, such as a typed number.
+  /// Returns the waypoints. Empty after a jump, for example after the user typed a rotation.
   std::span<const Move> waypoints() const {
     return has_jumped_ ? std::span<const Move>() : waypoints_;
   }
@@ -49,8 +49,8 @@ class WaypointRecorder {
 };
 
 /// Adds the current moves of all handles to their paths if they are far from the last waypoint.
-/// Then adds the path of `to`, along which `handle` moves while the others rest. Clears all paths
-/// if the surface does not go on from its pose: after a jump, and after moves in substeps.
+/// Then adds the waypoints of `to`; the other handles do not move along them. If the next solve
+/// does not start from the current pose, clears all paths instead: after a jump or with substeps.
 void extend_path(AppState& state, std::size_t handle, const HandleMove& to);
 
 }  // namespace lapwing::viewer

@@ -12,14 +12,14 @@
 
 namespace lapwing::viewer {
 
-/// Returns the step's name in the history: "coat from gargoyle.off".
+/// Returns the step's name for the history: "coat from gargoyle.off".
 std::string describe(const Step& step);
 
-/// Returns the step with absolute file paths, resolved in `base_directory`. States keep steps in
-/// this form, because a state has no folder.
+/// Returns the step with absolute file paths. Relative paths are resolved in `base_directory`. The
+/// steps of an AppState have this form.
 Step with_absolute_paths(Step step, const std::filesystem::path& base_directory);
 
-/// Returns the step as a recipe in the folder `base_directory` writes it.
+/// Returns the step with file paths relative to `base_directory`, the folder of a recipe.
 Step with_paths_from(Step step, const std::filesystem::path& base_directory);
 
 /// The result of a step that was carried out, with its report and warnings.
@@ -30,9 +30,9 @@ struct CarriedOut {
 };
 
 /// Carries out `step` on the settled surface of `state`, or on its rest shape if no handle has
-/// moved. The result is bitwise identical to that of `run_recipe`. Pass it to `Apply` to add it as
-/// a step. The file names of sources are relative to `base_directory`. Throws what `run_recipe`
-/// throws. Throws InputError if the result of a drag is not yet computed.
+/// moved. The result is bitwise identical to that of `run_recipe`. To add it as a step, pass it to
+/// `Apply`. The file paths of sources are relative to `base_directory`. Throws the errors of
+/// `run_recipe`. Throws InputError if the result of a drag is not yet computed.
 CarriedOut apply_step(const AppState& state, const Step& step,
                       const std::filesystem::path& base_directory, Kernels& kernels,
                       const Progress& progress = {});

@@ -24,34 +24,34 @@ namespace lapwing::viewer {
 /// A surface with its camera and style.
 struct SurfaceScene {
   Surface* surface = nullptr;
-  const SurfacePaint* paint = nullptr;  ///< of the surface
+  const SurfacePaint* paint = nullptr;  ///< colours of the surface
   Camera camera;
   SurfaceStyle style;
 };
 
-/// Another surface, in its own part of the picture.
+/// A second surface, which is drawn in a rectangle of the scene's image.
 struct SideScene : SurfaceScene {
-  Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< upper left, in whole pixels
-  Eigen::Vector2d size = Eigen::Vector2d::Ones();    ///< in whole pixels; inside the picture
+  Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< upper left corner, in whole pixels
+  Eigen::Vector2d size = Eigen::Vector2d::Ones();    ///< size, in whole pixels; inside the image
 };
 
-/// What a frame shows under the panels: only the background if there is no surface.
+/// The contents of a frame under the panels. Without a surface, only the background is drawn.
 struct Scene : SurfaceScene {
   std::span<const CarriedDrawing> carried;  ///< drawn with the surface
   std::optional<SideScene> beside;
   Background background = Background::gradient;
-  /// Whether something moves. Then the scene is drawn quickly, without antialiasing.
+  /// Whether something moves. If so, the scene is drawn quickly, without antialiasing.
   bool moving = false;
 };
 
-/// Times of the parts of a frame in milliseconds. Times on the device are 0 if it has no timestamps
-/// or had nothing to do.
+/// Times of the parts of a frame in milliseconds. Times on the device are 0 if the device has no
+/// timestamps or nothing was computed.
 struct FrameTimings {
-  double blend_ms = 0.0;    ///< the positions of a drag, on the device
-  double normals_ms = 0.0;  ///< their normals, on the device
-  double draw_ms = 0.0;     ///< the surface, on the device
-  double ui_ms = 0.0;       ///< the panels, on the device
-  double panels_ms = 0.0;   ///< the layout of the panels, on the CPU
+  double blend_ms = 0.0;    ///< computing the positions of a drag, on the device
+  double normals_ms = 0.0;  ///< computing the normals of a drag, on the device
+  double draw_ms = 0.0;     ///< drawing the scene, on the device
+  double ui_ms = 0.0;       ///< drawing the panels, on the device
+  double panels_ms = 0.0;   ///< layout of the panels, on the CPU
   double frame_ms = 0.0;    ///< from the first event to the presentation of the image
 };
 
@@ -60,29 +60,30 @@ class App {
  public:
   virtual ~App() = default;
 
-  /// Handles an event over the picture; events for the panels do not come here. Returns whether the
-  /// picture may have changed.
+  /// Handles an event for the view; events for the panels are not passed to the app. Returns
+  /// whether the scene may have changed.
   virtual bool handle(const InputEvent& event) = 0;
   /// Opens a file that was dropped on the window.
   virtual void open(const std::filesystem::path& file) = 0;
-  /// Sets the size of the picture in pixels, never 0, and the pixels per point (Projection),
-  /// positive. Called before the first frame and whenever they change.
+  /// Sets the size of the view in pixels, never 0, and the number of pixels per point (Projection),
+  /// always positive. Called before the first frame and whenever the size changes.
   virtual void resize(const Eigen::Vector2d& size, double pixels_per_point) = 0;
-  /// Calls ImGui for the panels of one frame. `last` is of the previous frame. Any exception but a
-  /// GpuError ends the main loop.
+  /// Calls ImGui for the panels of one frame. `last` contains the times of the previous frame. Any
+  /// exception except a GpuError ends the main loop.
   virtual void draw_ui(const FrameTimings& last) = 0;
-  /// Returns the scene under the panels. What it refers to must live until the next call.
+  /// Returns the scene under the panels. Its pointers must remain valid until the next call.
   virtual Scene scene() = 0;
-  /// Returns the title of the window; valid until the next call.
+  /// Returns the title of the window. The text must remain valid until the next call.
   virtual std::string_view title() const = 0;
-  /// Returns the theme of the panels from the next frame on.
+  /// Returns the theme of the panels for the next frames.
   virtual Theme theme() const { return Theme::dark; }
-  /// The user wants to close the window. `wants_to_quit` tells when it may close.
+  /// Called when the user closes the window. The app may first ask for confirmation; the main loop
+  /// ends when `wants_to_quit` returns true.
   virtual void ask_to_close() = 0;
   virtual bool wants_to_quit() const = 0;
 
   /// Replaces a lost device by `context`. The app must recreate its resources from host memory and
-  /// release the old device. May follow any call that threw a GpuError.
+  /// release the old device. Called after another function has thrown a GpuError.
   virtual void use_device(std::shared_ptr<gpu::Context> context) = 0;
 };
 

@@ -18,7 +18,7 @@ VkOffset3D corner_of(VkExtent2D extent) {
 }
 
 constexpr double kTimeToSpare = MovingResolution::kLongestFrame / 2.0;
-// A single slow frame may have compiled a shader, or waited for something else.
+// Ignore a single slow frame, which may have compiled a shader or waited for another program.
 constexpr int kSlowFrames = 2;
 constexpr int kMostPatience = 256;
 
@@ -47,7 +47,7 @@ void MovingResolution::took(double milliseconds) {
 
 SceneContents::Seen SceneContents::seen(const SurfaceScene& scene) {
   Seen all;
-  // Without a surface only the background shows, whatever the camera.
+  // Without a surface, only the background is visible, which does not depend on the camera.
   if (scene.surface == nullptr) return all;
   all.surface = scene.surface->revision();
   all.paint = scene.paint->revision();
@@ -136,7 +136,7 @@ void CachedPicture::fit(Drawing& drawing, std::uint32_t pixels) const {
 
 void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, PictureSource way) {
   if (way == PictureSource::keep) return;
-  forget();  // until all is recorded
+  forget();  // if an exception is thrown, the image is invalid
   Drawing& drawing = way == PictureSource::fine ? fine_ : quick_;
   fit(drawing, way == PictureSource::fine
                    ? 1
@@ -144,7 +144,8 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
   drawing.image->transition(commands, kDiscarded, kColorTarget);
   drawing.scope->begin(commands, drawing.image->view());
   drawing.renderer.begin(commands, drawing.extent, scene.background);
-  // `draw` gets the window's size, so lines and points keep their width in a coarse picture.
+  // Pass the window's size to `draw`, so that lines and points do not become wider in an image of
+  // lower resolution.
   SurfaceStyle style = scene.style;
   style.pixels_per_point /= static_cast<float>(drawing.pixels);
   if (scene.surface != nullptr) {

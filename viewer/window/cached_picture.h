@@ -12,7 +12,7 @@
 
 namespace lapwing::viewer {
 
-/// Where the image of the scene in a frame comes from.
+/// The source of the scene's image in a frame.
 enum class PictureSource {
   keep,   ///< shows the cached image
   quick,  ///< renders it without antialiasing, and at a lower resolution if that takes too long
@@ -29,22 +29,22 @@ struct PictureNeed {
   bool fine_is_slow = false;       ///< a fine image takes longer than kLongestFrame
 };
 
-/// Returns whether to reuse the cached image or to render it in quick or fine quality. Changed
-/// contents are rendered in quick quality while something moves. This also applies if only the
-/// camera has changed and a fine image is slow. Otherwise they are rendered in fine quality. Once
-/// the scene has been at rest for a while, a fine image replaces a cached quick one.
+/// Returns whether to reuse the cached image or to render a new one, and in which quality. Changed
+/// contents are rendered in quick quality while something moves, and also if only the camera has
+/// changed and a fine image is slow. Otherwise they are rendered in fine quality. If nothing has
+/// changed for a while, a fine image replaces a cached quick image.
 PictureSource picture_way(const PictureNeed& need);
 
 /// Chooses the resolution while something moves. Lowers it if frames take too long, and raises it
-/// again if they take much less time. The next motion begins with the last resolution.
+/// again if they take less than half of the limit. The next motion begins with the last resolution.
 class MovingResolution {
  public:
-  /// In milliseconds on the device. A longer frame is noticeable.
+  /// Longest time of a frame on the device in milliseconds. Users notice longer frames.
   static constexpr double kLongestFrame = 50.0;
-  /// Most window pixels, across and down, per pixel drawn.
+  /// Largest value of `pixels_per_pixel`.
   static constexpr std::uint32_t kCoarsest = 2;
 
-  /// Window pixels, across and down, per pixel drawn.
+  /// Returns the width and height, in window pixels, of one rendered pixel.
   std::uint32_t pixels_per_pixel() const { return pixels_; }
 
   /// Reports the time of a frame at this resolution.
@@ -52,24 +52,23 @@ class MovingResolution {
 
  private:
   std::uint32_t pixels_ = 1;
-  int slow_ = 0;  ///< frames in a row that took too long
-  int fast_ = 0;  ///< frames in a row with time to spare
+  int slow_ = 0;  ///< number of consecutive frames that took too long
+  int fast_ = 0;  ///< number of consecutive frames that took less than half of the limit
   /// The value of fast_ at which the resolution is raised. It doubles whenever the resolution is
-  /// lowered. This prevents oscillation if the number of triangles, not pixels, determines the
-  /// time.
+  /// lowered. This prevents oscillation if the time depends mainly on the number of triangles.
   int patience_ = 4;
 };
 
 /// Identifies the contents of a rendered image: cameras, styles, background, and the revisions of
 /// surfaces, carried objects and their colours. Does not include the quality (`Scene::moving`,
-/// `SurfaceStyle::sides`) or what is drawn over the image, such as panels and marks.
+/// `SurfaceStyle::sides`), or panels and marks, which are drawn over the image.
 class SceneContents {
  public:
-  /// Takes the contents of `scene`. Allocates nothing if as much is carried as before.
+  /// Stores the contents of `scene`. Allocates memory only if the number of carried objects grows.
   void take(const Scene& scene);
 
   bool operator==(const SceneContents&) const = default;
-  /// Whether only the cameras differ.
+  /// Returns whether the contents differ, but only in the cameras.
   bool differs_in_view_alone(const SceneContents& other) const;
 
  private:
@@ -93,15 +92,15 @@ class SceneContents {
 
 /// Options for benchmarks and tests. The window uses the defaults.
 struct PaintingOptions {
-  bool keeps_pictures = true;
-  /// Window pixels, across and down, per pixel drawn while something moves. By default
-  /// MovingResolution chooses them by the frame times.
+  bool keeps_pictures = true;  ///< whether to reuse the cached image
+  /// Width and height, in window pixels, of one rendered pixel while something moves. If not set,
+  /// MovingResolution chooses it by the frame times.
   std::optional<std::uint32_t> moving_pixels;
   Renderer::Pipelines pipelines = Renderer::Pipelines::by_style;
 };
 
-/// Holds the picture of a scene in an image, from one frame to the next, and copies it under the
-/// panels. The context must outlive it, and have finished the last frame at every call.
+/// Renders a scene into an image, reuses the image in later frames, and copies it under the panels.
+/// The context must outlive it. Before each call, the device must have finished the last frame.
 class CachedPicture {
  public:
   CachedPicture(gpu::Context& context, VkFormat color, const PaintingOptions& options);
@@ -109,36 +108,36 @@ class CachedPicture {
   /// Sets the size of frames. Releases the images if it changes.
   void resize(VkExtent2D extent);
 
-  /// Returns how the next frame, which shows `scene`, gets its picture.
+  /// Returns the source of the image for the next frame, which shows `scene`.
   PictureSource choose(const Scene& scene, bool at_rest);
-  /// Draws the picture in that way, unless it is kept. Must be called outside a rendering scope.
+  /// Renders the image, unless `way` is `keep`. Must be called outside a rendering scope.
   void record(VkCommandBuffer commands, const Scene& scene, PictureSource way);
-  /// Copies the picture to all of `target`, in the layout of kCopyTarget. Enlarges a coarse
-  /// picture.
+  /// Copies the image to `target`, whose layout must be that of kCopyTarget. Scales an image of
+  /// lower resolution up.
   void record_copy(VkCommandBuffer commands, VkImage target) const;
-  /// Reports how long the device took to draw and show the last frame in that way.
+  /// Reports the device time of the last frame, whose image had the source `way`.
   void took(PictureSource way, double milliseconds);
 
-  /// Whether the picture was drawn quickly, so that it will be redrawn at rest.
+  /// Returns whether the image has quick quality.
   bool is_quick() const { return shown_ == &quick_; }
-  /// Window pixels, across and down, per pixel of the picture.
+  /// Returns the width and height, in window pixels, of one pixel of the image.
   std::uint32_t pixels_per_pixel() const { return shown_ != nullptr ? shown_->pixels : 1; }
 
  private:
-  /// A picture with a certain number of samples per pixel.
+  /// An image with a fixed number of samples per pixel.
   struct Drawing {
     Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples,
             Renderer::Pipelines pipelines);
 
     TargetFormat format;
     Renderer renderer;
-    std::uint32_t pixels = 1;  ///< window pixels per pixel of the picture, across and down
-    VkExtent2D extent{};       ///< of the picture
+    std::uint32_t pixels = 1;  ///< width and height, in window pixels, of one pixel of the image
+    VkExtent2D extent{};       ///< size of the image
     std::optional<DeviceImage> image;
     std::optional<DrawScope> scope;
   };
 
-  /// Makes the next frame redraw the picture.
+  /// Marks the image as invalid, so that the next frame renders it.
   void forget() { shown_ = nullptr; }
   void fit(Drawing& drawing, std::uint32_t pixels) const;
   void draw_beside(VkCommandBuffer commands, const Drawing& drawing, const SideScene& scene,
@@ -149,14 +148,14 @@ class CachedPicture {
   VkExtent2D extent_{};
   Drawing fine_;
   Drawing quick_;
-  const Drawing* shown_ = nullptr;  ///< the one that was drawn last
-  SceneContents contents_;          ///< of *shown_
-  SceneContents next_;              ///< of the scene last given to `choose`
+  const Drawing* shown_ = nullptr;  ///< the last rendered image; null if it is invalid
+  SceneContents contents_;          ///< contents of *shown_
+  SceneContents next_;              ///< contents of the last argument of `choose`
   MovingResolution resolution_;
   double fine_ms_ = 0.0;  ///< time of the last fine frame
 };
 
-/// State of an image that is copied to.
+/// State of an image that is the target of a copy.
 inline constexpr ImageState kCopyTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                         VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                         VK_ACCESS_2_TRANSFER_WRITE_BIT};

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <volk.h>
-// volk declares Vulkan before GLFW looks for it.
+// Include GLFW after volk.h: GLFW declares its Vulkan functions if Vulkan's types are declared.
 #include <GLFW/glfw3.h>
 
 namespace lapwing::viewer {

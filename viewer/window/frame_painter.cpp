@@ -9,7 +9,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Timestamps of a frame.
+// The timestamps of a frame, in order.
 enum Moment : std::uint32_t {
   kBegun,
   kBlended,
@@ -19,7 +19,8 @@ enum Moment : std::uint32_t {
   kMomentCount
 };
 
-// Submissions wait for an image's `ready` at the stage that first writes it.
+// State of an acquired image. The submission waits for its semaphore `ready` at the transfer stage,
+// which is the first to write to the image.
 constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                VK_ACCESS_2_NONE};
 

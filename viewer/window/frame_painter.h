@@ -11,9 +11,9 @@
 
 namespace lapwing::viewer {
 
-/// Draws frames on a screen, one at a time: the picture of the scene, which stays from frame to
-/// frame (CachedPicture), and panels over it. Allocates nothing while the size stays the same. The
-/// context and the screen must outlive it.
+/// Draws frames on a screen, one at a time: the cached image of the scene (CachedPicture), and the
+/// panels over it. Allocates memory only if the size changes. The context and the screen must
+/// outlive it.
 class FramePainter {
  public:
   FramePainter(gpu::Context& context, Screen& screen, const PaintingOptions& options = {});
@@ -21,20 +21,20 @@ class FramePainter {
   FramePainter(const FramePainter&) = delete;
   FramePainter& operator=(const FramePainter&) = delete;
 
-  /// Waits for the last frame, so that what it drew may change. Writes its times on the device to
-  /// `timings`.
+  /// Waits until the device has drawn the last frame, so that its data may change. Writes the
+  /// device times of this frame to `timings`.
   void finish_frame(FrameTimings& timings);
 
   /// Uploads the fonts of ImGui. Call `finish_frame` first.
   void set_fonts() { ui_.set_fonts(); }
 
-  /// Draws one frame of a window of `pixels` and shows it. Call `finish_frame` first. Returns false
-  /// if the window changed or has no size; if it has one, another frame is needed. `at_rest`: the
-  /// scene has not changed for a while, so a quickly drawn picture is drawn finely. Throws
-  /// SurfaceLost and gpu::DeviceLost, after which only the destructor may be called.
+  /// Draws and presents one frame for a window of size `pixels`. Call `finish_frame` first. Returns
+  /// false if the window has changed, and another frame is needed, or if its size is 0. If
+  /// `at_rest` is true, a fine image replaces a quick one. Throws SurfaceLost and gpu::DeviceLost,
+  /// after which only the destructor may be called.
   bool paint(VkExtent2D pixels, const Scene& scene, const ImDrawData& panels, bool at_rest = true);
 
-  /// How the last frame got its picture.
+  /// Returns the source of the image in the last frame.
   PictureSource way() const { return way_; }
   const CachedPicture& picture() const { return picture_; }
 
@@ -49,10 +49,10 @@ class FramePainter {
   PictureSource way_ = PictureSource::keep;
   UiRenderer ui_;
   gpu::CommandList commands_;
-  VkExtent2D fitted_{};  ///< window size that the screen's images fit
+  VkExtent2D fitted_{};  ///< window size for which the screen's images were created
   bool outdated_ = true;
-  std::optional<SurfaceTimes> painted_;  ///< times of a frame submitted since `finish_frame`
-  bool moved_ = false;                   ///< whether kernels of that frame moved the surface
+  std::optional<SurfaceTimes> painted_;  ///< set if a frame was submitted after `finish_frame`
+  bool moved_ = false;                   ///< whether kernels of this frame moved the surface
 };
 
 }  // namespace lapwing::viewer

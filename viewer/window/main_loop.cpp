@@ -17,13 +17,13 @@
 namespace lapwing::viewer {
 namespace {
 
-// ImGui lays out with sizes of the last frame, so a change needs this many frames.
+// ImGui computes the layout with sizes of the last frame, so a change needs this many frames.
 constexpr int kFramesPerChange = 3;
-// A desktop may lose an event, so the window checks again after this time.
+// The longest wait for an event, because a desktop may lose an event.
 constexpr double kLongestWaitSeconds = 0.5;
-// A quickly drawn picture is drawn finely after the scene has not changed for this time.
+// If the scene has not changed for this time, a fine image replaces a quick one.
 constexpr double kRestSeconds = 0.15;
-// The loop gives up after so many losses without a frame in between.
+// The number of losses of device or surface, without a frame in between, after which the loop ends.
 constexpr int kMostLosses = 5;
 
 class MainLoop {
@@ -98,7 +98,7 @@ class MainLoop {
     if (window_.take_changed() || resized) frames_due_ = kFramesPerChange;
   }
 
-  /// Returns for how long the scene has not changed.
+  /// Returns the time since the scene changed.
   double still_seconds() const { return 1e-3 * since_change_.elapsed_ms(); }
 
   void fit_look() {
@@ -108,7 +108,7 @@ class MainLoop {
     if (scale != scale_) {
       set_fonts(scale);
       painter_->set_fonts();
-      pixels_ = {};  // so that the app is told
+      pixels_ = {};  // so that `tell_size` passes the new scale to the app
     }
     scale_ = scale;
     theme_ = theme;
@@ -122,7 +122,7 @@ class MainLoop {
     }
   }
 
-  // Returns false while the window is minimized, because there is nothing to draw into.
+  // Reports a new window size to the app. Returns false while the window is minimized.
   bool tell_size() {
     const VkExtent2D now = window_.pixels();
     if (now.width == 0 || now.height == 0) {
@@ -136,9 +136,9 @@ class MainLoop {
     return true;
   }
 
-  // Hands on events in order, however long a frame takes. If the panels could not tell an event
-  // from earlier ones, they are laid out first, which takes a small part of a frame. Events after
-  // one that lost the device wait for the next turn.
+  // Passes the events to panels and app in order. Before an event that the panels could not
+  // distinguish from earlier events, lays the panels out, which takes a small part of a frame. If
+  // an event throws a GpuError, the later events wait for the next turn.
   void hand_on_input() {
     if (window_.take_close_request()) app_.ask_to_close();
     while (window_.has_input()) {
@@ -150,7 +150,7 @@ class MainLoop {
     for (const std::filesystem::path& file : window_.take_dropped_files()) app_.open(file);
   }
 
-  // Lays the panels out until it is known where the next key goes.
+  // Lays the panels out until the keyboard focus is known.
   void lay_out_panels() {
     for (int k = 0; k < kFramesPerChange; ++k) {
       lay_out();
@@ -164,7 +164,7 @@ class MainLoop {
     try {
       app_.draw_ui(timings_);
     } catch (...) {
-      // ImGui must end this frame before the next.
+      // ImGui must end this frame before the next one begins.
       ImGui::ErrorCheckEndFrameRecover(nullptr);
       ImGui::EndFrame();
       throw;
@@ -177,7 +177,6 @@ class MainLoop {
     const Stopwatch panels;
     lay_out();
     timings_.panels_ms = panels.elapsed_ms();
-    // A window that changed while it was drawn is drawn again.
     const bool at_rest = still_seconds() >= kRestSeconds;
     const bool shown = painter_->paint(pixels_, app_.scene(), *ImGui::GetDrawData(), at_rest);
     if (painter_->way() != PictureSource::keep) since_change_.restart();
@@ -195,13 +194,13 @@ class MainLoop {
   std::unique_ptr<Screen> screen_;
   std::optional<FramePainter> painter_;
   bool device_lost_ = false;
-  int losses_ = 0;  // since a frame was shown
+  int losses_ = 0;  // losses of device or surface since the last frame
   FrameTimings timings_;
   VkExtent2D pixels_{};
   double scale_ = 0.0;
   Theme theme_ = Theme::dark;
   std::string title_;
-  Stopwatch since_change_;  // since the scene changed
+  Stopwatch since_change_;  // started at the last change of the scene
   int frames_due_ = kFramesPerChange;
 };
 
@@ -225,7 +224,7 @@ std::shared_ptr<gpu::Context> WindowGraphics::open_device() {
     try {
       return open(std::to_string(device.index));
     } catch (const GpuError&) {
-      continue;  // report the failure of the requested device
+      continue;  // if no device can be opened, the error of the requested device is thrown
     }
   }
   std::rethrow_exception(failure);

@@ -7,8 +7,8 @@
 
 namespace lapwing::viewer {
 
-/// A single image without a display, for benchmarks and tests of frames. The context must outlive
-/// it.
+/// A screen with a single image and without a display, for benchmarks and tests. The context must
+/// outlive it.
 class OffscreenScreen final : public Screen {
  public:
   explicit OffscreenScreen(gpu::Context& context) : context_(context) {}
@@ -20,7 +20,7 @@ class OffscreenScreen final : public Screen {
   ImageState shown() const override;
   bool present(const Image& image) override;
 
-  /// Returns the last presented image once it is drawn. Call `present` first.
+  /// Waits until the last presented image is drawn, and returns it. Call `present` first.
   lapwing::Image picture();
 
  private:

@@ -3,7 +3,7 @@
 #include <cfloat>
 
 #include <volk.h>
-// volk declares Vulkan before GLFW looks for it.
+// Include GLFW after volk.h: GLFW declares its Vulkan functions if Vulkan's types are declared.
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
@@ -36,7 +36,7 @@ void PanelInput::hand_on(const DesktopEvent& event) {
                                  event.modifiers);
       break;
     case Kind::text:
-      // A key for the picture must not type into a field that it opens.
+      // If a key opens a text field, the character of this key must not be typed into the field.
       if (want_keys()) {
         ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned int>(event.code));
       }
@@ -67,7 +67,8 @@ bool PanelInput::focus_is_pending() const {
   return popups_changed_ || context.NavMoveSubmitted || context.NavNextActivateId != 0;
 }
 
-// ImGui would tell only at the next frame.
+// Tests the windows of the last layout, because ImGui's WantCaptureMouse changes only in the next
+// frame.
 bool PanelInput::is_over_panel(const Eigen::Vector2d& cursor) {
   const ImVec2 place(static_cast<float>(cursor.x()), static_cast<float>(cursor.y()));
   for (const ImGuiWindow* panel : ImGui::GetCurrentContext()->Windows) {
@@ -83,8 +84,8 @@ bool PanelInput::want_mouse(const Eigen::Vector2d& cursor) {
   return is_over_panel(cursor) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
 }
 
-// ImGui::GetIO().WantTextInput is a frame late, too. InputTextState.ID alone is not enough: a
-// slider that was typed into keeps it while it is dragged.
+// ImGui::GetIO().WantTextInput also changes only in the next frame. InputTextState.ID alone is not
+// sufficient, because it remains set while the user drags a slider after typing into it.
 bool PanelInput::want_keys() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return context.WantTextInputNextFrame == 1 && context.ActiveId != 0 &&
@@ -102,7 +103,7 @@ bool PictureInput::gets(InputKind kind, MouseButton button, const Eigen::Vector2
     case InputKind::scroll:
       return !PanelInput::want_mouse(cursor);
     case InputKind::key:
-      // The text of a key goes where the key went, even if that opened a field.
+      // The character of a key has the same receiver as the key, even if the key opened a field.
       types_into_panel_ = PanelInput::want_keys();
       return !types_into_panel_;
     case InputKind::text:

@@ -10,42 +10,43 @@
 
 namespace lapwing::viewer {
 
-/// The surface of a screen is lost, but it may be opened again.
+/// Thrown if the surface of a screen is lost. The screen may be opened again.
 class SurfaceLost : public GpuError {
  public:
   using GpuError::GpuError;
 };
 
-/// The images that frames are drawn into, in turn: those of a window (Swapchain), or one without a
+/// The images into which frames are drawn: those of a window (Swapchain), or one image without a
 /// display (OffscreenScreen). Every call may throw SurfaceLost and gpu::DeviceLost.
 class Screen {
  public:
   virtual ~Screen() = default;
 
-  /// Returns an _SRGB format, always the same.
+  /// Returns the format of the images, an _SRGB format. It never changes.
   virtual VkFormat format() const = 0;
   /// Returns the size of the images.
   virtual VkExtent2D extent() const = 0;
 
-  /// Creates images for a window of `pixels`, or of the size that the desktop dictates. Returns
-  /// false, without images, while the window has no size. There are none before the first call. The
-  /// device must have finished drawing into the old ones.
+  /// Creates images for a window of size `pixels`, or of the size that the desktop prescribes.
+  /// Returns false and creates no images if the size of the window is 0. Before the first call,
+  /// there are no images. The device must have finished drawing into the old images.
   virtual bool resize(VkExtent2D pixels) = 0;
 
-  /// One image to draw into.
+  /// An image to draw into.
   struct Image {
     std::uint32_t index = 0;
     VkImage handle = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
-    VkSemaphore ready = VK_NULL_HANDLE;  ///< to wait for before drawing; null if there is no need
-    VkSemaphore drawn = VK_NULL_HANDLE;  ///< to signal when it may be shown; null likewise
+    VkSemaphore ready = VK_NULL_HANDLE;  ///< wait for it before drawing; null if not necessary
+    VkSemaphore drawn = VK_NULL_HANDLE;  ///< signal it after drawing; null if not necessary
   };
-  /// Returns the next image; nullopt if the images no longer fit the window or none becomes free.
-  /// Then call `resize`.
+  /// Returns the next image. Returns nullopt if the images no longer fit the window or no image
+  /// becomes free; the caller must then call `resize`.
   virtual std::optional<Image> acquire() = 0;
-  /// Returns the state in which `present` takes an image.
+  /// Returns the state that an image must have for `present`.
   virtual ImageState shown() const = 0;
-  /// Shows an image once its `drawn` is signalled. Returns false if the images no longer fit.
+  /// Shows an image after its semaphore `drawn` is signalled. Returns false if the images no longer
+  /// fit the window.
   virtual bool present(const Image& image) = 0;
 };
 

@@ -11,10 +11,10 @@
 namespace lapwing::viewer {
 namespace {
 
-// A desktop that does not show the window returns no image.
+// Limits the wait for an image, because a desktop that does not show the window returns none.
 constexpr std::uint64_t kLongestWaitNanoseconds = 1'000'000'000;
 
-// Whether the screen still takes the images, even if they are suboptimal.
+// Returns whether the image can be used, even if the swapchain is suboptimal.
 bool usable(VkResult result) {
   return result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR;
 }
@@ -27,7 +27,6 @@ VkExtent2D fitting_extent(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR& can
           std::clamp(pixels.height, can.minImageExtent.height, can.maxImageExtent.height)};
 }
 
-// Creates a binary semaphore.
 VkSemaphore make_semaphore(const gpu::Context& context) {
   const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
   VkSemaphore semaphore = VK_NULL_HANDLE;
@@ -108,7 +107,7 @@ bool Swapchain::resize(VkExtent2D pixels) {
   VkSurfaceCapabilitiesKHR can;
   check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device(), surface_, &can),
         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
-  // The picture is copied under the panels.
+  // CachedPicture::record_copy copies the image of the scene into the swapchain's images.
   if ((can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) == 0) {
     throw GpuError("the desktop lets no pictures of " + context_.description().name +
                    " be copied to its windows; choose another device with --device "

@@ -16,11 +16,11 @@ namespace lapwing::viewer {
 
 class Window;
 
-/// The images of a window, which the desktop shows in turn at its own rate. The context and the
-/// window must outlive it. A window has at most one.
+/// The swapchain of a window. The context and the window must outlive it. A window has at most one
+/// swapchain.
 class Swapchain final : public Screen {
  public:
-  /// Throws GpuError if the context's device cannot show anything in the window.
+  /// Throws GpuError if the context's device cannot present images in the window.
   Swapchain(gpu::Context& context, const Window& window);
   ~Swapchain() override;
   Swapchain(const Swapchain&) = delete;
@@ -49,8 +49,8 @@ class Swapchain final : public Screen {
   std::vector<VkImage> images_;
   std::vector<VkImageView> views_;
   VkSemaphore ready_ = VK_NULL_HANDLE;
-  /// One per image. They outlive a swapchain, because the screen may still wait for one of them
-  /// when its images are replaced.
+  /// One per image. They are not destroyed in `resize`, because the desktop may still wait for one
+  /// of them when the images are replaced.
   std::vector<VkSemaphore> drawn_;
 };
 

@@ -7,15 +7,15 @@
 namespace lapwing::viewer {
 namespace {
 
-constexpr float kFontPixels = 15.0F;         // of DejaVu Sans, at scale 1
-constexpr float kClickUnits = 6.0F;          // ImGui's default, at scale 1
+constexpr float kFontPixels = 15.0F;         // size of DejaVu Sans at scale 1
+constexpr float kClickUnits = 6.0F;          // largest motion of a click at scale 1
 constexpr float kBuiltInFontPixels = 13.0F;  // size of ImGui's bitmap font
 
 void load_font(float scale) {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.Clear();
   if (std::filesystem::exists(LAPWING_VIEWER_FONT)) {
-    // File names may have letters of other languages.
+    // File names may contain Cyrillic letters.
     fonts.AddFontFromFileTTF(LAPWING_VIEWER_FONT, kFontPixels * scale, nullptr,
                              fonts.GetGlyphRangesCyrillic());
     return;
@@ -29,7 +29,7 @@ ImVec4 gray(float level, float opacity = 1.0F) {
   return {level, level, std::min(1.02F * level, 1.0F), opacity};
 }
 
-// The light and the dark theme differ in these gray levels.
+// Gray levels of a theme.
 struct Grays {
   float text;
   float quiet_text;
@@ -37,17 +37,17 @@ struct Grays {
   float popup;
   float menu;
   float border;
-  float frame;  // of fields; plus `step` under the cursor, twice that when pressed
+  float frame;  // fields; `step` is added under the cursor, and twice `step` when pressed
   float step;
   float header;
   float button;
 };
-// The colours in which the themes differ.
+// The colours that depend on the theme.
 struct Palette {
   Grays gray;
-  ImVec4 accent;         // behind text
-  ImVec4 strong_accent;  // behind text that is pressed
-  ImVec4 mark;           // of check marks and grips, without text on it
+  ImVec4 accent;         // background of text
+  ImVec4 strong_accent;  // background of pressed text
+  ImVec4 mark;           // check marks and grips; never a background of text
   std::array<ImVec4, 3> tones;
 };
 
@@ -99,7 +99,7 @@ void set_colors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_PlotHistogram, p.accent);
   set(ImGuiCol_TextSelectedBg, p.accent);
   set(ImGuiCol_TableHeaderBg, gray(p.gray.header));
-  // The picture stays visible behind a modal dialog.
+  // A modal dialog does not darken the view.
   set(ImGuiCol_ModalWindowDimBg, {});
 }
 
@@ -127,11 +127,12 @@ void set_theme(Theme theme, double scale) {
   style.ItemSpacing = {8.0F, 5.0F};
   style.ScaleAllSizes(static_cast<float>(scale));
   ImGuiIO& io = ImGui::GetIO();
-  // Panels have fixed places. A blinking cursor would need frames while nothing happens.
+  // The layout of the panels is fixed, so ImGui saves no settings. A blinking text cursor would
+  // require frames while the window is idle.
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;
-  // How far the cursor may move in a click.
+  // The largest motion of the cursor during a click.
   io.MouseDragThreshold = kClickUnits * static_cast<float>(scale);
   io.MouseDoubleClickMaxDist = kClickUnits * static_cast<float>(scale);
 }

@@ -7,13 +7,13 @@
 
 namespace lapwing::viewer {
 
-/// Rebuilds the fonts of the current ImGui context for a desktop that enlarges by `scale`.
+/// Rebuilds the fonts of the current ImGui context for the desktop's scale factor `scale`.
 void set_fonts(double scale);
 /// Sets the colours and sizes of the panels. Text has a contrast of at least 4.5 : 1 to its
 /// background (WCAG 2.1, 1.4.3).
 void set_theme(Theme theme, double scale);
 
-/// Returns the colour of text of that tone in the current theme.
+/// Returns the text colour for messages of this tone in the current theme.
 const ImVec4& text_color(Tone tone);
 
 }  // namespace lapwing::viewer

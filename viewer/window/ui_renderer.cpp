@@ -15,18 +15,18 @@
 namespace lapwing::viewer {
 namespace {
 
-// shaders/ui.glsl
+// The push constants in shaders/ui.glsl.
 struct UiPush {
   std::array<float, 2> clip_per_unit;
   std::array<float, 2> origin;
   std::array<std::uint32_t, 2> atlas_size;
 };
 
-// shaders/ui.vert
+// The vertex layout that shaders/ui.vert reads.
 static_assert(sizeof(ImDrawVert) == 20 && offsetof(ImDrawVert, pos) == 0 &&
               offsetof(ImDrawVert, uv) == 8 && offsetof(ImDrawVert, col) == 16);
 
-// shaders/ui.frag
+// The values of the specialization constant in shaders/ui.frag.
 constexpr std::uint32_t kOfFont = 0;
 constexpr std::uint32_t kColored = 1;
 
@@ -52,7 +52,7 @@ std::span<const ImDrawList* const> lists_of(const ImDrawData& panels) {
   return {panels.CmdLists, static_cast<std::size_t>(panels.CmdListsCount)};
 }
 
-// Returns the part of the picture, in pixels, that a command may draw into.
+// Returns the rectangle of the image, in pixels, into which a command may draw.
 VkRect2D scissor_of(const ImVec4& clip, const ImDrawData& panels, VkExtent2D extent) {
   const auto pixel = [](float place, float origin, float scale, std::uint32_t limit) {
     return static_cast<std::int32_t>(
@@ -94,7 +94,7 @@ void UiRenderer::set_fonts() {
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&opacities, &width, &height);
   atlas_width_ = static_cast<std::uint32_t>(width);
   atlas_height_ = static_cast<std::uint32_t>(height);
-  // A multiple of 4 bytes, because the width of ImGui's atlas is a power of two.
+  // The size is a multiple of 4 bytes, because the width of ImGui's atlas is a power of two.
   const std::size_t bytes = std::size_t{atlas_width_} * atlas_height_;
   atlas_.emplace(context_, "font", bytes);
   gpu::Transfer(context_).upload(*atlas_, std::as_bytes(std::span(opacities, bytes)));

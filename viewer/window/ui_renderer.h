@@ -14,8 +14,8 @@ struct Image;
 
 namespace lapwing::viewer {
 
-/// A picture for panels: ImGui::Image(picture.id(), ...). It must live at the same address until
-/// the frame that shows it is drawn, on the same context, which must outlive it.
+/// An image for panels: ImGui::Image(picture.id(), ...). The object must exist until the frame that
+/// shows it is drawn. This frame must use the same context, and the context must outlive it.
 class UiPicture {
  public:
   UiPicture(gpu::Context& context, const Image& image);
@@ -34,24 +34,24 @@ class UiPicture {
   std::uint32_t height_;
 };
 
-/// Draws ImGui's panels with its own pipelines. ImGui's Vulkan backend calls the Vulkan loader by
-/// name, but this program opens the loader at run time. The context must outlive it.
+/// Draws ImGui's panels. It does not use ImGui's Vulkan backend, because this backend must be
+/// linked with the Vulkan loader, which the program opens at run time. The context must outlive it.
 class UiRenderer {
  public:
-  /// `color` is the format of the picture, which has no depth.
+  /// `color` is the format of the target image, which has no depth buffer.
   UiRenderer(gpu::Context& context, VkFormat color);
 
   /// Uploads the fonts of the current ImGui context. The device must have finished the last draw.
   void set_fonts();
-  /// Copies one frame's panels to the device, which must have finished the last draw. Allocates
-  /// only if there is more than ever before.
+  /// Copies the panels of one frame to the device, which must have finished the last draw.
+  /// Allocates memory only if the panels need more than in all previous frames.
   void take(const ImDrawData& panels);
-  /// Records the panels last taken into a rendering scope of size `extent`.
+  /// Records the panels of the last `take` into a rendering scope of size `extent`.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const ImDrawData& panels) const;
 
  private:
   gpu::Context& context_;
-  GraphicsPipeline texts_;  ///< and everything of one colour
+  GraphicsPipeline texts_;  ///< draws text and shapes of one colour
   GraphicsPipeline pictures_;
   std::optional<gpu::Buffer> atlas_;
   std::uint32_t atlas_width_ = 0;

@@ -8,7 +8,8 @@
 #include <unistd.h>
 #include <utility>
 
-// volk declares Vulkan before GLFW looks for it.
+// The window's header includes volk.h. GLFW declares its Vulkan functions only if Vulkan's types
+// are declared before.
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
@@ -20,12 +21,13 @@ namespace {
 
 using Kind = DesktopEvent::Kind;
 
-// There is only one window, and a thread that wakes it may not know it.
+// A global variable, because `Window::wake` is static and may be called from any thread.
 std::atomic<bool> woken = false;
 
 int code_without_display = 0;
 
-// Called by Xlib, on any thread, perhaps with its locks held.
+// Xlib may call this on any thread while it holds locks, so the handler calls only `write` and
+// `_exit`.
 int end_without_display(void*) {
   constexpr std::string_view kWords =
       "lapwing-viewer: the display went away; start again where there is one\n";
@@ -49,7 +51,7 @@ Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
 }
 
-// Returns the pressed modifiers as GLFW's bits.
+// Returns the pressed modifiers as a bit mask of GLFW.
 int pressed_modifiers(GLFWwindow* window) {
   const auto bit_if_down = [&](int bit, int left, int right) {
     const bool is_down =
@@ -87,7 +89,8 @@ constexpr std::array<std::pair<int, int>, 12> kNamedKeys{{{GLFW_KEY_ESCAPE, kEsc
                                                           {GLFW_KEY_DOWN, kDown},
                                                           {GLFW_KEY_F1, kF1}}};
 
-// A letter's key is the one that types it in the user's keyboard layout.
+// Converts a GLFW key to a key code of InputEvent. The code of a letter belongs to the key that
+// types this letter in the user's keyboard layout.
 int key_of(int key, int scancode) {
   for (const auto& [glfw, ours] : kNamedKeys) {
     if (key == glfw) return ours;
@@ -106,7 +109,7 @@ int key_of(int key, int scancode) {
 
 }  // namespace
 
-// GLFW's callbacks. They queue events, in order, until these are handed on.
+// GLFW's callbacks. They add the events to the window's queue in order.
 struct WindowCallbacks {
   static Window& of(GLFWwindow* handle) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
@@ -126,8 +129,8 @@ struct WindowCallbacks {
   static void on_move(GLFWwindow* handle, double x, double y) {
     Window& window = of(handle);
     window.cursor_ = {x, y};
-    // A lasso needs the whole path of the cursor, however long a frame takes. With no button down,
-    // the latest position is enough.
+    // While a button is pressed, every position is needed, for example for a lasso. Otherwise the
+    // latest position is sufficient.
     if (window.buttons_down_ == 0 && window.has_input() &&
         window.waiting_.back().kind == Kind::move) {
       window.waiting_.pop_back();
@@ -176,7 +179,7 @@ Window::Window(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   handle_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (handle_ == nullptr) {
-    // The reason must be read before GLFW ends.
+    // GLFW's error message must be read before `glfwTerminate`.
     try {
       throw_no_window();
     } catch (...) {
@@ -201,7 +204,7 @@ Window::~Window() {
 }
 
 std::vector<const char*> Window::instance_extensions() const {
-  // Throws a readable error if there is no Vulkan at all.
+  // If Vulkan is not installed, this throws an error with a clear message.
   gpu::open_loader();
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
@@ -222,7 +225,7 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
 }
 
 void Window::exit_when_display_goes(int code) {
-  // GLFW has loaded Xlib, unless it runs on a platform that closes windows properly.
+  // GLFW has loaded Xlib if it uses X11. Other platforms need no handler.
   using Handler = int (*)(void* display);
   auto* const set_handler =
       reinterpret_cast<Handler (*)(Handler)>(dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
@@ -242,7 +245,8 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-// Events at the front of waiting_ may be handed on already, so that the list keeps its memory.
+// Removed events stay at the front of waiting_ until all are removed, so that the vector keeps its
+// capacity.
 std::optional<InputEvent> Window::hand_on() {
   const DesktopEvent event = waiting_[handed_on_++];
   if (!has_input()) {
@@ -250,7 +254,7 @@ std::optional<InputEvent> Window::hand_on() {
     handed_on_ = 0;
   }
   const bool over_panel = PanelInput::is_over_panel(event.cursor) || ImGui::IsAnyItemActive();
-  // Panels light up under the cursor. The app tells when the picture changes.
+  // A move changes the panels only if the cursor is over a panel, which is then highlighted.
   if (event.kind != DesktopEvent::Kind::move || over_panel || was_over_panel_) changed_ = true;
   was_over_panel_ = over_panel;
   const auto input = input_event(event);
@@ -262,7 +266,7 @@ std::optional<InputEvent> Window::hand_on() {
   return is_release_or_unknown ? std::nullopt : input;
 }
 
-// Returns nullopt if the event means nothing to a picture.
+// Converts an event for the view. Returns nullopt for events that the view does not use.
 std::optional<InputEvent> Window::input_event(const DesktopEvent& event) const {
   InputEvent input;
   input.position = in_pixels(event.cursor);

@@ -22,7 +22,7 @@ AttachmentCache::Known AttachmentCache::of(const std::shared_ptr<const Attachmen
         surface.find_all(file->positions(), kMostShares));
   };
   const std::lock_guard lock(mutex_);
-  // Another thread has changed to another surface.
+  // If another thread has changed the surface meanwhile, do not use the cache.
   if (&surface != surface_.get()) return find();
   const auto at = known_.find(file);
   if (at != known_.end()) return at->second;

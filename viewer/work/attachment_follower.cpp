@@ -10,7 +10,7 @@ bool DraggedFrame::is_same_as(const DraggedFrame& other) const {
                     [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
 }
 
-// Needs no kernels, because it computes on the CPU.
+// Attachments are computed on the CPU without kernels.
 AttachmentFollower::AttachmentFollower(std::function<void()> wake)
     : job_([] { return std::unique_ptr<Kernels>(); }, std::move(wake)) {}
 

@@ -18,7 +18,7 @@ std::string formatted(const char* format, double a) {
   return text.data();
 }
 
-// Adds the ring, because a single vertex has no size to frame.
+// Returns the vertex and its ring, because the camera cannot zoom to a single vertex.
 std::vector<Index> with_ring(Index vertex, const Topology& topology) {
   return with_ring_neighbours(std::array{vertex}, topology.rings);
 }
@@ -43,7 +43,7 @@ CertificateWarning not_settled(const Certificate& certificate) {
           {}};
 }
 
-// A region that is the whole mesh cannot be enlarged.
+// Suggests a larger region only if the region is not the whole mesh.
 std::string advice(const Certificate& certificate) {
   return certificate.region_is_whole
              ? " Move the handle less, or in smaller steps."

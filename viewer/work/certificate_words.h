@@ -7,14 +7,14 @@
 
 namespace lapwing::viewer {
 
-/// Something about a result that a user should check.
+/// A problem of a result that the user should check.
 struct CertificateWarning {
   std::string text;             ///< the problem and the next step, in one or two sentences
-  std::vector<Index> vertices;  ///< to frame, ascending; empty for the whole edit
+  std::vector<Index> vertices;  ///< vertices to show, ascending; empty for the whole edit
 };
 
-/// Returns the problems in the certificate, the gravest first; empty if there are none. Judges
-/// handles and edges as lapwing's `warnings_of` does.
+/// Returns the problems in the certificate, the most severe first. The thresholds for handles and
+/// edges are those of `lapwing::warnings_of`.
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                                             const Topology& topology);
 

@@ -7,8 +7,8 @@
 namespace lapwing::viewer {
 namespace {
 
-// Returns the pose of a drag that has reached the moves of `state`. `positions` are those of
-// `moved` and of all other vertices at rest.
+// Returns the pose of a drag that has reached the moves of `state`. `positions` contains the
+// positions in `moved`, and the rest positions of all other vertices.
 DragState pose_at(AppState state, const MovedVertices& moved, const Positions& positions) {
   state.settled = std::make_shared<const MovedVertices>(moved);
   DragState pose;
@@ -20,8 +20,8 @@ DragState pose_at(AppState state, const MovedVertices& moved, const Positions& p
   return pose;
 }
 
-// Returns a result with exactly the positions of `kept`. Its certificate is that of the minimum
-// that the solver finds when it starts from these positions.
+// Returns a result with exactly the positions of `kept`. Its certificate belongs to the minimum
+// that the solver finds from these positions.
 std::shared_ptr<const MovedVertices> result_again(const AppState& state, const MovedVertices& kept,
                                                   Kernels& kernels, const Progress& progress) {
   Positions positions = state.rest->positions;

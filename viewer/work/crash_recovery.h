@@ -6,9 +6,9 @@
 
 namespace lapwing::viewer {
 
-/// Restores an edit that a crash interrupted. `start` is the state of `edit.mesh` before any step.
-/// If the journal contains the result of a deform, the restored positions are bitwise identical to
-/// it. All other steps are carried out as in a run of the recipe. Throws what `from_draft` throws.
+/// Restores an edit after a crash. `start` is the state of `edit.mesh` before any step. If the
+/// journal contains the result of a deform, the restored positions are bitwise identical to it. All
+/// other steps are carried out as in a run of the recipe. Throws the errors of `from_draft`.
 History restore_after_crash(AppState start, const InterruptedEdit& edit, Kernels& kernels,
                             const Progress& progress = {});
 

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the file from which the edit was started. If it was overwritten, the stamp is that of its
-// copy, from which the steps start.
+// Returns the opened mesh file of the edit. If the file was overwritten, size and time are those of
+// the copy from which the steps start.
 MeshStamp file_of(const InterruptedEdit& edit) {
   if (!edit.has_copy()) return edit.mesh;
   return {edit.opened, edit.mesh.bytes, edit.mesh.modified};
@@ -67,8 +67,8 @@ bool has_path(const Step& step) {
          });
 }
 
-// Returns the largest distance of a vertex, divided by the diagonal of `b`. Returns 1 if the
-// numbers of vertices differ.
+// Returns the largest distance between corresponding vertices, divided by the diagonal of `b`.
+// Returns 1 if the numbers of vertices differ.
 double relative_distance(const Positions& a, const Positions& b) {
   if (a.size() != b.size()) return 1.0;
   double largest = 0.0;
@@ -94,7 +94,7 @@ EditSession::EditSession(History history, std::optional<MeshStamp> file, const f
   start_journal(journals, restored);
   if (restored != nullptr && restored->has_copy()) {
     original_ = FileBytes::read(restored->mesh.path);
-    // The history does not tell which state was saved over the file.
+    // The history does not record which of its states was saved to the file.
     history_.mark_unsaved();
   }
   follow();
@@ -108,7 +108,7 @@ void EditSession::start_journal(const fs::path& journals, const InterruptedEdit*
     if (restored->has_copy()) journal_->keep_mesh(restored->mesh.path);
     journal_->keep_results_of(*restored);
   } catch (const Error& error) {
-    // Steps are useless without the mesh from which they start.
+    // Without a copy of the mesh, the journal could not be restored.
     if (journal_) journal_->close();
     journal_.reset();
     warning_ = error.what();
@@ -255,7 +255,7 @@ std::shared_ptr<const DragState> EditSession::pose() const {
   if (!state().settled || !preview) return nullptr;
   auto pose = std::make_shared<DragState>(
       preview->response()->pose_at(positions_of(state()), motions_of(state())));
-  // Without a motion of the handles, nothing is left to settle.
+  // The pose is the settled result, so no further iteration is needed until the handles move.
   pose->last_result.settled = true;
   return pose;
 }
@@ -274,7 +274,8 @@ const Certificate* EditSession::certificate() const {
   return state().settled ? state().settled->certificate.get() : nullptr;
 }
 
-// Returns the carried files as they are now. Throws if they cannot all be written beside `path`.
+// Returns the carried files on the current surface. Throws if one of them cannot be written beside
+// `path`.
 std::vector<AttachmentFile> EditSession::carried_for(const fs::path& path) const {
   std::vector<AttachmentFile> files;
   std::vector<fs::path> inputs;
@@ -305,7 +306,8 @@ WriteReport EditSession::save(const fs::path& path) {
   return report;
 }
 
-// Call before `path` is written.
+// Stores the original contents of the opened file if `path` is this file. Call this before writing
+// to `path`. Throws InputError if a step reads `path`, or if the file has external buffers.
 void EditSession::keep_original_of(const fs::path& path) {
   for (const auto& step : state().steps) {
     for (const fs::path& read : files_read(*step)) {

@@ -19,7 +19,7 @@ namespace lapwing::viewer {
 
 /// The effect of a step that was carried out in the background.
 struct StepTaken {
-  bool changed_triangles = false;  ///< then the selection was cleared
+  bool changed_triangles = false;  ///< if true, the selection was cleared
   std::vector<std::string> warnings;
 };
 
@@ -27,10 +27,10 @@ struct StepTaken {
 /// thread prepares and settles deforms, and the other carries out whole steps.
 class EditSession {
  public:
-  /// `file` is the opened mesh file. A generated mesh has no file, and then there is no journal.
-  /// `journals` is the folder of the journals. If `restored` is not null, `history` must be the
-  /// result of `restore_after_crash` for that edit. The constructor then copies the stored results
-  /// and the mesh of that edit to the new journal. If `warning` is empty afterwards, the caller may
+  /// `file` is the opened mesh file. A generated mesh has neither a file nor a journal. `journals`
+  /// is the folder of the journals. If `restored` is not null, `history` must be the result of
+  /// `restore_after_crash` for that edit. The constructor then copies the stored results and the
+  /// mesh of that edit to the new journal. If `warning` is empty afterwards, the caller may
   /// `discard` the restored edit. The other arguments are those of Preparation.
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
@@ -43,38 +43,38 @@ class EditSession {
   /// mesh.
   std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
-  /// Performs a command. If the new state has no result for its moves, requests this result. Undo
-  /// and redo do the same. The computation starts from the displayed pose `shown` if it is not
-  /// null. Throws what `apply` throws.
+  /// Performs a command. If the new state has no result for its moves, requests this result, as
+  /// undo and redo also do. The computation starts from the displayed pose `shown` if it is not
+  /// null. Throws the errors of `apply`.
   void perform(const Command& command, Joining joining = Joining::own_step,
                std::shared_ptr<const DragState> shown = nullptr);
   void undo();
   void redo();
   void go_to(std::size_t steps);
-  /// Continues with a history that has the same start, but more or fewer steps.
+  /// Replaces the history by one that has the same start, but more or fewer steps.
   void continue_with(History history);
-  /// Cancels the result under way. The handle stays moved, and the move can be undone.
+  /// Cancels the computation of the result. The handle stays moved, and the move can be undone.
   void cancel_settling() { preparation_.cancel_settling(); }
 
-  /// Cancels preparation and settling, until `prepare` or the next step.
+  /// Cancels preparation and settling. They restart after `prepare` or the next step.
   void cancel_preparation() { preparation_.cancel(); }
-  /// Starts them again, with the result that the state waits for.
+  /// Starts the preparation. If the state needs a result, requests it, starting from `shown`.
   void prepare(std::shared_ptr<const DragState> shown = nullptr);
 
-  /// Continues with kernels on another device, after the first was lost, and prepares again.
+  /// Prepares again with kernels on another device. Call this after the device was lost.
   void use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload = {});
 
-  /// Performs the result if it is ready, and returns whether it was. Call this when woken.
+  /// If the result is computed, adds it to the history and returns true. Call this after `wake`.
   bool take_result();
-  /// Returns whether the result that the state waits for is still to come; false if it was
-  /// cancelled or has failed.
+  /// Returns whether the result of the state's moves is being computed. Returns false after the
+  /// computation was cancelled or has failed.
   bool awaits_result() const { return needs_settling(state()) && preparation_.will_settle(); }
 
-  /// Returns the pose from which a drag starts: the state's result. Null for the rest shape, if the
-  /// state waits for its result, and while no preview is ready.
+  /// Returns the pose from which a drag starts, which is the state's result. Returns null if the
+  /// state has no result or no preview is ready; a drag then starts from the rest shape.
   std::shared_ptr<const DragState> pose() const;
 
-  /// Sets the handles that the next drag moves (Preparation::drag_by).
+  /// Sets the handles that the next drag will move (Preparation::drag_by).
   void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
 
   /// Requests the settled surface for the current frame of a drag (Preparation::settle_live).
@@ -82,24 +82,25 @@ class EditSession {
   /// in every frame. Steps, undo, redo and `cancel_settling` cancel the request.
   void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const DragState> from,
                    bool rests = false);
-  /// Returns that result, once. It is never a step of the history.
+  /// Returns the result of `settle_live`, once. This result is never added to the history.
   std::optional<LiveResult> take_live_result() { return preparation_.take_live_result(); }
 
   /// Carries out `step` on the current surface on the background thread. Cancels the previous step
   /// if it is still being carried out. `take_step` adds the result to the history as one step. File
-  /// names in `step` are relative to `folder()`. Throws InputError if the result of a drag is not
+  /// paths in `step` are relative to `folder()`. Throws InputError if the result of a drag is not
   /// yet computed.
   void carry_out(const Step& step);
-  /// Replaces step `index` of the recipe with `step`. Carries out this step and all later ones on
-  /// the background thread, like `carry_out`. Also throws what `revision_of` throws.
+  /// Replaces step `index` of the recipe by `step`. Carries out this step and all later steps on
+  /// the background thread, like `carry_out`. Also throws the errors of `revision_of`.
   void replace_step(std::size_t index, const Step& step);
   /// Reads `files`, relative to `folder()`, on the background thread. Their points and meshes
-  /// follow the surface from the open step on. Each file becomes one step of the history. Throws
-  /// InputError while a step is being carried out.
+  /// follow the surface, starting with the open step. Each file becomes one step of the history.
+  /// Throws InputError while a step is being carried out.
   void carry_along(const std::vector<std::filesystem::path>& files);
-  /// Cancels the step under way, without any change.
+  /// Cancels the current background step. The state does not change.
   void cancel_step();
-  /// Returns whether a step is under way, until it is taken or cancelled.
+  /// Returns true from the start of a background step until `take_step` returns it or it is
+  /// cancelled.
   bool is_carrying_out() const { return carried_out_on_.has_value(); }
   WorkStatus step_status() const { return carrying_out_.status(); }
   /// If the background thread has finished a step, adds it to the history. If the step has failed,
@@ -108,19 +109,19 @@ class EditSession {
   /// after `wake`.
   std::optional<StepTaken> take_step();
 
-  /// Returns the folder for the files of steps: the mesh file's folder, or the current one.
+  /// Returns the folder of the mesh file, or the current folder for a generated mesh.
   std::filesystem::path folder() const;
 
-  /// Returns the certificate of the state's result; null without a result.
+  /// Returns the certificate of the state's result, or null without a result.
   const Certificate* certificate() const;
 
   /// Writes the surface to `path`, and the carried files to the same folder, as a run of the recipe
-  /// does. Throws what `write_mesh` and `require_targets` throw. Throws InputError if the result of
-  /// a drag is not yet computed, or if a step reads `path`. Also throws InputError if `path` is the
-  /// opened file and a .gltf file with external buffers, because a copy of the original would not
-  /// include these buffers.
+  /// does. Throws the errors of `write_mesh` and `require_targets`. Throws InputError if the result
+  /// of a drag is not yet computed, or if a step reads `path`. Also throws InputError if `path` is
+  /// the opened file and a .gltf file with external buffers, because a copy of the original would
+  /// not include these buffers.
   WriteReport save(const std::filesystem::path& path);
-  /// The same without the surface.
+  /// Writes only the carried files, to the folder of `path`.
   WriteReport save_carried(const std::filesystem::path& path) const;
   /// Writes the recipe to `path`. The recipe names the opened mesh file relative to `path`. If
   /// `save` has overwritten this file, a run of the recipe would apply the edit twice. The recipe
@@ -128,16 +129,18 @@ class EditSession {
   /// of this copy, or an empty path if there is none. Throws IoError. Throws InputError if the mesh
   /// has no file, or if the result of a drag is not yet computed.
   std::filesystem::path save_recipe(const std::filesystem::path& path);
-  /// After `save_recipe`, the recipe is run in the background if a handle has a path. Returns,
-  /// once, the largest distance of a vertex of the surface from the result of this run, divided by
-  /// the diagonal of the mesh. If the run fails, rethrows its exception once. Call this after
-  /// `wake`.
+  /// If a handle has a path, `save_recipe` also runs the recipe in the background. Returns, once,
+  /// the largest distance between a vertex of the surface and the same vertex of this run's result,
+  /// divided by the diagonal of the mesh. If the run fails, rethrows its exception once. Call this
+  /// after `wake`.
   std::optional<double> take_recipe_check();
 
-  /// Ends the edit, saved or given up. Nothing is left to restore.
+  /// Deletes the journal and cancels all background work. Call this when the user has saved or
+  /// discarded the edit.
   void close();
 
-  /// Says why the journal cannot be written; empty while it can. Editing goes on.
+  /// Returns the reason why the journal cannot be written, or an empty string. The user can
+  /// continue the edit without a journal.
   const std::string& warning() const { return warning_; }
 
  private:
@@ -153,12 +156,12 @@ class EditSession {
     std::vector<std::string> warnings;
   };
 
-  // What must not change in the state while a step is carried out.
+  // The parts of the state that must not change while a step is carried out.
   enum class Needs { nothing, surface, surface_and_choice };
 
   History history_;
   std::optional<MeshStamp> file_;
-  /// The opened file as it was, once `save` has replaced it.
+  /// The original contents of the opened file. Set when `save` replaces the file.
   std::optional<FileBytes> original_;
   std::optional<Journal> journal_;
   std::string warning_;

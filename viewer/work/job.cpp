@@ -76,13 +76,13 @@ void JobThread::carry_out(const Work& work, std::uint64_t ticket, const MakeKern
   std::exception_ptr error;
   bool finished = true;
   try {
-    const ProgressScope scope(progress);  // for functions without a Progress, such as reading
+    const ProgressScope scope(progress);  // for functions without a Progress, such as `read_mesh`
     work(make_kernels(), progress);
   } catch (const Cancelled&) {
-    return;  // the call that cancelled it has set the status
+    return;  // the call that cancelled the task has already set the status
   } catch (const GpuError&) {
     error = std::current_exception();
-    finished = false;  // the device may be lost; the work may succeed on the next one
+    finished = false;  // the device may be lost; `use_kernels` then restarts the task
   } catch (...) {
     error = std::current_exception();
   }

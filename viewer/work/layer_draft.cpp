@@ -8,7 +8,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Most people see features smaller than so many edges as bumps.
+// The default detail size in mean edge lengths. Users perceive smaller features as bumps.
 constexpr double kEdgesPerDetail = 8.0;
 
 void require_complete(const LayerDraft& draft) {

@@ -10,16 +10,16 @@
 
 namespace lapwing::viewer {
 
-/// A coat or mix in progress: the user's choices so far. Files have absolute paths. A patch that is
-/// not chosen yet is an empty list.
+/// The user's choices for a coat or mix. File paths are absolute. A patch that is not chosen yet is
+/// an empty vertex list.
 struct LayerDraft {
   enum class Operation { coat, mix };
 
   Operation operation = Operation::coat;
-  std::array<FileSource, 2> sources{nothing(), nothing()};  ///< a coat uses only the first one
+  std::array<FileSource, 2> sources{nothing(), nothing()};  ///< a coat uses only sources[0]
   RegionSpec target_patch{ListedVertices{}, "target patch"};
   CoatParameters parameters;
-  // Only for a mix:
+  // The following members are used only by a mix.
   MixWeight weight;
   TransferMode transfer = TransferMode::coating;
   std::vector<MovedHandle> handles;
@@ -29,18 +29,17 @@ struct LayerDraft {
   std::size_t source_count() const { return operation == Operation::coat ? 1 : 2; }
   std::span<const FileSource> all_sources() const { return {sources.data(), source_count()}; }
 
-  /// Returns a source without a patch. Its detail size is unknown until there is one.
+  /// Returns a source without a patch. Its detail size is not set until the patch is chosen.
   static FileSource nothing();
 };
 
-/// Returns whether the user has chosen a patch, that is, whether `patch` is not an empty list of
-/// vertices.
+/// Returns whether the user has chosen the patch: whether it is not an empty vertex list.
 bool is_chosen(const RegionSpec& patch);
 
-/// Returns the step of the draft. Throws InputError, which says what is still missing.
+/// Returns the step of the draft. Throws InputError if a part of it is missing.
 Step step_of(const LayerDraft& draft);
 
-/// Returns the draft of a recipe's step, to change it; nothing for other operations.
+/// Returns the draft of a coat or mix step. Returns nullopt for other operations.
 std::optional<LayerDraft> layer_draft_of(const Step& step);
 
 /// Returns whether the drafts are equal except for the detail sizes and, for a coat, the amplitude.
@@ -50,8 +49,8 @@ bool same_but_for_sliders(const LayerDraft& a, const LayerDraft& b);
 /// Returns the default detail size, a few times the mean edge length of the patch.
 double usual_detail_size(const VertexSet& patch, const Mesh& mesh);
 
-/// Returns the vertex on the border of the patch nearest to `vertex`. Throws what `disk_patch`
-/// throws.
+/// Returns the vertex on the border of the patch that is nearest to `vertex`. Throws the errors of
+/// `disk_patch`.
 Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh);
 
 }  // namespace lapwing::viewer

@@ -91,7 +91,7 @@ bool LayerPreview::take_result() {
   return place();
 }
 
-// Returns whether a new result is available immediately.
+// Starts the computation of the requested result. Returns true if it is available immediately.
 bool LayerPreview::go_on() {
   if (!wanted_ || wanted_ == failed_) return false;
   const auto alike = [this](const std::optional<Wanted>& other) {
@@ -103,7 +103,8 @@ bool LayerPreview::go_on() {
   return false;
 }
 
-// Updates the result for a request that can reuse `prepared_`.
+// Updates the result for a request that can reuse `prepared_`. Returns true if it is available
+// immediately.
 bool LayerPreview::slide() {
   if (!same_sizes(shown_->draft, wanted_->draft)) {
     change_sizes(*wanted_);
@@ -119,7 +120,7 @@ bool LayerPreview::slide() {
 }
 
 void LayerPreview::prepare(const Wanted& wanted) {
-  // The worker may still be changing `prepared_`.
+  // The worker may be changing `prepared_`, so it is no longer the result of a known request.
   if (is_lent()) shown_.reset();
   asked_ = wanted;
   changes_sizes_ = false;
@@ -141,7 +142,7 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
   return result;
 }
 
-// Works on `prepared_`, which belongs to the worker meanwhile.
+// Changes the detail sizes of `prepared_` on the worker. Meanwhile only the worker may use it.
 void LayerPreview::change_sizes(const Wanted& wanted) {
   asked_ = wanted;
   changes_sizes_ = true;

@@ -12,40 +12,41 @@
 namespace lapwing::viewer {
 
 /// Computes a preview of a coat or mix while the user edits it. The preparation runs in the
-/// background. Afterwards, a change of a coat's amplitude is shown immediately. A change of the
-/// detail size first shows an approximation, which takes one back-substitution and uses the
-/// previous transition. The exact result follows.
+/// background. Afterwards, a change of a coat's amplitude is shown immediately. After a change of
+/// the detail size, the preview first shows an approximation with the previous transition, which
+/// takes one back-substitution, and later the exact result.
 class LayerPreview {
  public:
-  /// Takes the arguments of JobThread.
+  /// The arguments are those of JobThread.
   explicit LayerPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake = {});
 
-  /// Asks for the result of `draft` on `target`. Does nothing if that was asked for last.
+  /// Requests the result of `draft` on `target`. Does nothing if the last request was the same.
   void follow(std::shared_ptr<const Mesh> target, const LayerDraft& draft);
-  /// Drops the request and the result.
+  /// Discards the request and the result.
   void stop();
   void use_kernels(JobThread::MakeKernels make_kernels);
 
-  /// Takes finished work and starts more. Returns true if there is another result. Call this when
-  /// woken, and after `follow`.
+  /// Fetches a finished result and starts the next computation. Returns true if the result or the
+  /// message has changed. Call this after `wake` and after `follow`.
   bool update();
 
-  /// Returns whether the requested result is still to come.
+  /// Returns whether the requested result is not computed yet.
   bool is_behind() const { return busy() || (wanted_ && wanted_ != failed_ && wanted_ != shown_); }
   WorkStatus status() const { return job_.status(); }
-  /// Says why the last request failed; empty if it did not.
+  /// Returns the error of the last request, or an empty string if it did not fail.
   const std::string& message() const { return message_; }
 
-  /// Returns whether there is a result. It stays while the next one is computed.
+  /// Returns whether there is a result. It remains available while the next one is computed.
   bool has_result() const { return prepared_ != nullptr; }
-  /// Returns the mesh of `positions`. Without remeshing it shares the target's faces.
+  /// Returns the mesh to which `positions` belongs. Without remeshing, it shares the faces of the
+  /// target.
   std::shared_ptr<const Mesh> mesh() const;
   const Positions& positions() const { return positions_; }
-  /// Returns patches, maps and warnings of the result; null while the worker uses them.
+  /// Returns the patches, maps and warnings of the result, or null while the worker changes them.
   const LayeredCoat* layers() const;
 
  private:
-  // A request, the data that its result refers to, and the result.
+  // A request, the data to which its result refers, and the result.
   struct Prepared {
     std::shared_ptr<Kernels> kernels;
     std::shared_ptr<const Mesh> target;
@@ -63,7 +64,7 @@ class LayerPreview {
   using Result = std::shared_ptr<Prepared>;
 
   bool busy() const { return asked_.has_value(); }
-  // Whether the worker may be changing `prepared_`.
+  // Returns whether the worker may be changing `prepared_`.
   bool is_lent() const { return busy() && changes_sizes_; }
   bool take_result();
   bool go_on();
@@ -75,10 +76,10 @@ class LayerPreview {
                          const Progress& progress);
 
   std::optional<Wanted> wanted_;
-  std::optional<Wanted> asked_;  // the request under way
-  bool changes_sizes_ = false;   // it changes sizes of `prepared_` instead of preparing
-  std::optional<Wanted> shown_;  // the request of `prepared_` and `positions_`
-  bool is_exact_ = false;        // whether `prepared_` is not the result of `change_sizes`
+  std::optional<Wanted> asked_;  // the request that the worker computes
+  bool changes_sizes_ = false;   // whether the worker runs `change_sizes` instead of `prepare`
+  std::optional<Wanted> shown_;  // the request whose result is `prepared_` and `positions_`
+  bool is_exact_ = false;        // whether `prepare` has computed `prepared_`, not `change_sizes`
   std::optional<Wanted> failed_;
   Result prepared_;
   Positions positions_;

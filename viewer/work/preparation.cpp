@@ -126,7 +126,7 @@ void Preparation::settle(const AppState& state, std::shared_ptr<const DragState>
 
 bool Preparation::will_settle() const {
   const std::lock_guard lock(worker_.mutex());
-  // After a cancellation, the phase is still `settling` until the worker notices it.
+  // After a cancellation, the phase remains `settling` until the worker has stopped.
   const bool is_wanted = wanted_ticket_ == settle_ticket_;
   const bool is_under_way = to_settle_ || result_ || status_.phase == Phase::settling;
   return is_wanted && is_under_way && status_.phase != Phase::failed &&
@@ -263,7 +263,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
       ready.drag_by = response_of(ready, dragged(), progress);
     }
     if (!publish(ticket, ready, Phase::ready)) return;
-    // The first drag would otherwise wait for this.
+    // Prepare the drag session now, because otherwise the first drag would wait for it.
     if (ready.drag) ready.drag->prepare();
   } catch (const Cancelled&) {
     // The call that cancelled the work has already set the status.
@@ -341,7 +341,7 @@ void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& mes
 }
 
 void Preparation::settle_now(const Request& request, const Ready& ready) {
-  // A live result is too fast for a progress bar.
+  // A live result is computed in milliseconds and needs no progress bar.
   const Progress progress = worker_.progress(
       settle_ticket_, request.ticket,
       [this](std::string_view stage, double fraction) {

@@ -26,33 +26,33 @@ namespace lapwing::viewer {
 /// Describes the current work of the background thread, for a progress bar and a status line.
 struct PreparationStatus {
   enum class Phase {
-    idle,        ///< nothing to prepare, or cancelled
+    idle,        ///< there is nothing to prepare, or the preparation was cancelled
     previewing,  ///< the preview is being prepared
     solving,     ///< the preview is ready; the exact solver is being prepared
-    ready,       ///< both are ready
-    settling,    ///< both are ready; a result is being computed
-    failed,      ///< `message` says why
+    ready,       ///< the preview and the exact solver are ready
+    settling,    ///< the preview and the exact solver are ready; a result is being computed
+    failed,      ///< the preparation has failed; `message` contains the error
   };
   Phase phase = Phase::idle;
-  std::string stage;      ///< a name of the engine's stages: "factor"
-  double fraction = 0.0;  ///< of the whole preparation by stages, or of settling; 0 to 1
-  std::string message;    ///< the error of the last work; empty if it did not fail
+  std::string stage;      ///< name of the engine's current stage, such as "factor"
+  double fraction = 0.0;  ///< completed fraction of the preparation, or of settling; 0 to 1
+  std::string message;    ///< error of the last computation; empty if it did not fail
 };
 
 /// The settled surface for one frame of a drag.
 struct LiveResult {
-  std::vector<HandleMove> moves;  ///< those of the requesting state
+  std::vector<HandleMove> moves;  ///< the moves of the requesting state
   /// The settled pose for `moves`, from which the drag continues. If the computation fails, this is
   /// the pose from which it started, where null means the rest shape.
   std::shared_ptr<const DragState> pose;
-  bool is_done = false;  ///< whether the same request again would return the same pose
-  Bounds bounds = {};    ///< of the vertices that move, at `pose`
+  bool is_done = false;  ///< whether a repeated request would return the same pose
+  Bounds bounds = {};    ///< bounding box of the moving vertices at `pose`
 };
 
-/// Time budget of a live result. The remainder of a 16.7 ms frame is for the upload of the pose and
-/// for drawing.
+/// Time budget of a live result. The rest of a 16.7 ms frame remains for uploading and drawing the
+/// pose.
 inline constexpr double kLiveBudgetMs = 12.0;
-/// Time budget of a live result while the mouse does not move. With longer frames, the surface
+/// Time budget of a live result while the mouse does not move. With a larger budget, the surface
 /// reaches the minimum sooner.
 inline constexpr double kRestBudgetMs = 50.0;
 
@@ -66,7 +66,7 @@ class Preparation {
   /// A function that uploads a response to the device that draws. It is called on the worker.
   using Upload = std::function<std::shared_ptr<BlendResponse>(const DragResponse&)>;
 
-  /// `wake` is called on the worker whenever the status has changed; it must not call back.
+  /// `wake` is called on the worker whenever the status has changed. It must not call this object.
   explicit Preparation(MakeKernels make_kernels, std::function<void()> wake = {},
                        Upload upload = {});
   ~Preparation();
@@ -88,7 +88,7 @@ class Preparation {
   /// `from`. If `from` is null, it follows the path of the moves. A new request replaces the
   /// previous one.
   void settle(const AppState& state, std::shared_ptr<const DragState> from = nullptr);
-  /// Returns the result once it is computed. Returns nullopt before that and after it was taken.
+  /// Returns the result once after it is computed; otherwise returns nullopt.
   std::optional<SettledResult> take_result();
   /// Returns true from the request of a result until the result is taken. Returns false if the
   /// request was cancelled or has failed.
@@ -100,14 +100,14 @@ class Preparation {
   /// null, it starts from the rest shape. If the parameters require substeps, it computes the
   /// complete result without a time budget. If the caller repeats the request until `is_done` is
   /// true, the result equals that of `settle` within the tolerance. Returns false and ignores the
-  /// request if the solver is not ready, another result is being computed, or a result has not been
-  /// taken.
+  /// request if the solver is not ready, another result is being computed, or a result is waiting
+  /// for `take_result` or `take_live_result`.
   bool settle_live(const AppState& state, std::shared_ptr<const DragState> from,
                    bool rests = false);
-  /// Like `take_result`, for the live result.
+  /// Returns the live result once after it is computed; otherwise returns nullopt.
   std::optional<LiveResult> take_live_result();
 
-  /// Cancels all requests and discards results that were not taken, including live results.
+  /// Cancels all requests, and discards results that the caller has not taken.
   void cancel_settling();
   /// Cancels all work and discards the preparation. The next `follow` prepares again.
   void cancel();
@@ -138,7 +138,7 @@ class Preparation {
     std::shared_ptr<const DragPreview> preview;
     std::shared_ptr<const DeformSolver> exact;
     std::shared_ptr<Kernels> exact_kernels;
-    std::shared_ptr<DragSession> drag;  // only for the worker; null if drags do not settle
+    std::shared_ptr<DragSession> drag;  // used only by the worker; null if drags do not settle
     ToDragBy drag_by;
   };
 
@@ -183,7 +183,7 @@ class Preparation {
   Upload upload_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
-  std::uint64_t wanted_ticket_ = 0;  // of the last request; cancelled if != `settle_ticket_`
+  std::uint64_t wanted_ticket_ = 0;  // of the last request, cancelled if `settle_ticket_` differs
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::vector<std::size_t> dragged_{0};  // ascending
@@ -194,7 +194,7 @@ class Preparation {
   std::shared_ptr<Kept> kept_;
   Ready ready_;
 
-  std::shared_ptr<const DragState> last_live_;  // only for the worker
+  std::shared_ptr<const DragState> last_live_;  // used only by the worker
   Worker worker_;                               // declared last, because it uses all other members
 };
 

@@ -24,14 +24,14 @@ std::shared_ptr<const MovedVertices> certified_result(const AppState& state,
   return std::make_shared<const MovedVertices>(std::move(moved));
 }
 
-// Substeps do not use `solver`, because each substep after the first needs its own preparation.
+// Substeps do not use `solver`, because each later substep needs a separate preparation.
 SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels,
                              AttachmentCache& contacts, const Progress& progress) {
   if (uses_substeps(state.parameters, state.moves)) {
     return {state.moves, solve_open_step(state, kernels, progress)};
   }
-  // Any other pose belongs to an earlier selection.
+  // Use `from` only if it is a pose of the current selection.
   const bool goes_on = from != nullptr && from->displacement.size() == state.rest->vertex_count() &&
                        from->motions.maps.size() == solver.region().handles.size();
   DeformResult solved = goes_on ? solver.solve_from(*from, motions_of(state), progress)

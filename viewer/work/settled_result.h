@@ -14,19 +14,19 @@ namespace lapwing::viewer {
 
 /// The settled surface for the moves of a state.
 struct SettledResult {
-  std::vector<HandleMove> moves;               ///< those of the requesting state
+  std::vector<HandleMove> moves;               ///< the moves of the requesting state
   std::shared_ptr<const MovedVertices> moved;  ///< includes a certificate
 };
 
 /// Computes the result for the moves of `state` with `solver`, which must have been prepared for
 /// this state. Starts from the pose `from` if it is a pose of the same region. Otherwise computes
-/// the result as a run of the recipe does. Throws what the solver throws.
+/// the result as a run of the recipe does. Throws the errors of the solver.
 SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels,
                              AttachmentCache& contacts, const Progress& progress);
 
 /// Converts `solved` into a result for `state`, with its certificate and the positions of the
-/// carried objects. Throws what AttachmentCache::carry throws.
+/// carried objects. Throws the errors of AttachmentCache::carry.
 std::shared_ptr<const MovedVertices> certified_result(const AppState& state,
                                                       const DeformSolver& solver,
                                                       DeformResult solved,

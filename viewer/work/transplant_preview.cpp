@@ -43,7 +43,7 @@ bool TransplantPreview::update() {
     auto result = job_.take();
     if (!result) return false;
     result_ = std::move(result);
-    message_.clear();  // it may be from a device that was lost
+    message_.clear();  // it may report a lost device
   } catch (const Error& error) {
     message_ = error.what();
   }

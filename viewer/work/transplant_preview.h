@@ -12,30 +12,31 @@ namespace lapwing::viewer {
 /// The result of a transplant.
 struct TransplantResult {
   CarriedOut carried_out;
-  std::vector<Eigen::Vector3d> hole;  ///< the loop that was cut into the surface
+  std::vector<Eigen::Vector3d> hole;  ///< boundary loop of the hole that was cut into the host
 };
 
-/// The result of a transplant while the user still changes it, computed in the background.
+/// Computes a preview of a transplant in the background while the user edits it.
 class TransplantPreview {
  public:
-  /// Takes the arguments of JobThread.
+  /// The arguments are those of JobThread.
   explicit TransplantPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake = {});
 
-  /// Asks for the result of `step`, which names files by absolute paths, on `host`, which waits for
-  /// no result. Does nothing if that was asked for last; otherwise cancels work under way.
+  /// Requests the result of `step` on `host`. File paths in `step` must be absolute, and `host`
+  /// must not need settling. Does nothing if the last request was the same; otherwise cancels it.
   void follow(const AppState& host, const TransplantStep& step);
-  /// Drops the request and the result.
+  /// Discards the request and the result.
   void stop();
   void use_kernels(JobThread::MakeKernels make_kernels);
 
-  /// Takes finished work. Returns true if there is news. Call this when woken.
+  /// Fetches a finished result. Returns true if the result or the message has changed. Call this
+  /// after `wake`.
   bool update();
 
   bool is_behind() const { return wanted_ && !result_ && message_.empty(); }
   WorkStatus status() const { return job_.status(); }
-  /// Returns the result of the last request; null until it is computed.
+  /// Returns the result of the last request, or null while it is not computed.
   const TransplantResult* result() const { return result_ ? &*result_ : nullptr; }
-  /// Says why there is no result; empty if there is one or it is still to come.
+  /// Returns the error of the last request, or an empty string if it did not fail.
   const std::string& message() const { return message_; }
 
  private:

@@ -42,7 +42,7 @@ void Worker::run() {
     if (stop_) return;
     lock.unlock();
     work();
-    work = nullptr;  // release its data without the lock
+    work = nullptr;  // release the data of the task without the lock
     wake();
     lock.lock();
   }

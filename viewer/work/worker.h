@@ -10,17 +10,17 @@
 
 namespace lapwing::viewer {
 
-/// A thread that carries out one piece of work after another in the background. The owner holds the
-/// requests, guarded by `mutex`, and cancels work by increasing a ticket.
+/// A background thread that carries out tasks one after another. The owner stores the requests,
+/// guarded by `mutex`, and cancels a task by increasing a ticket number.
 class Worker {
  public:
   using Work = std::function<void()>;
   using Note = std::function<void(std::string_view stage, double fraction)>;
 
-  /// `next` returns the next piece of work, or nothing. It is called on the thread, with the mutex
-  /// held, after each `notify` and each piece of work. `wake` is called after each piece.
+  /// `next` returns the next task, or null if there is none. It is called on the thread, with the
+  /// mutex locked, after each `notify` and each task. `wake` is called after each task.
   Worker(std::function<Work()> next, std::function<void()> wake);
-  /// Waits for the end of the work under way, which the owner has cancelled before.
+  /// Waits until the current task ends. The owner must have cancelled it before.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -29,9 +29,9 @@ class Worker {
   void notify() { asked_.notify_one(); }
   void wake() const;
 
-  /// Returns a Progress for work under `ticket`. It cancels the work once `current`, guarded by the
-  /// mutex, differs. It calls `note` for each stage, with the mutex held, and then wakes the window
-  /// if `wakes`.
+  /// Returns a Progress for a task that started with `ticket`. It cancels the task if `current`,
+  /// which the mutex guards, is no longer `ticket`. Otherwise it calls `note` with the mutex
+  /// locked, and then `wake` if `wakes` is true.
   Progress progress(const std::uint64_t& current, std::uint64_t ticket, Note note,
                     bool wakes = true) const;
 
@@ -43,7 +43,7 @@ class Worker {
   mutable std::mutex mutex_;
   std::condition_variable asked_;
   bool stop_ = false;
-  std::thread thread_;  // last: it uses all the others
+  std::thread thread_;  // declared last, because it uses all other members
 };
 
 }  // namespace lapwing::viewer

@@ -81,12 +81,12 @@ def mesh_arrays(mesh: bpy.types.Mesh, local: np.ndarray, matrix: np.ndarray) -> 
     """Returns the faces of `mesh` on the coordinates `local`, transformed by `matrix`."""
     if len(mesh.polygons) == 0:
         raise Refusal(f"The mesh '{mesh.name}' has no faces; choose one that has")
-    corners = np.empty(len(mesh.loops), np.uint32)  # Blender's own type, so that it only copies
+    corners = np.empty(len(mesh.loops), np.uint32)  # Blender's type, so no conversion is needed
     mesh.loops.foreach_get("vertex_index", corners)
     sizes = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get("loop_total", sizes)
     materials = np.zeros(len(mesh.polygons), np.int32)
-    attribute = mesh.attributes.get("material_index")  # the fastest way to read it
+    attribute = mesh.attributes.get("material_index")  # the fastest way to read material slots
     if attribute is not None:
         attribute.data.foreach_get("value", materials)
     arrays = MeshArrays(transformed(matrix, local), corners, sizes, materials)

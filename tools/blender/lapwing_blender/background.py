@@ -19,7 +19,7 @@ from .errors import Cancelled, Refusal
 Work = Callable[[Progress], Any]
 #: Duration of a slice of reading, and interval between two checks of the thread.
 _SLICE_SECONDS = 0.03
-#: Events that the user may trigger meanwhile: they change the view, not the scene.
+#: Events that the user may trigger while the thread works. They change the view, not the scene.
 _VIEW_EVENTS = {
     "MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM",
 }
@@ -39,7 +39,7 @@ class Job:
     def _run(self, work: Work) -> None:
         try:
             self.value = work(self._hear)
-        except BaseException as error:  # raised on the main thread, by `result`
+        except BaseException as error:  # `result` raises it on the main thread
             self.error = error
 
     def _hear(self, stage: str, fraction: float) -> bool:
@@ -84,7 +84,7 @@ class EngineOperator:
         manager = context.window_manager
 
         def heard(_stage: str, fraction: float) -> bool:
-            manager.progress_update(fraction)  # only the cursor, since nothing is drawn meanwhile
+            manager.progress_update(fraction)  # the cursor, because Blender does not draw meanwhile
             return True
 
         manager.progress_begin(0.0, 1.0)

@@ -23,11 +23,11 @@ class EditRequest:
 
     object_name: str
     step: Dict[str, Any]
-    matrix: np.ndarray  #: the object's matrix when the request was made
-    rest: np.ndarray  #: (n, 3) float32 in the object's own space
+    matrix: np.ndarray  #: the object's world matrix when the request was made
+    rest: np.ndarray  #: (n, 3) float32, rest positions in the object's local space
     mesh: MeshArrays
     frames: List[HandleFrame]
-    turns_freely: List[bool]  #: per Empty: may its handle rotate while it only translates
+    turns_freely: List[bool]  #: per Empty, whether a pure translation leaves the orientation free
 
     @property
     def handle_count(self) -> int:
@@ -42,8 +42,8 @@ class EditRequest:
             rest = self.matrix @ matrix_of(handle.rest).reshape(4, 4)
             now = matrix_of(_empty_of(handle).matrix_world)
             moved.append(to_prepared @ now @ np.linalg.inv(rest))
-        # Blender stores matrices in single precision, but a handle at rest must not change the
-        # mesh's bits.
+        # Blender stores matrices in single precision. Replace the motions of handles at rest by the
+        # identity, so that they do not change the mesh by rounding errors.
         return [
             np.eye(4) if frame.is_rest(motion) else motion
             for frame, motion in zip(self.frames, moved)
@@ -159,7 +159,7 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
     if obj.data.use_mirror_x:
         step["mirror"] = _mirror(obj, matrix)
-    # Hard constraints also hold the orientation.
+    # Handles with hard constraints cannot have a free orientation.
     free = [handle.turns_freely and not settings.hard for handle in settings.handles]
     return EditRequest(obj.name, step, matrix, rest, mesh, frames, free)
 

@@ -20,8 +20,8 @@ VERSION = (0, 1)
 
 Progress = Callable[[str, float], bool]
 
-#: The file or step, and the place in it, at the beginning of the engine's messages. A user who
-#: pressed a button does not know the recipe.
+#: The beginning of the engine's messages: the file or step, and the JSON pointer. The add-on
+#: removes it, because the user does not see the recipe.
 _PLACE = re.compile(r"^(note: )?((\w+\.json|recipe|Deformer|deform|peel|step \d+): )*(/[\w/]*: )?")
 
 _found: dict = {}
@@ -105,9 +105,9 @@ def _imported(folder: str) -> Tuple[Optional[Any], str]:
         sys.path.insert(0, folder)
     try:
         module = importlib.import_module("lapwing")
-        module.__version__, module.Deformer  # not another module of that name
+        module.__version__, module.Deformer  # fails if this is another module named `lapwing`
         return module, ""
-    except Exception as error:  # if the module is broken in any way, the program may still work
+    except Exception as error:  # even if the module is broken, the program may work
         sys.modules.pop("lapwing", None)
         return None, " ".join(str(error).split()) or type(error).__name__
     finally:

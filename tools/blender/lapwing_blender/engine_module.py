@@ -47,7 +47,7 @@ class ModuleEngine:
         corners = mesh.sizes[0]
         if (mesh.sizes == corners).all():
             return self._module.Mesh(mesh.vertices, mesh.corners.reshape(-1, corners))
-        # A list of polygons needs an array for each polygon, but a file does not.
+        # Pass polygons of different sizes as a file, because a list needs one array per polygon.
         with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
             path = os.path.join(folder, "mesh.ply")
             write_ply(path, mesh)
@@ -73,7 +73,8 @@ class ModuleEngine:
     ) -> Outcome:
         recipe = {"lapwing": 1, "mesh": "mesh.ply", "steps": list(steps)}
         with tempfile.TemporaryDirectory(prefix="lapwing-") as folder, self.heard(progress) as hear:
-            # Files keep the material of each face if an edit creates faces.
+            # Pass the meshes as files, which preserve the material of each face if faces are
+            # created.
             for name, each in {**others, "mesh.ply": mesh}.items():
                 write_ply(os.path.join(folder, name), each)
             result = self._module.run(recipe, folder=folder, progress=hear)
@@ -100,6 +101,7 @@ class PreparedEdit:
         return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:
-        # A large edit takes a gigabyte, and freeing it takes a while; Thread.start would wait.
+        # A large edit uses a gigabyte, and freeing it takes time, so use a thread. Thread.start
+        # waits until the thread runs; start_new_thread does not.
         edits, self._edit = [self._edit], None
         _thread.start_new_thread(edits.clear, ())

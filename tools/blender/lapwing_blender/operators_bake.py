@@ -54,7 +54,7 @@ def add_cache_modifier(obj: bpy.types.Object, path: str, kind: str, first_frame:
     modifier.cache_format = kind
     modifier.filepath = path
     modifier.frame_start = first_frame
-    # The cache replaces the mesh itself, so its modifier must be the first.
+    # The cache replaces the coordinates of the mesh, so its modifier must be the first one.
     index = obj.modifiers.find(modifier.name)
     if index > 0:
         with bpy.context.temp_override(object=obj):
@@ -80,7 +80,7 @@ def add_frame_keys(obj: bpy.types.Object, first_frame: int, surfaces: Sequence[n
 def _curves(action: bpy.types.Action) -> List[bpy.types.FCurve]:
     if hasattr(action, "fcurves"):
         return list(action.fcurves)
-    # Since 4.4 actions have layers; from 5.0 on, curves are only available through them.
+    # Actions have layers since Blender 4.4. From 5.0 on, curves are available only through layers.
     return [
         curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags
         for curve in bag.fcurves

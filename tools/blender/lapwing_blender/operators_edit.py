@@ -66,7 +66,7 @@ class _Settling(EngineOperator):
         if live.is_settled:
             return lambda _progress: None
         return live.settling(live.motions())
-        yield  # makes this a generator, which needs no pause
+        yield  # never reached; makes this function a generator
 
     def finish(self, context: bpy.types.Context, value: Any) -> None:
         obj = bpy.data.objects[self._name]
@@ -103,7 +103,7 @@ class LAPWING_OT_apply(_Settling, bpy.types.Operator):
             key = live_mesh.keep_as_key(obj, coordinates, self.key_name or "Lapwing")
             return_handles(obj)
         else:
-            # The original must be the mesh at rest.
+            # Restore the rest shape first, because `keep_original` copies the mesh.
             live_mesh.discard(obj)
             recipe_store.keep_original(obj)
             live_mesh.keep_in_mesh(obj, coordinates)

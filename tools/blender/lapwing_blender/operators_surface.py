@@ -17,7 +17,8 @@ from .preferences import chosen_engine
 from .regions import Region, chosen_region, named_region
 from .settings import PROFILES, settings_of
 
-#: Yields while it reads. Its value is a step of a recipe, and the objects of the files it names.
+#: A generator that yields while it reads. It returns a step of a recipe, and a map from the files
+#: in the step to object names.
 Step = Generator[None, None, Tuple[Dict[str, Any], Dict[str, str]]]
 REGIONS = [
     ("SELECTION", "Selection", "The selected vertices"),

@@ -28,7 +28,7 @@ def write_ply(path: str, mesh: MeshArrays) -> None:
         f"element face {len(mesh.sizes)}\n"
         "property list uint uint vertex_indices\nproperty uint material\nend_header\n"
     )
-    # All numbers have 32 bits. A face is its size, its corners and its material.
+    # All numbers have 32 bits. A face consists of its size, its corners and its material.
     starts = mesh.starts
     words = np.insert(mesh.corners.astype("<u4"), starts, mesh.sizes)
     ends = starts + mesh.sizes + np.arange(1, len(mesh.sizes) + 1)
@@ -88,7 +88,7 @@ def _faces(
     before, after = _rows(properties[:place]), _rows(properties[place + 1:])
     raw = np.frombuffer(data, np.uint8, offset=at)
 
-    # The start of each face depends on the sizes of all faces before it.
+    # Faces have different sizes, so the start of each face depends on all previous faces.
     starts = np.empty(count, np.int64)
     sizes = np.empty(count, np.int32)
     fixed = before.itemsize + size_type.itemsize + after.itemsize

@@ -15,7 +15,7 @@ from .arrays import similarity_scale, transformed
 from .errors import Refusal
 from .settings import settings_of
 
-#: The custom property: a JSON list, to which `add` appends.
+#: The name of the custom property, a JSON list of edits. `add` appends to this list.
 PROPERTY = "lapwing_edits"
 
 
@@ -102,7 +102,7 @@ def steps_at(
         by = np.eye(4)
         if not np.array_equal(matrix_of_edit(edit), matrix):
             by = matrix @ np.linalg.inv(matrix_of_edit(edit))
-        # All edits use the same file names, so rename them.
+        # All edits use the same file names, so rename the files.
         files: Dict[str, str] = {}
         for file, name in edit["objects"].items():
             same = [known for known, other in objects.items() if other == name]
@@ -154,11 +154,11 @@ def moved_step(step: Mapping[str, Any], by: np.ndarray) -> Dict[str, Any]:
         return {**moved, "place": {"matrix": place.ravel().tolist()}}
     moved = _moved(step, by)
     if step["op"] == "peel":
-        moved["detail_size"] *= similarity_scale(by)  # a length on the mesh itself, not on a source
+        moved["detail_size"] *= similarity_scale(by)  # here a length on the edited mesh
     return moved
 
 
-#: Keys for the mesh that provides the detail, which does not move.
+#: Keys that refer to the source of the detail. The source does not move with the edited mesh.
 _OF_SOURCES = {"source_patch", "part"}
 _LENGTHS = {"radius", "width", "padding", "smooth_target"}
 

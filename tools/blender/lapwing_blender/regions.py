@@ -10,11 +10,11 @@ import numpy as np
 
 from .errors import Refusal
 
-#: Yields while it reads. Its value is a region of a recipe.
+#: A generator that yields while it reads. It returns a region of a recipe.
 Region = Generator[None, None, Dict[str, Any]]
-#: Number of vertices whose groups are read in one slice of some milliseconds.
+#: Number of vertices whose groups are read in one slice, which takes a few milliseconds.
 _SLICE = 2_000
-#: Least value of the sculpt mask for vertices of the region.
+#: Vertices with at least this value of the sculpt mask belong to the region.
 _MASKED = 0.5
 
 
@@ -57,7 +57,7 @@ def selected_vertices(obj: bpy.types.Object) -> np.ndarray:
 def masked_vertices(obj: bpy.types.Object) -> np.ndarray:
     mesh = obj.data
     values = np.zeros(len(mesh.vertices), np.float32)
-    # Until 3.6 the mask has its own layer; since then it is an attribute.
+    # In newer versions of Blender, the mask is an attribute; in older ones, a separate layer.
     attribute = mesh.attributes.get(".sculpt_mask")
     if attribute is not None:
         attribute.data.foreach_get("value", values)

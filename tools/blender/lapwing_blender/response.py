@@ -12,7 +12,8 @@ from typing import Any, Dict, List, Mapping, Sequence
 import numpy as np
 
 PARAMETERS = 12
-#: Tolerance for a handle at rest: rotation, scaling, and translation relative to the region's size.
+#: A handle whose rotation, scaling and translation (relative to the region's size) are smaller is
+#: at rest.
 _AT_REST = 2e-6
 
 
@@ -106,7 +107,7 @@ class Response:
         self._of_pose = self._parameters(motions)
         moved = world[self.moving]
         points = moved @ self._to_local[:3, :3].T + self._to_local[:3, 3]
-        # Points at rest keep their bits, which two conversions would change.
+        # Copy the coordinates of points at rest, because conversions would cause rounding errors.
         still = (moved == self._rest_world[self.moving]).all(axis=1, keepdims=True)
         self._base = np.where(still, self._rest[self.moving], points).astype(np.float32)
 

@@ -27,7 +27,7 @@ from .settings import settings_of
 _TICK_SECONDS = 1.0 / 60.0
 
 _sessions: Dict[str, "Session"] = {}
-#: For the panel: why the live edit of an object ended by itself.
+#: For each object whose live edit ended without a user's action, the reason. The panel shows it.
 _ends: Dict[str, str] = {}
 
 
@@ -36,12 +36,12 @@ class Session:
         self.request = request
         self.response = response
         self.edit = edit
-        self.message = ""  #: for the panel, a line for each warning
+        self.message = ""  #: text for the panel, with one line per warning
         self._shown: Optional[List[np.ndarray]] = None
         self._pose_of: Optional[List[np.ndarray]] = None
         self._job: Optional[Job] = None
         self._failed_at: Optional[List[np.ndarray]] = None
-        #: Whether the mesh may show another surface, for example after undo.
+        #: Whether the mesh may differ from the session's surface, for example after undo.
         self.is_stale = False
 
     @property
@@ -168,9 +168,9 @@ def _tick() -> Optional[float]:
     for name, session in list(_sessions.items()):
         obj = bpy.data.objects.get(name)
         if obj is None or obj.type != "MESH" or not settings_of(obj).is_live:
-            stop(name)  # the object was undone, renamed or deleted
+            stop(name)  # the object was renamed or deleted, or the live edit was undone
             continue
-        if obj.mode == "EDIT":  # Blender owns the mesh in edit mode
+        if obj.mode == "EDIT":  # in edit mode, Blender edits a copy of the mesh
             session.is_stale = True
             continue
         try:

@@ -87,7 +87,7 @@ class LapwingSettings(bpy.types.PropertyGroup):
         name="Hold Exactly", description="Belt and handles reach their places to the last digit, and no handle turns freely",
     )
     is_live: BoolProperty(name="Live", description="The surface follows the handles", options={"HIDDEN"})
-    #: A copy of the mesh before its first edit, with which recipes begin.
+    #: A copy of the mesh before its first edit. Recipes start from this mesh.
     original: PointerProperty(type=bpy.types.Mesh, options={"HIDDEN"})
 
 

@@ -47,7 +47,7 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
     mesh.loops.foreach_set("vertex_index", made.corners.astype(np.uint32))
     mesh.polygons.add(len(made.sizes))
     mesh.polygons.foreach_set("loop_start", made.starts.astype(np.int32))
-    # In newer versions `loop_total` follows from the starts.
+    # In newer versions of Blender, `loop_total` is computed from `loop_start`.
     if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
         mesh.polygons.foreach_set("loop_total", made.sizes)
     last_slot = max(len(mesh.materials) - 1, 0)

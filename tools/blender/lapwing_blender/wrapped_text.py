@@ -8,7 +8,7 @@ from typing import Any, Callable, List
 import blf
 import bpy
 
-#: Of the region: the panel's borders, the scroll bar and an icon, in points.
+#: Width of the panel's borders, the scroll bar and an icon, in points. The text uses the rest.
 _TAKEN_POINTS = 60.0
 
 

@@ -63,7 +63,7 @@ Positions read_positions(const py::object& vertices) {
   return positions;
 }
 
-// Face arrays usually contain triangles or quads. These have at most this number of corners.
+// The largest number of corners in typical face arrays, which contain triangles or quads.
 constexpr std::size_t kMostCornersInRows = 4;
 
 // Collects polygons and checks that all their vertices exist.
@@ -78,7 +78,7 @@ class FaceReader {
                        shape_of(table));
     }
     const auto count = static_cast<std::size_t>(table.shape(0));
-    // A transposed array has few rows, and each row contains one corner of every face.
+    // Detect a transposed array. It has few rows, and each row contains one corner of every face.
     if (count <= kMostCornersInRows && corners > 2 * kMostCornersInRows && 2 * corners > count_) {
       throw InputError("faces: " + std::to_string(count) + " faces of " + std::to_string(corners) +
                        " corners have too many for the " + std::to_string(count_) +
@@ -107,7 +107,7 @@ class FaceReader {
  private:
   using Signed = py::array_t<long long, py::array::c_style | py::array::forcecast>;
 
-  // A number too large for the type becomes negative, which `add` refuses.
+  // Numbers that are too large for the type become negative, and `add` rejects negative numbers.
   static Signed signed_numbers(const py::array& array) { return array; }
 
   void add(std::span<const long long> polygon) {

@@ -29,7 +29,7 @@ void put(const NamedMeshes& meshes, MeshCache& shelf) {
   for (const auto& [name, mesh] : meshes) shelf.put(name, mesh);
 }
 
-// Runs one step on `mesh`, from JSON that messages call `name`.
+// Runs the step `step_json` on `mesh`. `name` is the name of the JSON text in messages.
 Result carry_out(const Mesh& mesh, const std::string& step_json, const std::string& name,
                  const NamedMeshes& meshes, const std::string& device, const py::object& heard) {
   return Interruptible(heard).call([&](const Progress& progress) {
@@ -67,7 +67,7 @@ Result run(const std::string& recipe_json, const std::filesystem::path& folder,
   });
 }
 
-// A deform that is prepared once. Calls from several threads take turns.
+// A deform that is prepared once. Concurrent calls run one after another.
 class Edit {
  public:
   Edit(const Mesh& mesh, const std::string& step_json, const py::object& heard) {
@@ -79,13 +79,13 @@ class Edit {
 
   Edit(const Edit&) = delete;
   Edit& operator=(const Edit&) = delete;
-  // Freeing a large factor takes a while, so the lock is released.
+  // Release the GIL, because freeing a large factor takes time.
   ~Edit() {
     const py::gil_scoped_release unlocked;
     prepared_.reset();
   }
 
-  // If `free` is None, the orientations are those of the step.
+  // If `free` is None, uses the orientations of the step.
   Result solve(const py::object& motions, const std::optional<std::vector<bool>>& free,
                const py::object& heard) {
     const Motions matrices(motions, handle_count());
@@ -100,7 +100,7 @@ class Edit {
     });
   }
 
-  // Returns (vertices of shape (k, n, 3), certificates).
+  // Returns the vertices, of shape (k, n, 3), and a list of certificates.
   template <class Number>
   py::tuple solve_many(const py::object& motions, unsigned threads, const py::object& heard) {
     const Motions matrices(motions, handle_count());
@@ -126,8 +126,8 @@ class Edit {
     return py::make_tuple(std::move(vertices), std::move(certificates));
   }
 
-  // Returns (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3), why the system is not
-  // exact).
+  // Returns the columns, of shape (k, 3, 4, n, 3), the centres, of shape (k, 3), and the reason why
+  // the system is not exact.
   py::tuple response(const std::vector<std::size_t>& handles, const py::object& heard) {
     const SurfaceResponse response = Interruptible(heard).call([&](const Progress& progress) {
       const std::lock_guard lock(mutex_);
@@ -138,7 +138,7 @@ class Edit {
     py::array_t<double> columns({count, py::ssize_t{3}, py::ssize_t{4}, rows, py::ssize_t{3}});
     double* to = columns.mutable_data();
     {
-      const py::gil_scoped_release unlocked;  // the copy is large
+      const py::gil_scoped_release unlocked;  // the copy takes time
       for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
     }
     return py::make_tuple(std::move(columns), array_of(response.centers),

@@ -9,7 +9,7 @@
 namespace lapwing::python {
 namespace {
 
-// The classes live as long as the process, like their module.
+// The Python classes of exceptions. They exist until the process ends, like the module.
 struct Classes {
   py::handle error;
   py::handle input;
@@ -39,7 +39,7 @@ void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Cancelled&) {
-    // If Python stopped it, its exception, such as KeyboardInterrupt, is already set.
+    // After Ctrl+C, Python has already set an exception such as KeyboardInterrupt.
     if (PyErr_Occurred() == nullptr) raise(classes.error, "cancelled");
   } catch (const InputError& error) {
     raise(classes.input, error.what(), error.vertices());

@@ -9,14 +9,14 @@
 
 namespace lapwing::python {
 
-/// Progress of an operation that runs without Python's lock. Takes the lock now and then to check
-/// for Ctrl+C and to call `heard`, a callable or None, with the stage. An exception from either
-/// cancels the operation, and `Interruptible::call` raises it.
+/// Runs operations without Python's global interpreter lock (GIL). Acquires the GIL at most every
+/// 30 ms to check for Ctrl+C and to call `heard`, a callable or None, with the stage and its
+/// fraction. If this raises an exception, cancels the operation and rethrows the exception.
 class Interruptible {
  public:
   explicit Interruptible(pybind11::object heard) : heard_(std::move(heard)) {}
 
-  /// Runs `operation(progress)` without Python's lock, and takes it again afterwards.
+  /// Releases the GIL while `operation(progress)` runs, and reacquires it afterwards.
   template <class Operation>
   auto call(const Operation& operation) {
     const Progress progress = [this](std::string_view stage, double fraction) {
@@ -24,7 +24,7 @@ class Interruptible {
     };
     try {
       const pybind11::gil_scoped_release unlocked;
-      const ProgressScope scope(progress);  // also for operations without a Progress
+      const ProgressScope scope(progress);  // for functions without a Progress
       return operation(progress);
     } catch (const Cancelled&) {
       if (error_) std::rethrow_exception(error_);
@@ -34,7 +34,7 @@ class Interruptible {
 
  private:
   using Clock = std::chrono::steady_clock;
-  // Short for a person, but long enough to leave the lock to other threads.
+  // Short enough for users, but long enough for other threads to use the GIL.
   static constexpr std::chrono::milliseconds kBetween{30};
 
   bool hear(std::string_view stage, double fraction) {

@@ -14,7 +14,8 @@ void replace_all(std::string& text, const std::string& old, const std::string& b
   }
 }
 
-// A phrase precedes the shorter phrases that it contains, so that it is replaced first.
+// Phrases for shells and their replacements. A phrase precedes shorter phrases that it contains, so
+// that it is replaced first.
 constexpr std::array<std::pair<const char*, const char*>, 11> kPhrases{{
     {"`lapwing check MESH --fix OUT`", "`lapwing.fix`"},
     {"`lapwing check --fix`", "`lapwing.fix`"},

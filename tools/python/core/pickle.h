@@ -12,13 +12,14 @@ namespace lapwing::python {
 
 namespace py = pybind11;
 
-/// Returns the numbers as bytes in the machine's byte order.
+/// Converts the numbers to bytes in the byte order of the machine.
 template <class Number>
 py::bytes pack(const std::vector<Number>& numbers) {
   return py::bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
 }
 
-/// The inverse of `pack`. Throws InputError if the length is not a multiple of a number's size.
+/// Converts bytes to numbers, the inverse of `pack`. Throws InputError if the number of bytes is
+/// not a multiple of `sizeof(Number)`.
 template <class Number>
 void unpack(const py::handle& packed, std::vector<Number>& numbers) {
   const auto bytes = packed.cast<std::string>();
@@ -27,9 +28,9 @@ void unpack(const py::handle& packed, std::vector<Number>& numbers) {
   bytes.copy(reinterpret_cast<char*>(numbers.data()), bytes.size());
 }
 
-/// Packs the positions, polygons and attributes of a mesh, but not the content of its file.
+/// Packs the positions, polygons and attributes of a mesh, but not the contents of its file.
 py::tuple pack(const Mesh& mesh);
-/// The inverse of `pack`. Throws InputError if the data are inconsistent.
+/// Returns the mesh that `pack` has packed. Throws InputError if the data are inconsistent.
 Mesh unpack_mesh(const py::tuple& packed);
 
 /// Adds `__copy__` and `__deepcopy__` to an immutable class. Both return the same object.

@@ -64,7 +64,7 @@ Image picture_of(const Mesh& mesh, std::span<const float> values,
   return render_image(surface, paint, request.camera(mesh.positions, colored), options);
 }
 
-// Returns the image. If `path` is not empty, also writes the image to this file.
+// Renders the mesh and returns the image. If `path` is not empty, also writes the image to a file.
 py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& values,
                                  std::optional<std::pair<float, float>> limits,
                                  const std::string& legend, const py::dict& picture,

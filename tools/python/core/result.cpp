@@ -76,7 +76,7 @@ Result result_of(const py::tuple& state) {
   return result;
 }
 
-// Returns references to the members that Python sees.
+// Returns references to the members of a certificate that are attributes in Python.
 template <class Of>
 auto members_of(Of& c) {
   return std::tie(c.settled, c.settle_iterations, c.settle_last_step, c.relative_gradient,
@@ -107,7 +107,7 @@ py::object vertex_or_none(Index v) {
   return v == kNoIndex ? py::object(py::none()) : py::object(py::int_(v));
 }
 
-// Returns a vertex of a certificate, or None.
+// Returns a member of a certificate that is a vertex, or None if the vertex is not set.
 template <Index Certificate::*Member>
 py::object vertex(const Certificate& c) {
   return vertex_or_none(c.*Member);

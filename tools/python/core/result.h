@@ -11,7 +11,7 @@
 
 namespace lapwing::python {
 
-/// The result of an edit for Python. Its arrays are computed when Python reads them.
+/// The result of an edit for Python. The arrays of the Python class are computed on each access.
 struct Result {
   Result() = default;
   /// `rest` contains the position of each vertex of `mesh` before the edit. `region` is the region

@@ -13,14 +13,14 @@ import numpy as np
 from . import _core
 from ._types import Array
 
-#: Keys whose values are regions, at any depth.
+#: Keys of a recipe, at any depth, whose values are regions.
 _REGION_KEYS = frozenset(
     ["roi", "region", "source_patch", "target_patch", "patch", "target_region", "distance_to",
      "disk_in"]
 )
-#: Keys whose values are lists of regions.
+#: Keys of a recipe whose values are lists of regions.
 _REGION_LIST_KEYS = frozenset(["union", "minus"])
-#: Keys whose values are moves.
+#: Keys of a recipe whose values are moves.
 _MOVE_KEYS = frozenset(["move", "place"])
 
 
@@ -198,7 +198,7 @@ def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
     if isinstance(value, (Sequence, set, frozenset, range)):
         kinds = set(map(type, value))
         if kinds <= {int} or (kinds <= {float} and all(map(math.isfinite, value))):
-            return list(value)  # converting each element would hold the GIL for long
+            return list(value)  # converting each element would block other threads for too long
         return [plain(each, vertex_count, f"{where}[{k}]") for k, each in enumerate(value)]
     if hasattr(value, "__array__"):
         return plain(np.asarray(value), vertex_count, where)

@@ -27,22 +27,22 @@ from ._types import (
 class Many(NamedTuple):
     """Result of `Deformer.solve_many`."""
 
-    #: (k, n, 3), float64 or float32 as requested.
+    #: Shape (k, n, 3), of the requested type, float64 or float32.
     vertices: Array
-    #: One for each motion.
+    #: One certificate for each motion.
     certificates: List[_core.Certificate]
 
 
 class Response(NamedTuple):
     """Linear response of the surface to handles, returned by `Deformer.response`."""
 
-    #: (k, 3, 4, n, 3): displacement of every vertex when entry (a, b) of a handle's motion, about
-    #: its centre, is one more than at rest. [:, :, :3] has the unit of the mesh; [:, :, 3] is a
-    #: displacement per length and has no unit.
+    #: Shape (k, 3, 4, n, 3): columns[h, a, b] are the displacements of all vertices if entry (a, b)
+    #: of the motion of handle h, about its centre, increases by one. [:, :, :3] has the unit of the
+    #: mesh; [:, :, 3] is a displacement per length and has no unit.
     columns: Array
-    #: (k, 3): centroid of each handle's vertices, in the mesh's coordinates.
+    #: Shape (k, 3): centroid of each handle's vertices, in the mesh's coordinates.
     centers: Array
-    #: Why details do not rotate: the memory that the exact system needs and may use; else empty.
+    #: If the exact system needs too much memory, a message; details then do not rotate.
     why_not_exact: str = ""
 
     def displacements(self, motions: Any) -> Array:

@@ -24,15 +24,15 @@ from ._types import (
 class Defect:
     """One kind of defect of a mesh, and its places."""
 
-    kind: str  #: "unwelded_seam"
-    name: str  #: "unwelded seam edges"
+    kind: str  #: identifier, such as "unwelded_seam"
+    name: str  #: words for users, such as "unwelded seam edges"
     count: int
-    severity: str  #: "info", "warning" or "error" (cannot be edited there)
+    severity: str  #: "info", "warning" or "error" (a region cannot contain this place)
     meaning: str
     next_step: str
-    element: str  #: what `first` names: "vertex", "face", "edge", "component", "mesh"
-    first: Array  #: the first of them, ascending; an edge is two vertices
-    fixable: bool  #: `fix` repairs all of them
+    element: str  #: type of the elements in `first`: "vertex", "face", "edge", "component", "mesh"
+    first: Array  #: the first elements with this defect, ascending; an edge is two vertices
+    fixable: bool  #: whether `fix` repairs all of them
 
 
 @dataclass(frozen=True)
@@ -67,15 +67,15 @@ class Fixed(_Made):
     """Result of `fix`: `mesh`, `vertices`, `faces`."""
 
     repairs: Dict[str, int]  #: number of repairs of each kind
-    vertex_sources: Array  #: the old number of each vertex
+    vertex_sources: Array  #: for each vertex, its number in the damaged mesh
 
 
 @dataclass(frozen=True)
 class Peeled(_Made):
     """Result of `peel`: the smooth `mesh`, its `vertices` and `faces`."""
 
-    coating: Array  #: (n, 3), from the smooth surface to the one given
-    moved: Array  #: the vertices that may have moved
+    coating: Array  #: (n, 3), vectors from the smooth surface to the original surface
+    moved: Array  #: vertices that may have moved
     mean_coating: float
     largest_coating: float
     warnings: List[str]
@@ -85,8 +85,8 @@ class Peeled(_Made):
 class Remeshed(_Made):
     """Result of `remesh`: `mesh`, `vertices`, `faces`."""
 
-    kept: Array  #: the old number of each kept vertex, 2**32 - 1 for a new one
-    region: Array  #: the vertices of the remeshed region
+    kept: Array  #: for each vertex, its number in the original mesh, or 2**32 - 1 for a new vertex
+    region: Array  #: vertices of the remeshed region
     mean_edge: float
     smallest_angle_degrees: float
     warnings: List[str]
@@ -96,14 +96,14 @@ class Remeshed(_Made):
 class Parameterized(_Made):
     """Result of `parameterize`: the given `mesh` with texture coordinates, and the map."""
 
-    #: (p, 2), in the disk or square: the patch's vertices, then the midpoints of split edges
+    #: (p, 2), points of the disk or square: the patch's vertices, then the midpoints of split edges
     points: Array
-    patch_vertices: Array  #: the mesh vertex of each point, without the midpoints
-    patch_faces: Array  #: (t, 3), into the points
+    patch_vertices: Array  #: mesh vertex of each point, without the midpoints
+    patch_faces: Array  #: (t, 3), indices into `points`
     pins: Array
-    flipped: Array  #: triangles of the patch
-    stretch: float  #: 1 keeps lengths
-    shear: float  #: 1 keeps angles
+    flipped: Array  #: flipped triangles of the patch
+    stretch: float  #: distortion of lengths; 1 if the map preserves lengths
+    shear: float  #: distortion of angles; 1 if the map preserves angles
     warnings: List[str]
 
 

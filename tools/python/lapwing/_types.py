@@ -54,11 +54,11 @@ class WithTensors(Protocol):
     def triangle(self) -> Any: ...
 
 
-#: A mesh in one object.
+#: A mesh as one object.
 MeshLike = Union[
     _core.Mesh, _core.Result, WithFaces, WithTriangles, WithTensors, Tuple[ArrayLike, FacesLike]
 ]
-#: The first argument of functions whose second may be the faces.
+#: The first argument of functions whose second argument may contain the faces.
 MeshOrVertices = Union[MeshLike, ArrayLike]
 #: "all", vertex numbers, a mask, or a region of a recipe.
 Region = Union[ArrayLike, AbstractSet[int], Mapping[str, Any]]
