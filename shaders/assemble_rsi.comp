@@ -1,17 +1,18 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Rows of the RSI system (ENERGY.md section 2; twins: kernels/assemble_rsi.cpp,
+// Assembles rows of the RSI system (ENERGY.md section 2; CPU twins: kernels/assemble_rsi.cpp,
 // laplacian/ring_fit.cpp):
 //     B_ik = delta_i x_k' / S - [delta_i]x J^-1 [x_k]x - l_ik I
-// One invocation per row.
+// Each invocation computes one row.
 
 #include "invocation.glsl"
 #include "ring.glsl"
 #include "blocks.glsl"
 
-// Returns the inverse of J = S I - C (the local J is J / S). For a ring on a line, J is singular,
-// with the eigenvalue 0 along the line and S across it, and this returns the pseudo-inverse.
+// Returns the inverse of J = S I - C; the local variable J contains J / S. For a collinear ring, J
+// is singular, with the eigenvalue 0 along the line and S across it. In this case, returns the
+// pseudo-inverse.
 real3x3 inverse_of_J(real3x3 C, real S) {
   const real3x3 J = real3x3(1) - C / S;
   const real3 u = cross(J[1], J[2]);
@@ -33,8 +34,8 @@ void write_block(uint block, real3 scaled_delta, real3x3 rotation, real3 x, real
               real3(b.x, b.y - laplacian_entry, b.z), real3(c.xy, c.z - laplacian_entry));
 }
 
-// Precise, because a compiler (NVIDIA's) may otherwise add `center` and `here` first. Far from the
-// origin, that rounds away most of the difference.
+// `precise`, because NVIDIA's compiler may otherwise add `center` and `here` first. Far from the
+// origin, the difference would then lose most of its precision.
 real3 from_center(Place here, uint neighbour, real3 center) {
   precise real3 x = difference(here, place_of(neighbour)) - center;
   return x;

@@ -1,10 +1,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Rows of the energy's tangent at rest (ENERGY.md section 5; twin: kernels/assemble_tangent.cpp):
+// Assembles rows of the energy's tangent at rest (ENERGY.md section 5; CPU twin:
+// kernels/assemble_tangent.cpp):
 //     G_ij = -F_i^-1 [k_ij e_ij + om_i w_ij delta_i]x,   G_ii = minus their sum,
 //     F_i F_i' = tr(C_i) I - C_i,   C_i = om_i delta_i delta_i' + sum_j k_ij e_ij e_ij'
-// One invocation per row.
+// Each invocation computes one row.
 
 #include "invocation.glsl"
 #include "ring.glsl"
@@ -13,8 +14,8 @@
 layout(std430, binding = 6) readonly buffer RowWeights { real row_weights[]; };
 layout(std430, binding = 7) readonly buffer Stiffness { real stiffness[]; };
 
-// Returns F^-1 for the lower Cholesky factor F of K. A pivot of almost 0, as for a collinear ring,
-// leaves a row of zeros.
+// Returns F^-1, where F is the lower Cholesky factor of K. If a pivot is almost 0, as for a
+// collinear ring, its row in the result is 0.
 real3x3 inverse_cholesky_factor(real3x3 K) {
   const real least = kCollinearShare * (K[0][0] + K[1][1] + K[2][2]);
   real3x3 F = real3x3(0);        // F[c][r]: column c

@@ -1,6 +1,6 @@
 #version 450
 
-// One triangle that covers the picture.
+// One triangle that covers the whole image.
 
 layout(location = 0) out float height;  // 0 at the top, 1 at the bottom
 

@@ -1,9 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// positions = rest + sum_k parameters[k] basis[k] (twin: kernels/blend_response.cpp) for a range of
-// the moving vertices. One invocation per vertex. Columns come in groups of four; the host lists
-// only groups with a parameter other than 0.
+// Computes positions = rest + sum_k parameters[k] basis[k] for a range of the moving vertices. CPU
+// twin: kernels/blend_response.cpp. Each invocation computes one vertex. Columns are stored in
+// groups of four; the host lists only groups that have a parameter other than 0.
 
 #include "invocation.glsl"
 
@@ -17,10 +17,10 @@ layout(std430, binding = 0) readonly buffer Groups {
 };
 layout(std430, binding = 1) readonly buffer Moving { uint moving[]; };
 layout(std430, binding = 2) readonly buffer Rests { vec4 rests[]; };
-// Per group and axis, one entry for each vertex of the range: four columns of that axis. Neighbours
-// in a work group read neighbours in memory.
+// For each group and axis, one entry per vertex of the range, with the four columns of that axis.
+// Adjacent invocations read adjacent memory.
 layout(std430, binding = 3) readonly buffer Basis { vec4 basis[]; };
-// A vec4 per vertex, whose w stays unchanged.
+// One vec4 per vertex, whose component w is not written.
 layout(std430, binding = 4) writeonly buffer Positions { float positions[]; };
 
 layout(push_constant) uniform Push { uint vertex_count; };

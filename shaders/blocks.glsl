@@ -1,4 +1,4 @@
-// Blocks of 9 numbers, column after column; row r begins at block starts[r] + r.
+// Blocks of 9 numbers in column-major order. Row r begins at block starts[r] + r.
 layout(std430, binding = 5) writeonly buffer Blocks { real blocks[]; };
 
 void write_block(uint block, real3 a, real3 b, real3 c) {

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// target = source. The benchmark measures the rate of a kernel that only moves bytes.
+// Copies `source` to `target`. The benchmark measures the memory bandwidth with this kernel.
 
 #include "invocation.glsl"
 

@@ -8,11 +8,12 @@
 #include "place.glsl"
 #include "rotation.glsl"
 
-// For all rows, from fit_rotations.
+// For all rows, computed by fit_rotations.
 layout(std430, binding = 1) readonly buffer Residuals { real residuals[]; };
 layout(std430, binding = 2) readonly buffer Turns { real turns[]; };
-// For the range.
-layout(std430, binding = 3) readonly buffer Unknowns { uint unknowns[]; };  // or kNone
+// For the rows of the range.
+// Unknown of each row, or kNone.
+layout(std430, binding = 3) readonly buffer Unknowns { uint unknowns[]; };
 layout(std430, binding = 4) readonly buffer Starts { uint starts[]; };
 layout(std430, binding = 5) readonly buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = 6) readonly buffer Edges { real edges[]; };
@@ -48,8 +49,8 @@ void main() {
     if (j < all_rows) sum -= reverse_weights[k] * residual_of(j);
   }
   if (has(kStiffness)) {
-    // Edges go from the row to its neighbours, against the sense of the contract; both signs
-    // cancel.
+    // Edges point from the row to its neighbours, opposite to those in RingRotations
+    // (kernels/kernels.h); the two signs cancel.
     const real4 own = turn_of(row);
     const Place here = place_of(row);
     for (uint k = starts[r]; k < starts[r + 1]; ++k) {

@@ -1,5 +1,5 @@
-// Looks up the images of a mesh's file, with their mip levels (render/mip_levels.h). Filtering is
-// trilinear in linear light, and images repeat.
+// Samples the texture images of a mesh's file and their mip levels (render/mip_levels.h). Filtering
+// is trilinear in linear light, and images repeat.
 
 layout(std430, binding = 9) readonly buffer Images { uint image_words[]; };
 
@@ -13,9 +13,11 @@ vec3 image_texel(uint place) {
               uintBitsToFloat(image_words[(word >> 16) & 255u]));
 }
 
-// Returns the colour at `place` in [0, 1] of a level of `size` pixels, which begin at word `first`.
+// Returns the colour at `place`, in [0, 1], of a mip level with `size` pixels that begins at word
+// `first`.
 vec3 level_color(uint first, ivec2 size, vec2 place) {
-  const vec2 middle = place * vec2(size) - 0.5;  // relative to the middle of the first pixel
+  // In pixels, relative to the centre of the first pixel.
+  const vec2 middle = place * vec2(size) - 0.5;
   const vec2 cell = floor(middle);
   const vec2 share = middle - cell;
   ivec2 low = clamp(ivec2(cell), ivec2(-1), size - 1);
@@ -31,8 +33,8 @@ vec3 level_color(uint first, ivec2 size, vec2 place) {
              share.y);
 }
 
-// Returns the linear light of image number `image` at `place`, which changes by `across` and `down`
-// from one pixel to the next.
+// Returns the colour of image number `image` at `place`, in linear light. `across` and `down` are
+// the derivatives of `place` from one pixel to the next.
 vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
   const uint record = kLinearWords + kWordsPerImage * image;
   const ivec2 size = ivec2(image_words[record], image_words[record + 1]);
@@ -41,7 +43,7 @@ vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
   const vec2 texels_across = across * vec2(size);
   const vec2 texels_down = down * vec2(size);
   const float texels = max(dot(texels_across, texels_across), dot(texels_down, texels_down));
-  // NaN, as beyond the rim of a triangle, gives 0.
+  // If `texels` is NaN, as outside a triangle, the level is 0.
   const float level = texels > 1.0 ? min(0.5 * log2(texels), float(levels - 1)) : 0.0;
   const uint fine = uint(level);
   const float share = level - float(fine);

@@ -8,7 +8,7 @@
 #include "place.glsl"
 #include "rotation.glsl"
 
-// Row r of the range is vertex first_row + r, with entries [starts[r], starts[r + 1]).
+// Row r of the range is vertex first_row + r, and has the entries [starts[r], starts[r + 1]).
 layout(std430, binding = 1) readonly buffer Starts { uint starts[]; };
 layout(std430, binding = 2) readonly buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = 3) readonly buffer Edges { real edges[]; };  // x, y, z of v_j - v_i

@@ -1,5 +1,5 @@
-// The host chooses the size of work groups. If one row of them would be too long, they form several
-// rows.
+// The host sets the size of work groups. If their number exceeds the device's limit for one
+// dimension, they form several rows.
 
 layout(local_size_x_id = 0) in;
 

@@ -1,10 +1,11 @@
-// A batch of rows, their one-rings, and the points of these on a source surface
-// (vulkan/mapped_batch.h). Row r is vertex first_row + r, with the neighbours of entries
+// A batch of rows, their one-rings, and the points on a source surface to which the vertices are
+// mapped (vulkan/mapped_batch.h). Row r is vertex first_row + r; its neighbours are the entries
 // [starts[r], starts[r + 1]).
 
 #include "place.glsl"
 
-// Per vertex of the target: three corners and their weights, all 0 for nowhere.
+// For each vertex of the target, three corners and their weights. If all weights are 0, the vertex
+// is mapped nowhere.
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 2) readonly buffer PointWeights { real point_weights[]; };
 layout(std430, binding = 3) readonly buffer Starts { uint starts[]; };
@@ -20,7 +21,7 @@ bool is_nowhere(uint v) {
   return point_weights[3 * v] == 0 && point_weights[3 * v + 1] == 0 && point_weights[3 * v + 2] == 0;
 }
 
-// Returns a place near the point of v.
+// Returns a position near the point to which v is mapped.
 Place anchor_of(uint v) { return place_of(corners[3 * v]); }
 
 // Returns the interpolated position of the point to which v is mapped, minus `anchor`. CPU twin:

@@ -1,10 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// C = A B of square row-major matrices. The benchmark measures the rate of multiplications and
-// additions that a device reaches. The size must be a multiple of kTile. A work group computes a
-// tile of C from shared strips of A and B, and an invocation kOwn x kOwn numbers of it in
-// registers, so that arithmetic and not memory is the limit.
+// Computes C = A B for square row-major matrices whose size is a multiple of kTile. The benchmark
+// measures the arithmetic rate of a device with this kernel. A work group computes a tile of C from
+// shared strips of A and B. Each invocation computes kOwn x kOwn numbers in registers, so that
+// arithmetic is the limit and not memory.
 
 layout(local_size_x_id = 0) in;
 

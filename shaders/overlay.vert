@@ -1,6 +1,6 @@
 #version 450
 
-// Flat rectangles (render/overlay.h), two triangles each.
+// Rectangles of one colour (render/overlay.h), drawn as two triangles each.
 
 struct Rectangle {
   vec4 corners;  // left, top, right, bottom in pixels

@@ -1,8 +1,8 @@
-// Positions or displacements of vertices, whose differences along edges kernels need (binding 0).
+// Positions or displacements of vertices (binding 0). Kernels need their differences along edges.
 
 #include "precision.glsl"
 
-// Per vertex: x, y, z in float64, or x, y, z in float32 and their rounding errors.
+// For each vertex: x, y, z in float64, or x, y, z in float32 followed by their rounding errors.
 layout(std430, binding = 0) readonly buffer Places { real places[]; };
 
 #ifdef LAPWING_FLOAT64
@@ -13,7 +13,7 @@ Place place_of(uint v) {
   return Place(dvec3(places[3 * v], places[3 * v + 1], places[3 * v + 2]));
 }
 dvec3 value_of(Place place) { return place.value; }
-// Precise, so that the compiler does not merge it with a subtraction that follows.
+// `precise`, so that the compiler does not merge this with a subsequent subtraction.
 dvec3 difference(Place from, Place to) {
   precise dvec3 edge = to.value - from.value;
   return edge;
@@ -28,8 +28,8 @@ Place place_of(uint v) {
                vec3(places[6 * v + 3], places[6 * v + 4], places[6 * v + 5]));
 }
 vec3 value_of(Place place) { return place.high; }
-// The high parts of neighbours are close, so their difference is exact: the result has float32's
-// relative precision however far the mesh lies from the origin.
+// The high parts of neighbouring vertices are close, so their difference is exact. The result has
+// the relative precision of float32, even if the mesh is far from the origin.
 vec3 difference(Place from, Place to) {
   precise vec3 high = to.high - from.high;
   precise vec3 low = to.low - from.low;

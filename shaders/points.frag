@@ -6,7 +6,7 @@
 layout(location = 0) in vec2 from_middle;
 layout(location = 0) out vec4 written;
 
-// A dark rim separates points that overlap.
+// A dark rim separates overlapping points.
 const vec3 kRim = vec3(0.12, 0.28, 0.24);
 const float kRimFrom = 0.65;
 

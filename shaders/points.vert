@@ -1,20 +1,21 @@
 #version 450
 
-// Points of a cloud as small squares that face the camera, two triangles each.
+// Points of a cloud as small squares that face the camera, drawn as two triangles each.
 
 layout(std430, binding = 0) readonly buffer Positions { vec4 positions[]; };
 
 layout(push_constant) uniform Push {
   mat4 clip_from_points;
-  vec2 clip_radius;  // of a square, in clip space
+  vec2 clip_radius;  // half the size of a square, in clip space
 };
 
-layout(location = 0) out vec2 from_middle;  // 1 at the rim of the disk in the square
+// Position in the square; length 1 at the rim of its disk.
+layout(location = 0) out vec2 from_middle;
 
 // Corner of the square for each of its six vertices; bit 0 is right, bit 1 is bottom.
 const uint kCorners[6] = uint[](0, 1, 2, 2, 1, 3);
 
-// Offset in depth that draws a point on the surface in front of it.
+// Depth offset, so that a point on the surface is drawn in front of the surface.
 const float kNearer = 0.002;
 
 void main() {

@@ -1,5 +1,5 @@
-// A batch of rows and their one-rings (vulkan/ring_batch.h). Row r is vertex rows[r], with the
-// neighbours and weights of entries [starts[r], starts[r + 1]).
+// A batch of rows and their one-rings (vulkan/ring_batch.h). Row r is vertex rows[r]; its
+// neighbours and weights are the entries [starts[r], starts[r + 1]).
 
 #include "place.glsl"
 

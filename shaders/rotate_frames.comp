@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Computes R_i from the source's frame to the target's, times the ratio of edge lengths (twin:
-// kernels/rotate_frames.cpp). One invocation per row.
+// Computes R_i, the rotation from the source's frame to the target's frame, times the ratio of edge
+// lengths. CPU twin: kernels/rotate_frames.cpp. Each invocation computes one row.
 
 #include "invocation.glsl"
 #include "mapped_ring.glsl"
@@ -11,10 +11,10 @@
 layout(std430, binding = 5) readonly buffer Edges { real edges[]; };  // x, y, z of v_j - v_i
 layout(std430, binding = 6) readonly buffer SourceNormals { real source_normals[]; };  // per vertex
 layout(std430, binding = 7) readonly buffer TargetNormals { real target_normals[]; };  // per row
-// Per row a matrix, column after column.
+// One column-major matrix per row.
 layout(std430, binding = 8) writeonly buffer Transforms { real transforms[]; };
 
-// As in kernels/rotate_frames.cpp.
+// Must equal the constant in kernels/rotate_frames.cpp.
 const real kMostScale = real(1e12);
 
 void write_row(uint r, real3x3 T) {
@@ -40,8 +40,8 @@ real3 unit_or_zero(real3 normal) {
   return size > kRoundingShare ? normal / size : real3(0);
 }
 
-// Right-handed and orthonormal with `normal` as its third axis (Duff et al., "Building an
-// orthonormal basis, revisited", 2017).
+// Returns a right-handed orthonormal frame with `normal` as the third axis (Duff et al., "Building
+// an orthonormal basis, revisited", 2017).
 real3x3 frame_of(real3 normal) {
   const real s = normal.z < 0 ? real(-1) : real(1);
   const real a = -1 / (s + normal.z);
@@ -50,12 +50,12 @@ real3x3 frame_of(real3 normal) {
                  real3(b, s + normal.y * normal.y * a, -normal.y), normal);
 }
 
-// Returns cosine and sine, times a common length, of the turn about the third axis that maximizes
-// trace(turn' H), and that length.
+// Returns (length * cosine, length * sine, length) for the turn about the third axis that maximizes
+// trace(turn' H).
 real3 plane_turn(real3x3 H) {
   const real cosine = H[0][0] + H[1][1];
   const real sine = H[0][1] - H[1][0];
-  // Squares of the numbers of a small mesh may underflow.
+  // Scaled, because the squares may underflow for a small mesh.
   const real larger = max(abs(cosine), abs(sine));
   if (!(larger > 0)) return real3(0);
   const real c = cosine / larger;
@@ -63,12 +63,14 @@ real3 plane_turn(real3x3 H) {
   return real3(cosine, sine, larger * sqrt(c * c + s * s));
 }
 
-// moment = sum_j b_j a_j'; spread = sqrt(sum_j |a_j|^2 sum_j |b_j|^2).
+// Returns the rotation from the source's to the target's frame. `moment` is sum_j b_j a_j', and
+// `spread` is sqrt(sum_j |a_j|^2 sum_j |b_j|^2).
 real3x3 turn_of_frames(real3 source_normal, real3 target_normal, real3x3 moment, real spread) {
   const real3x3 source = frame_of(source_normal);
   const real3x3 target = frame_of(target_normal);
   real3 t = plane_turn(transpose(target) * moment * source);
-  // The axes of space replace the edges, which gives the smallest rotation.
+  // If the edges determine no turn, the coordinate axes replace them, which leads to the smallest
+  // rotation.
   if (t.z <= kRoundingShare * spread) t = plane_turn(transpose(target) * source);
   const real c = t.z > 0 ? t.x / t.z : real(1);
   const real s = t.z > 0 ? t.y / t.z : real(0);

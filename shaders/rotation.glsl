@@ -1,5 +1,5 @@
-// The rotation R that maximizes trace(R' H), as a unit quaternion (w, x, y, z). Twin:
-// laplacian/rotation.cpp, which names the sources.
+// Computes the rotation R that maximizes trace(R' H), as a unit quaternion (w, x, y, z). The CPU
+// twin laplacian/rotation.cpp names the references.
 
 // Horn's matrix N: q'Nq = trace(R(q)' H).
 real4x4 quaternion_form(real3x3 H) {
@@ -15,7 +15,7 @@ real4x4 quaternion_form(real3x3 H) {
                  a03, a13, a23, H[2][2] - H[0][0] - H[1][1]);
 }
 
-// Returns the smallest rotation that carries the line of a matrix of rank one.
+// Returns the smallest rotation that maximizes trace(R' H) for a matrix H of rank 1.
 real4 rotation_of_line(real3x3 H) {
   int widest = 0;
   for (int k = 1; k < 3; ++k) {
@@ -25,13 +25,13 @@ real4 rotation_of_line(real3x3 H) {
   const real3 from = normalize(real3(dot(H[0], to), dot(H[1], to), dot(H[2], to)));
   const real4 q = real4(1 + dot(from, to), cross(from, to));
   if (dot(q, q) > kRankOneShare) return normalize(q);
-  // Half a turn about any axis perpendicular to the line.
+  // Half a turn about an axis perpendicular to the line.
   const real3 other = abs(from.x) < real(0.5) ? real3(1, 0, 0) : real3(0, 1, 0);
   return real4(real(0), normalize(cross(from, other)));
 }
 
-// Returns the eigenvector of the largest eigenvalue by Jacobi rotations: slow, but good for any
-// gap.
+// Returns the eigenvector of the largest eigenvalue by Jacobi rotations. This is slow, but accurate
+// even if two eigenvalues are close.
 real4 rotation_by_jacobi(real4x4 N) {
   const int kSweeps = 8;
   real4x4 V = real4x4(1);
@@ -82,7 +82,7 @@ real determinant_of(real4x4 A, int row, int column) {
 
 real4 nearest_rotation(real3x3 given) {
   const real4 identity = real4(1, 0, 0, 0);
-  // Scaled twice, because squares of the numbers of a small mesh may underflow.
+  // Scaled twice, because the squares may underflow for a small mesh.
   const real3 largest_of_rows = max(max(abs(given[0]), abs(given[1])), abs(given[2]));
   const real largest_entry = max(max(largest_of_rows.x, largest_of_rows.y), largest_of_rows.z);
   if (!(largest_entry > 0) || isinf(float(largest_entry))) return identity;
@@ -95,9 +95,9 @@ real4 nearest_rotation(real3x3 given) {
   const real cofactors = dot(u, u) + dot(v, v) + dot(w, w);
   if (cofactors <= kRankOneShare * kRankOneShare) return rotation_of_line(H);
 
-  // Newton's method descends to the largest root of the characteristic polynomial. kMostSteps is
-  // kMostNewtonSteps of the twin: if two roots are close, as for an almost collinear ring, every
-  // step halves the distance, and 20 steps lead to kSmallestGap.
+  // Newton's method descends to the largest root of the characteristic polynomial. kMostSteps
+  // equals kMostNewtonSteps in laplacian/rotation.cpp. If two roots are close, as for an almost
+  // collinear ring, every step halves the distance, and 20 steps reach kSmallestGap.
   const int kMostSteps = 40;
   const real b = -8 * dot(H[0], u);
   const real c = 1 - 4 * cofactors;
@@ -111,7 +111,8 @@ real4 nearest_rotation(real3x3 given) {
   }
   const real4x4 N = quaternion_form(H);
   if (!((4 * l * l - 4) * l + b > kSmallestGap)) return rotation_by_jacobi(N);
-  // The adjugate of N - l I is q q' times a number: its column with the largest diagonal is q.
+  // The adjugate of N - l I is a multiple of q q', so its column with the largest diagonal entry is
+  // a multiple of q.
   const real4x4 A = N - l * real4x4(1);
   int best = 0;
   real largest = real(0);
@@ -135,7 +136,7 @@ real3 turn(real4 q, real3 v) {
   return (q.x * q.x - dot(q.yzw, q.yzw)) * v + 2 * dot(q.yzw, v) * q.yzw + 2 * q.x * cross(q.yzw, v);
 }
 
-// Returns turn(q, v) - v without the loss of digits in the difference.
+// Returns turn(q, v) - v without cancellation errors.
 real3 turn_change(real4 q, real3 v) {
   return (q.x * q.x - dot(q.yzw, q.yzw) - 1) * v + 2 * dot(q.yzw, v) * q.yzw +
          2 * q.x * cross(q.yzw, v);

@@ -1,15 +1,15 @@
-// Shared by the kernels fit_rotations and energy_gradient. Included after Edges and Stretch are
-// declared.
+// Shared by the kernels fit_rotations and energy_gradient. Include this file after the declarations
+// of Edges and Stretch.
 
 layout(push_constant) uniform Push {
   uint row_count;  // of the range
   uint first_row;  // of the range
-  uint all_rows;   // vertices from here on are no rows
+  uint all_rows;   // number of rows of all ranges; vertices with a higher index are not rows
   uint unknown_count;
   uint flags;
 };
 const uint kStiffness = 1;
-const uint kStretch = 2;  // S_i is not the identity
+const uint kStretch = 2;  // set if some S_i is not the identity
 
 bool has(uint flag) { return (flags & flag) != 0; }
 
@@ -17,7 +17,7 @@ real3 edge_of(uint entry) {
   return real3(edges[3 * entry], edges[3 * entry + 1], edges[3 * entry + 2]);
 }
 
-// Returns S - I of a row, which keeps the digits of small stretches.
+// Returns S - I of a row. Unlike S, it represents small stretches accurately.
 real3x3 stretch_of(uint row) {
   const real xx = stretch[6 * row];
   const real yy = stretch[6 * row + 1];
@@ -28,7 +28,7 @@ real3x3 stretch_of(uint row) {
   return real3x3(xx, xy, xz, xy, yy, yz, xz, yz, zz);
 }
 
-// Returns (T - I) e of a row, with T = R(q) S.
+// Returns (T - I) e of a row, where T = R(q) S.
 real3 transform_change(uint row, real4 q, real3 e) {
   if (!has(kStretch)) return turn_change(q, e);
   const real3 f = stretch_of(row) * e;

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// delta_i = sum_j w_ij (v_i - v_j) (eq. 1; twin: kernels/sample_laplacians.cpp). One invocation per
-// row.
+// Computes delta_i = sum_j w_ij (v_i - v_j) (eq. 1; CPU twin: kernels/sample_laplacians.cpp). Each
+// invocation computes one row.
 
 #include "invocation.glsl"
 #include "ring.glsl"

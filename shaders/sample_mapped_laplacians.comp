@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// f(p_i) - sum_j w_ij f(p_j), or with the flag f(p_i) alone (twin:
-// kernels/sample_mapped_laplacians.cpp). One invocation per row.
+// Computes f(p_i) - sum_j w_ij f(p_j), or only f(p_i) if the flag is set. CPU twin:
+// kernels/sample_mapped_laplacians.cpp. Each invocation computes one row.
 
 #include "invocation.glsl"
 #include "mapped_ring.glsl"

@@ -27,17 +27,18 @@ const vec3 kClassColors[4] =
     vec3[](vec3(0.76, 0.76, 0.76), vec3(0.64, 0.75, 0.88), vec3(0.80, 0.20, 0.17),
            vec3(0.97, 0.77, 0.16));
 const vec3 kNoNumber = vec3(0.55, 0.55, 0.55);
-const vec3 kBackTint = vec3(0.62, 0.55, 0.60);  // multiplies the front's colour
+const vec3 kBackTint = vec3(0.62, 0.55, 0.60);  // factor of the colour on back faces
 const vec3 kLine = vec3(0.10, 0.11, 0.13);
-const float kTint = 0.65;      // share of a class's colour over the file's colours
+const float kTint = 0.65;      // fraction of a class's colour when mixed with the file's colours
 const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
-const float kExposure = 0.85;  // of those colours: white that faces the key light is just white
+// Factor of the file's colours, so that white facing the key light is rendered as white.
+const float kExposure = 0.85;
 
-const int kColorMapEntries = 256;  // per map; render/renderer.cpp
+const int kColorMapEntries = 256;  // per colour map; must equal the constant in render/renderer.cpp
 
-// Returns the file's colour, or clay if it has none.
+// Returns the colour from the file, or the colour of clay if the file has none.
 vec3 file_color() {
-  // Outside of all branches, so that neighbouring pixels have derivatives too.
+  // Computed outside all branches, because derivatives need the values of neighbouring pixels.
   const vec2 across = dFdx(file_value.xy);
   const vec2 down = dFdy(file_value.xy);
   const uint kind = file_source >> 24;
@@ -48,8 +49,8 @@ vec3 file_color() {
 }
 
 // Each pixel has the colour of the class with the largest weight. Borders are one pixel wide. The
-// first class shows the file's colours, if there are any. The others blend in only the luminance of
-// these, so that a red belt is visible on red skin.
+// first class has the colours of the file, if there are any. The other classes are mixed only with
+// the luminance of these colours, so that a red belt is visible on red skin.
 vec3 class_color() {
   const vec3 base = has(kFileColor) ? file_color() : linear_of(kClassColors[0]);
   const float tint = has(kFileColor) ? kTint : 1.0;
@@ -85,8 +86,8 @@ vec3 surface_color() {
   return linear_of(kClay) * tint;
 }
 
-// Returns how much the surface bends outwards (positive) or inwards over a few points, in [-1, 1].
-// Darker hollows and lighter ridges show detail that the lights alone flatten.
+// Returns the curvature of the surface over a few points, in [-1, 1]; positive values are convex.
+// It is used to darken hollows and lighten ridges, which makes details more visible.
 float bend(vec3 normal) {
   const float pixels = 6.0 * pixels_per_point;
   const vec3 px = dFdx(view_position);
@@ -97,7 +98,7 @@ float bend(vec3 normal) {
   return angle / (0.6 + abs(angle));
 }
 
-// Powers without a logarithm.
+// Powers by multiplication, which is faster than pow().
 float square(float x) { return x * x; }
 float fourth(float x) { return square(square(x)); }
 
@@ -111,18 +112,19 @@ vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
   const vec3 light = 1.0 * key_light * vec3(1.0, 0.965, 0.91) +
                      0.22 * fill_light * vec3(0.75, 0.87, 1.0) + ambient;
   const float facing = max(dot(normal, normalize(key + eye)), 0.0);
-  const float gloss = fourth(square(facing * fourth(facing)));  // to the 40th
+  const float gloss = fourth(square(facing * fourth(facing)));  // facing to the power of 40
   const float rim = fourth(1.0 - max(dot(normal, eye), 0.0)) * height;
   const float relief = 1.0 + 0.30 * bend(normal);
   return albedo * light * relief + 0.05 * gloss + 0.20 * rim * vec3(0.85, 0.93, 1.0);
 }
 
-// Returns the share of the pixel that shown edges cover. If triangles are only a few points high,
-// lines fade, so that a dense mesh does not turn black.
+// Returns the fraction of the pixel that the shown edges cover. If triangles are only a few points
+// high, lines fade; otherwise a dense mesh would be black.
 float line_coverage() {
   const vec3 gradient = sqrt(dFdx(barycentric) * dFdx(barycentric) +
                              dFdy(barycentric) * dFdy(barycentric));
-  const vec3 height = 1.0 / max(gradient, vec3(1e-6));  // of the triangle over each edge, in pixels
+  // Height of the triangle above each edge, in pixels.
+  const vec3 height = 1.0 / max(gradient, vec3(1e-6));
   const vec3 pixels = barycentric * height;
   const float width = pixels_per_point;  // one point
   const vec3 covered = clamp(0.5 * width + 0.5 - pixels, 0.0, 1.0) *

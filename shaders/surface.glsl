@@ -17,16 +17,17 @@ const uint kOrthographic = 32;
 const uint kCarriedColor = 64;
 const uint kFileColor = 128;
 
-// Highest byte of the source of a corner's colour (render/corner_colors.h).
+// Values of the highest byte of a corner's colour source (render/corner_colors.h).
 const uint kSourceColor = 1;
 const uint kSourceImage = 2;
 
-// A pipeline for fixed flags takes them from here, so that the code for other flags is left out. On
-// a software device, a branch on a push constant would keep it.
+// Pipelines with fixed flags read them from these constants, so that the compiler removes the code
+// for other flags. On a software device, a branch on a push constant would not remove it.
 layout(constant_id = 1) const uint fixed_flags = 0;
 layout(constant_id = 2) const bool flags_are_fixed = false;
 
-// Whether gl_VertexIndex is a vertex, with one normal for all its corners, or a corner.
+// If true, gl_VertexIndex is the index of a vertex, which has one normal for all its corners.
+// Otherwise, it is the index of a corner.
 layout(constant_id = 3) const bool by_vertex = false;
 
 bool has(uint flag) { return ((flags_are_fixed ? fixed_flags : flags) & flag) != 0; }

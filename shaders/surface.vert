@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Corner or vertex gl_VertexIndex of a triangle list, pulled from the surface's own buffers.
+// Computes corner or vertex gl_VertexIndex of a triangle list, which it reads from storage buffers.
 
 #include "srgb.glsl"
 #include "surface.glsl"
@@ -12,12 +12,13 @@ layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
 layout(std430, binding = 3) readonly buffer Classes { uint classes[]; };
 layout(std430, binding = 4) readonly buffer Scalars { float scalars[]; };
 layout(std430, binding = 5) readonly buffer Edges { uint edges[]; };
-// Per corner; binding 6 is the fragment shader's.
+// Per corner. The fragment shader uses binding 6.
 layout(std430, binding = 7) readonly buffer CornerSources { uint corner_sources[]; };
 layout(std430, binding = 8) readonly buffer CornerPlaces { vec2 corner_places[]; };
 layout(std430, binding = 10) readonly buffer CornerNormals { uint corner_normals[]; };
 
-// A software device writes and reads whole locations, so these are few and full.
+// A software device always writes and reads whole locations, so the outputs are packed into few
+// locations.
 layout(location = 0) out vec3 view_position;
 layout(location = 0, component = 3) out float scalar;  // in [0, 1] over the colour map's range
 layout(location = 1) out vec3 view_normal;
@@ -25,8 +26,9 @@ layout(location = 1, component = 3) out float held;  // handle weight of a grade
 layout(location = 2) out vec3 barycentric;
 layout(location = 3) out vec4 class_weights;  // outside, ROI, belt, handle
 layout(location = 4) flat out uint shown_edges;
-// The source of the file's colour, with the colour in linear light or the place in an image. Except
-// for colours, the corners of a triangle have the same source.
+// The source of the file's colour, and its value: the colour in linear light, or the texture
+// coordinates in an image. All corners of a triangle have the same source, except if it is a
+// colour.
 layout(location = 4, component = 1) flat out uint file_source;
 layout(location = 5) out vec3 file_value;
 
@@ -35,8 +37,8 @@ vec3 rotate_to_view(vec3 v) {
               dot(view_from_surface[2].xyz, v));
 }
 
-// Returns the normal of corner gl_VertexIndex: that of its triangle, whose first corner is `first`,
-// if the style is flat or the corner has none.
+// Returns the normal of corner gl_VertexIndex. If the style is flat or the corner has no normal,
+// returns the normal of its triangle, whose first corner is `first`.
 vec3 corner_normal(uint first) {
   const vec3 normal = normals[corner_normals[gl_VertexIndex]].xyz;
   if (!has(kFlat) && normal != vec3(0)) return normal;

@@ -1,6 +1,6 @@
 #version 450
 
-// Corner gl_VertexIndex of a triangle list, and the number of its triangle.
+// Computes corner gl_VertexIndex of a triangle list, and the index of its triangle.
 
 layout(std430, binding = 0) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = 1) readonly buffer Triangles { uint corners[]; };

@@ -1,13 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Corner gl_VertexIndex of ImGui's triangles (viewer/window/ui_renderer.cpp).
+// Computes corner gl_VertexIndex of ImGui's triangles (viewer/window/ui_renderer.cpp).
 
 #include "srgb.glsl"
 #include "ui.glsl"
 
 layout(std430, binding = 0) readonly buffer Corners { uint corners[]; };
-// Five words each: position in pixels, place in the atlas, colour in sRGB.
+// Five words per vertex: position in pixels, texture coordinates in the atlas, colour in sRGB.
 layout(std430, binding = 1) readonly buffer Vertices { uint words[]; };
 
 layout(location = 0) out vec2 atlas_place;

@@ -138,7 +138,7 @@ std::vector<Matrix3d> measure_shape(std::span<const Index> roi, const Topology& 
   certificate.flipped_triangles = flipped.size();
   certificate.first_flipped_triangles.assign(
       flipped.begin(), flipped.begin() + std::min(flipped.size(), kListedTriangles));
-  // Only a surface that has turned far can be inside out.
+  // Only a surface that has rotated far can be inside out.
   if (!flipped.empty() || certificate.largest_rotation_degrees > kFarTurnDegrees) {
     const Inversion inversion = measure_inversion(roi, topology, rest, current);
     certificate.inside_out_share = inversion.share;

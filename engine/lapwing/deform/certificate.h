@@ -11,15 +11,15 @@ namespace lapwing {
 
 /// The quality of a deformation, measured on its result.
 struct Certificate {
-  /// |N u - b| / |b| of the linear system, in 2-norms. 0 if nothing moves or if the surface
-  /// settles.
+  /// The relative residual |N u - b| / |b| of the linear system, in 2-norms. 0 if nothing moves,
+  /// and with settling.
   double relative_residual = 0.0;
   /// MinimizerResult::relative_gradient of the minimization; 0 without settling.
   double relative_gradient = 0.0;
   /// The largest distance of a handle vertex from its prescribed position, in mesh units.
   double handle_error = 0.0;
-  /// The largest prescribed displacement of a handle vertex or target, in mesh units; summed over
-  /// the parts of an edit.
+  /// The largest prescribed displacement of a handle vertex or target, in mesh units; the sum over
+  /// all substeps of an edit.
   double prescribed_motion = 0.0;
   /// The diagonal of the bounding box of the surface at rest, without isolated vertices. It is 0 if
   /// nothing was measured.
@@ -27,7 +27,7 @@ struct Certificate {
   /// The largest distance of a target's point from its prescribed position, in mesh units.
   double target_error = 0.0;
   /// Smallest and largest scale s_i of the best-fitting similarities s_i R_i of the region's rings;
-  /// 1 is no change of size. For small angles s_i is the s of T_i in eq. 8.
+  /// 1 means no change of size. For small angles, s_i is the s of T_i in eq. 8.
   double smallest_scale = 1.0;
   double largest_scale = 1.0;
   Index smallest_scale_vertex = kNoIndex;
@@ -37,7 +37,7 @@ struct Certificate {
   Index largest_rotation_vertex = kNoIndex;
   /// The number of triangles whose normal points away from the rest normal, rotated by the mean
   /// rotation of the corners. Triangles thinner than kThinnestTriangle at rest are not counted. The
-  /// list holds the first kListedTriangles of them.
+  /// list contains the first kListedTriangles flipped triangles.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
   /// The fraction of the region's area that is inside out (`measure_inversion`), and a vertex in
@@ -56,41 +56,42 @@ struct Certificate {
   double largest_edge_stretch = 0.0;
   std::array<Index, 2> largest_edge_stretch_vertices{kNoIndex, kNoIndex};
   int settle_iterations = 0;      ///< 0 without settling
-  bool settled = true;            ///< false if the iterations ran out first
+  bool settled = true;            ///< false if `max_iterations` was reached first
   bool lacks_hessian = false;     ///< MinimizerResult::lacks_hessian
-  double settle_last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
+  double settle_last_step = 0.0;  ///< MinimizerResult::last_step, in mean edge lengths
   bool all_finite = true;
 };
 
-/// A result with a larger residual is refused (require_valid).
+/// `require_valid` throws if the relative residual is larger.
 inline constexpr double kLargestResidual = 1e-6;
 
-/// Any bend flips a triangle that is thinner than this: its height over its longest side.
+/// The smallest ratio of height to longest side for which flipped triangles are counted. Any
+/// bending flips thinner triangles.
 inline constexpr double kThinnestTriangle = 1e-3;
 
-/// Length of the list of flipped triangles.
+/// Largest length of Certificate::first_flipped_triangles.
 inline constexpr std::size_t kListedTriangles = 8;
 
 /// Sets the measurements that depend only on the rest shape and the current shape: size, scales,
 /// rotations, flipped triangles and edge stretch. Measures the vertices of `roi` and the triangles
 /// that touch them. If the pose is not finite, sets only `all_finite`. `asked` is the prescribed
-/// rest stretch, the argument `stretch` of `detail_error`. Returns the rotations of the rings, per
-/// vertex of the mesh. Takes linear time.
+/// rest stretch, as `stretch` in `detail_error`. Returns the rotation of each ring, one per vertex
+/// of the mesh. Takes linear time.
 std::vector<Eigen::Matrix3d> measure_shape(std::span<const Index> roi, const Topology& topology,
                                            std::span<const Eigen::Vector3d> rest,
                                            std::span<const Eigen::Vector3d> current,
                                            Certificate& certificate,
                                            std::span<const Eigen::Matrix3d> asked = {});
 
-/// The same for an edit's region, with the detail error over its free vertices. `weights` are those
-/// of the Laplacian.
+/// Like `measure_shape` for the region of an edit. Also sets the detail error over the region's
+/// free vertices. `weights` are the Laplacian weights.
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current, Certificate& certificate,
                     std::span<const Eigen::Matrix3d> asked = {});
 
-/// Throws SolverError, with advice, unless positions and distances are finite and the residual is
-/// at most kLargestResidual.
+/// Throws SolverError, with advice, if a position or measured distance is not finite, or if the
+/// residual exceeds kLargestResidual.
 void require_valid(const Certificate& certificate);
 
 }  // namespace lapwing

@@ -7,8 +7,9 @@
 
 namespace lapwing {
 
-/// Returns warnings for the user, each with a place and advice: not settled, handle error, flipped
-/// triangles, inside-out surface, long edges. Empty for a good result.
+/// Returns warnings for the user about an unsettled surface, the handle error, flipped triangles,
+/// an inside-out surface and long edges. Each warning names a vertex if possible, and gives advice.
+/// The list is empty for a good result.
 std::vector<std::string> warnings_of(const Certificate& certificate);
 
 /// `warnings_of` adds a warning if more than this fraction of the region is inside out.
@@ -18,9 +19,9 @@ inline constexpr double kMostInsideOut = 0.01;
 inline constexpr double kLongEdge = 3.0;
 
 /// Returns true if the handle error exceeds 1% of the mesh's diagonal or a quarter of the
-/// prescribed motion. The first limit is about 8 pixels in a window that shows the whole mesh. The
-/// second limit matters if the region is small compared with the mesh. For handles without a
-/// weight, the error is less than a hundredth of their motion (DeformOptions).
+/// prescribed motion. The first limit corresponds to about 8 pixels in a window that shows the
+/// whole mesh. The second limit applies if the region is much smaller than the mesh. For handles
+/// without a weight, the error is less than a hundredth of their motion (DeformOptions).
 bool misses_handles(const Certificate& certificate);
 
 }  // namespace lapwing

@@ -12,10 +12,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Number of vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
+// Number of vertices of the coarse region. With fewer vertices, limbs follow less accurately; with
+// more, frames take longer (decision 7).
 constexpr std::size_t kCoarseVertices = 3500;
 
-// Returns the kept part of `region` in coarse indices; `own` maps vertices of the mesh to these.
+// Returns `region` without the vertices that decimation removed, in coarse indices. `own` maps
+// vertices of the mesh to coarse vertices, or to kNoIndex.
 EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
   const auto kept = [&](const VertexSet& set) {
     VertexSet left;
@@ -147,7 +149,7 @@ void CoarseProxy::step(const MinimizerTarget& target, const TimeBudget& budget, 
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
   int iterations = 0;
-  // Whether another iteration leaves the caller the time it needs.
+  // Returns true if enough time remains for the caller after another iteration.
   const auto has_time = [&](double ms) {
     if (iterations < kFewestIterations || !budget || budget(ms + prolongation_ms_ + next_ms))
       return true;
@@ -173,7 +175,8 @@ void CoarseProxy::settle(const MinimizerTarget& target, const Progress& progress
   prolongate_to(std::move(displacement), u);
 }
 
-// Moves the proxy to `displacement`, for the next target, and prolongates.
+// Moves the proxy to `displacement`, which belongs to the next target, and prolongates the motion
+// to `u`.
 void CoarseProxy::prolongate_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
   coarse_->level->embedding.prolongate(pose_, next, u);

@@ -13,8 +13,8 @@
 
 namespace lapwing {
 
-/// The same edit on a decimated surface. Its minimum is close to that of the fine surface, since
-/// both energies approximate one integral (EnergyWeights).
+/// An edit transferred to a decimated surface. Its minimum is close to that of the fine surface,
+/// because both energies approximate the same integral (EnergyWeights).
 struct CoarseRegion {
   std::shared_ptr<CoarseLevel> level;
   std::unique_ptr<const EditSystem> edit;
@@ -24,43 +24,46 @@ struct CoarseRegion {
 /// cannot be decimated (CoarseSurfaces), or if the remaining vertices no longer anchor it.
 std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count);
 
-/// In mean edge lengths. If the last step of a frame is longer than this, the surface is considered
-/// far from its minimum. The last steps of proxies are 0.0003 to 0.02 in simple motions, and up to
-/// 3 if limbs cross or twist.
+/// Unit: mean edge length. If the last step of a frame is longer than this, the surface is
+/// considered to be far from its minimum. The last steps of proxies are 0.0003 to 0.02 in simple
+/// motions, and up to 3 if limbs cross or twist.
 inline constexpr double kLongStep = 0.05;
 
-/// The coarse proxy of a drag is the same edit on a few thousand vertices. One iteration takes half
-/// a millisecond, whatever the size of the region. The drag prolongates the proxy to the fine
-/// surface and smooths the result. It then restricts the remaining gradient of the fine surface to
-/// the proxy, where it acts as a force. Because of this force, both surfaces reach the same minimum
-/// although their energies differ (defect correction; Brandt, Dinar, "Multigrid solutions to
-/// elliptic flow problems", 1979).
+/// The coarse proxy of a drag: its edit on a decimated surface of a few thousand vertices. One
+/// iteration takes half a millisecond for every size of the region. The drag prolongates the proxy
+/// to the fine surface and smooths the result. It then restricts the remaining gradient of the fine
+/// surface to the proxy, where it acts as a force. Because of this force, both surfaces reach the
+/// same minimum although their energies differ (defect correction; Brandt, Dinar, "Multigrid
+/// solutions to elliptic flow problems", 1979).
 class CoarseProxy {
  public:
   /// Returns null if no proxy is needed, or if the region cannot be decimated. `fine` must outlive
   /// the object.
   static std::unique_ptr<CoarseProxy> make(const EditSystem& fine);
 
-  /// Starts at the fine surface, displaced by `u` for `target`. Both belong to the fine mesh.
+  /// Starts a drag at the surface with the displacements `u` and the constraints `target`, both of
+  /// the fine mesh.
   void begin(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Minimizes the proxy for `target` in four to eight iterations and prolongates the result to
   /// `u`. If the last call ended far from the minimum, the iterations use the Hessian of the pose.
   /// More than four iterations run only if `budget` suffices for another iteration, the
   /// prolongation and the `next_ms` that the caller needs afterwards. If `budget` does not suffice
-  /// for `next_ms` anyway, iterations may use that time.
+  /// for `next_ms` even without further iterations, iterations may use that time.
   void step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
             std::span<Eigen::Vector3d> u);
 
-  /// Minimizes the proxy for `target` and prolongates to `u`. Throws Cancelled.
+  /// Minimizes the proxy for `target` until it settles, and prolongates the result to `u`. Throws
+  /// Cancelled.
   void settle(const MinimizerTarget& target, const Progress& progress,
               std::span<Eigen::Vector3d> u);
 
-  /// The rotations of the target's free handles after the last call.
+  /// Returns the rotations of the target's free handles after the last call.
   std::vector<Eigen::Matrix3d> handle_rotations() { return minimizer_.handle_rotations(); }
 
-  /// Takes the gradient of the fine energy (half of it, per vertex of the fine mesh) at the fine
-  /// surface, displaced by `u`, as a force.
+  /// Restricts the remaining gradient to the proxy, where it acts as a force. `gradient` is half of
+  /// the gradient of the fine energy at the displacements `u`; both are per vertex of the fine
+  /// mesh.
   void correct(std::span<const Eigen::Vector3d> u, std::span<const Eigen::Vector3d> gradient);
 
  private:
@@ -79,15 +82,15 @@ class CoarseProxy {
   CpuKernels kernels_;
   MinimizerWorkspace workspace_;
   EnergyMinimizer& minimizer_ = workspace_.minimizer;
-  double last_step_ = 0.0;        ///< the last step of the last frame, in mean edge lengths
-  double energy_ratio_;           ///< of the coarse energy to the fine one: both sum over vertices
-  std::vector<char> is_held_;     ///< per coarse vertex: belt or handle
-  std::vector<Index> coarse_of_;  ///< per vertex of the fine mesh, or kNoIndex
+  double last_step_ = 0.0;        ///< MinimizerResult::last_step of the last frame
+  double energy_ratio_;           ///< of the coarse to the fine energy; both are sums over vertices
+  std::vector<char> is_held_;     ///< per coarse vertex; true for belt and handles
+  std::vector<Index> coarse_of_;  ///< coarse vertex for each vertex of the fine mesh, or kNoIndex
 
-  double prolongation_ms_ = 0.0;  ///< time of the last prolongation
+  double prolongation_ms_ = 0.0;
 
   CoarseEmbedding::Pose pose_;
-  std::vector<Eigen::Vector3d> prescribed_;  ///< displacements of the constrained vertices in pose_
+  std::vector<Eigen::Vector3d> prescribed_;  ///< prescribed displacements at pose_
   Predictor predictor_;
   std::vector<Eigen::Vector3d> forces_;
   // Storage for the spans of the proxy's target.

@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A request in progress, which moves its mesh part by part.
+// A request that is being carried out, which moves its mesh in substeps.
 struct Work {
   const ResolvedRequest& bound;
   Kernels& kernels;
@@ -29,9 +29,11 @@ struct Work {
   const Progress& progress;
   Deformed& result;
   const Positions& start;
-  std::vector<Eigen::Matrix3d> transforms = {};  // of each ring, multiplied over the parts so far
+  // Of each ring: the product over all completed substeps.
+  std::vector<Eigen::Matrix3d> transforms = {};
 
-  // Targets are approached in parts, as handles are.
+  // Returns the region with targets at the fraction `to` of their motion: like handles, they move
+  // in substeps.
   EditRegion region_at(double to) const {
     EditRegion region = bound.region;
     if (to == 1.0) return region;
@@ -42,7 +44,6 @@ struct Work {
     return region;
   }
 
-  // Reuses the last solver if possible.
   const DeformSolver& solver_of(EditRegion region) const {
     const Positions& rest = result.mesh.positions;
     const DeformOptions& options = bound.request.parameters;
@@ -50,7 +51,7 @@ struct Work {
     if (solver && solver->is_of(rest, bound.topology, region, options, kernels)) {
       return *solver;
     }
-    solver.reset();  // it is large
+    solver.reset();  // frees its memory before the next solver is created
     if (!workspace.prepared || &workspace.prepared->topology() != &bound.topology) {
       workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
     }
@@ -59,8 +60,8 @@ struct Work {
     return *solver;
   }
 
-  // Multiplies the transforms of the rings by those of one more part: T_i becomes R_i S_i T_i. `S`
-  // holds the rest stretch of the part, `positions` its result, to which R_i is fitted.
+  // Multiplies the transforms of the rings by those of another substep: T_i becomes R_i S_i T_i.
+  // `S` is the rest stretch of the substep. R_i is fitted to its result `positions`.
   void add_transforms(std::span<const Eigen::Matrix3d> S, const Positions& positions) {
     if (S.empty()) return;
     const Positions& rest = result.mesh.positions;
@@ -71,7 +72,7 @@ struct Work {
     }
   }
 
-  // Carries out the motions from share `from` to share `to`.
+  // Carries out the motions from fraction `from` to fraction `to`.
   Certificate carry_out(double from, double to) {
     const DeformSolver& solver = solver_of(region_at(to));
     const HandleMotions motions = bound.handle_motions(from, to);
@@ -108,7 +109,7 @@ struct Work {
   }
 };
 
-// "3 loose components with 310 vertices, starting at vertex 4, 90, 200".
+// Returns a text such as "3 loose components with 310 vertices, starting at vertex 4, 90, 200".
 std::string describe_parts(const std::vector<const VertexSet*>& parts) {
   constexpr std::size_t kNamed = 8;
   std::size_t vertices = 0;
@@ -170,8 +171,8 @@ DeformRequest unmoved(DeformRequest request) {
   return request;
 }
 
-// Caches the region, since disks are measured along the surface, which costs a fifth of a solve.
-// Requests with targets are not cached, because targets vary.
+// Caches the resolved region, because distances along the surface take a fifth of the time of a
+// solve. Does not cache requests with targets, which usually change.
 EditRegion region_of(const DeformRequest& request, const Mesh& mesh, DeformWorkspace& workspace) {
   if (!request.targets.empty()) return resolve_edit_region(request, mesh);
   DeformRequest asked = unmoved(request);
@@ -223,7 +224,7 @@ JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& 
   std::optional<JoinedSurface>& joined = workspace.joined;
   const bool was_there = joined && !joined->empty();
   if (!was_there || !joined->is_closed_at(mesh.positions)) {
-    if (was_there) {  // these may refer to the old topology
+    if (was_there) {  // these may refer to the topology of the old surface
       workspace.resolved.reset();
       workspace.solver.reset();
       workspace.prepared.reset();

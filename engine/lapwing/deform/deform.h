@@ -23,27 +23,29 @@ namespace lapwing {
 /// How a deformation was computed, and its quality.
 struct DeformReport {
   std::string solver;
-  double turn_degrees = 0.0;  ///< largest turn of a handle in the request, e.g. 260
-  /// The accumulated rotation of the surface about the same axis (winding.h).
+  double turn_degrees = 0.0;  ///< largest turn of a handle in the request, for example 260
+  /// The accumulated rotation of the surface about the axis of that turn (winding.h).
   std::optional<double> winding_degrees = {};
-  std::size_t commits = 1;  ///< number of parts; the result of each is the rest shape of the next
-  /// Measured from the surface before the request to the one after it. Residual and settling are
-  /// the worst of the parts, iterations their sum.
+  /// Number of substeps; the result of each is the rest shape of the next.
+  std::size_t commits = 1;
+  /// Compares the surfaces before and after the request. Residual and settling are the worst of all
+  /// substeps; iterations are the sum.
   Certificate certificate;
 };
 
 /// The result of `deform`. `vertex_motion` computes how each vertex moved and turned.
 struct Deformed : DeformReport {
   Mesh mesh;  ///< the input mesh with new positions
-  /// Messages for the user: what is wrong, where, and what to change. Empty for a good result.
+  /// Messages for the user, each with a problem, its location and a remedy. Empty for a good
+  /// result.
   std::vector<std::string> warnings;
-  /// Harmless messages for the user: what was done beyond the literal request.
+  /// Messages for the user about choices that the request did not specify.
   std::vector<std::string> notes;
   EditRegion region;  ///< the request's regions, resolved to vertices
-  /// The stretch S_i that scaling handles ask of the surface, per vertex: symmetric and positive
-  /// definite, the identity outside the region. Empty if no handle changes its size.
+  /// The stretch S_i that scaling handles prescribe, per vertex: symmetric and positive definite;
+  /// the identity outside the region. Empty if no handle changes its size.
   std::vector<Eigen::Matrix3d> rest_stretch;
-  StageTimings timings;  ///< of all parts together
+  StageTimings timings;  ///< the sums over all substeps
 };
 
 /// Carries out `request` on a polygon mesh, on the CPU. Coincident vertices along seams move
@@ -52,29 +54,30 @@ struct Deformed : DeformReport {
 /// the mesh. Also throws the errors of DeformSolver.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
-/// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
-/// positions are `vertex_matrix(result.mesh)`.
+/// Deforms the mesh with triangles `F` (m x 3 vertex numbers) and positions `V` (n x 3). The
+/// result's positions are `vertex_matrix(result.mesh)`.
 Deformed deform(const Eigen::Ref<const Eigen::MatrixX3d>& V,
                 const Eigen::Ref<const Eigen::MatrixX3i>& F, const DeformRequest& request);
 
 /// The resolved regions of a request.
 struct ResolvedRegion {
-  DeformRequest request;  ///< its handles unmoved
+  DeformRequest request;  ///< with the moves of all handles removed
   Positions rest;
   EditRegion region;
 };
 
-/// Data that a request leaves for the next one on the same mesh.
+/// Data of a request that the next request on the same mesh can reuse.
 struct DeformWorkspace {
-  std::optional<ResolvedRegion> resolved = {};    ///< for the same regions
-  std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
-  std::optional<DeformSolver> solver = {};        ///< if only the handles' motions differ
+  std::optional<ResolvedRegion> resolved = {};    ///< reused if the regions are the same
+  std::unique_ptr<PreparedRegion> prepared = {};  ///< reused if the ROI is the same
+  std::optional<DeformSolver> solver = {};        ///< reused if only the handles' motions differ
   std::optional<JoinedSurface> joined = {};       ///< set after the search for seams
 };
 
-/// The same on any device. `kernels` must outlive `workspace`. A mesh with the topology of `mesh`,
-/// for example the result, must also outlive it. Reports the stages "mirror", "region", those of
-/// DeformSolver, "solve", and "certify" if the edit is split into substeps.
+/// Like `deform` above, on any device. `kernels` must outlive `workspace`. A mesh that shares the
+/// topology of `mesh`, for example the result, must also outlive `workspace`. Reports the stages
+/// "mirror", "region", those of DeformSolver, "solve", and "certify" if the edit is split into
+/// substeps.
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

@@ -16,14 +16,15 @@ namespace lapwing {
 
 /// How an edit treats seams (JoinedSurface).
 enum class SeamPolicy {
-  join,   ///< seams stay closed, and the surface is edited as if it had none
-  leave,  ///< the sides of a seam are boundaries and move apart
+  join,   ///< seams remain closed; the surface is edited as if it had no seams
+  leave,  ///< the sides of a seam are boundaries and can separate
 };
 
 /// How a deformation is computed, independent of its handles.
 struct DeformParameters : DeformOptions {
-  /// Splits a larger turn of a handle into equal parts of at most this many degrees. The result of
-  /// each part is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
+  /// Splits a larger turn of a handle into equal substeps of at most this many degrees. The result
+  /// of each substep is the rest shape of the next. Greater than 0, at most
+  /// kLargestSettledTurnDegrees.
   std::optional<double> commit_every = {};
   LoosePolicy loose = LoosePolicy::carry;
   SeamPolicy seams = SeamPolicy::join;
@@ -32,8 +33,8 @@ struct DeformParameters : DeformOptions {
 
 /// A file that follows the surface (AttachmentDeformer), and where its result is saved.
 struct CarrySpec {
-  std::filesystem::path file;       ///< path as in the recipe
-  std::filesystem::path save = {};  ///< as in the recipe; empty: next to the result
+  std::filesystem::path file;       ///< path as written in the recipe
+  std::filesystem::path save = {};  ///< as written in the recipe; empty: next to the result
   bool operator==(const CarrySpec&) const = default;
 };
 
@@ -50,7 +51,8 @@ struct MovedHandle {
   bool operator==(const MovedHandle&) const = default;
 };
 
-/// An edit without its mesh: bends the ROI by moving its handles. {"op": "deform"} in recipes.
+/// An edit without its mesh: bends the ROI by moving its handles. In recipes, it is the step {"op":
+/// "deform"}.
 struct DeformRequest {
   RegionSpec roi = {};
   BeltSpec belt = BoundaryAnchors{};
@@ -70,8 +72,8 @@ struct DeformRequest {
   }
 };
 
-/// Resolves the regions and targets of a request without a mirror on `mesh`. Throws what the other
-/// `resolve_edit_region` throws.
+/// Resolves the regions and targets of a request without a mirror on `mesh`. Throws the errors of
+/// the `resolve_edit_region` in edit_region.h.
 EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -34,8 +34,8 @@ bool rests(const EditSystem& edit, std::span<const Vector3d> prescribed) {
                              [](const Spring& spring) { return spring.prescribed.isZero(0.0); });
 }
 
-// Results need double precision on any device. A software device takes about three times as long as
-// the CPU twins (measured on lavapipe).
+// Minimization needs double precision. Software devices (Mesa lavapipe) take about three times as
+// long as the CPU twins, so they are not used.
 bool minimizes_on(const DeviceInfo& device) {
   return device.float64 && device.frames;
 }
@@ -45,7 +45,8 @@ bool has_scale_forces(const EditSystem& edit) {
   return edit.options.response == LinearResponse::tangent;
 }
 
-// Returns the forces of the handles' scales and of the springs on the unknowns; empty for none.
+// Returns the forces of the springs and of the handles' scales on the unknowns; empty if there are
+// no forces.
 Numbers linear_forces(const EditSystem& edit, const HandleWeights* weights,
                       std::span<const double> parameters) {
   Numbers forces = spring_forces(edit.laplacian->springs(), edit.constraints.unknowns);
@@ -60,7 +61,7 @@ Numbers linear_forces(const EditSystem& edit, const HandleWeights* weights,
   return of_scales;
 }
 
-// Minimizes at each waypoint of a path in turn, on the coarse proxy if there is one.
+// Minimizes at each waypoint of a path in turn, on the coarse proxy if the region has one.
 DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edit,
                       const HandleWeights& weights, EnergyMinimizer& minimizer,
                       const Progress& progress) {
@@ -255,11 +256,11 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
   edit.loose.carry(prescribed, mean_scales(stretch), u);
   result.positions = *edit.rest;
   for (const Index v : edit.moving) {
-    // Adding 0 would turn a coordinate of -0 into +0.
+    // Adding 0 would change a coordinate of -0 to +0.
     if (!u[v].isZero(0.0)) result.positions[v] += u[v];
   }
   for (const Target& of_vertex : edit.region.targets) {
-    // Set exactly, since the sum of position and displacement is rounded.
+    // Set exactly, because the sum of position and displacement is rounded.
     if (edit.region.hard_targets && of_vertex.is_vertex()) {
       result.positions[of_vertex.corners[0]] = of_vertex.position;
     }

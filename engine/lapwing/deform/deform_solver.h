@@ -25,9 +25,10 @@ struct DeformSolverState;
 struct EditSystem;
 
 struct DeformResult {
-  Positions positions;  ///< of the whole mesh; exact for vertices that do not move
+  /// Of the whole mesh; bitwise equal to the rest position if a vertex does not move.
+  Positions positions;
   Certificate certificate;
-  /// The S_i that the handles prescribe (rest_stretch.h), per vertex of the mesh. Empty if all are
+  /// The prescribed rest stretch S_i (rest_stretch.h), per vertex of the mesh. Empty if all S_i are
   /// the identity.
   std::vector<Eigen::Matrix3d> rest_stretch = {};
   /// The requested motions. For a handle with free orientation, the rotation is that of the
@@ -46,11 +47,11 @@ struct DeformResult {
 /// and 8 kB after it. Without settling, it takes 8 kB per vertex.
 class DeformSolver {
  public:
-  /// Factors the n x n system and, without settling, the 3n x 3n system (LinearResponse). Reports
-  /// the stages "pattern", "order" and "laplacian". Without settling, "assemble", "analyze",
-  /// "normal_matrix" and "factor" follow. The last stage is "shares". Throws InputError for a
-  /// region that does not fit the mesh. Throws SolverError if a component is not anchored or the
-  /// memory does not suffice. Also throws GpuError and Cancelled.
+  /// Factorizes the n x n system and, without settling, the 3n x 3n system (LinearResponse).
+  /// Reports the stages "pattern", "order" and "laplacian". Without settling, "assemble",
+  /// "analyze", "normal_matrix" and "factor" follow. The last stage is "shares". Throws InputError
+  /// for a region that does not fit the mesh. Throws SolverError if a component is not anchored or
+  /// the memory does not suffice. Also throws GpuError and Cancelled.
   DeformSolver(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
@@ -67,14 +68,15 @@ class DeformSolver {
   DeformSolver(DeformSolver&&) noexcept;
   DeformSolver& operator=(DeformSolver&&) noexcept;
 
-  /// Returns the surface for one motion per handle, with its certificate. Reports stage "settle" if
-  /// the options settle. If all motions are the identity, returns exactly the rest positions.
+  /// Returns the surface for one motion per handle, with its certificate. With settling, reports
+  /// the stage "settle". If all motions are the identity, returns exactly the rest positions.
   /// Throws InputError if the number of motions is wrong or a motion is too large. Throws
-  /// SolverError if the certificate does not hold. Also throws Cancelled.
+  /// SolverError if the result is invalid (require_valid). Also throws Cancelled.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for accumulated turns. The surface winds with its handles, up to the largest winding
-  /// that is stable. Free orientations require settling with soft constraints.
+  /// Like `solve` above, for accumulated turns, which may exceed 180 degrees. The surface winds
+  /// with its handles, up to the largest stable winding. Handles with free orientation require
+  /// settling with soft constraints.
   DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
 
   /// Minimizes for each entry of `path` in order and then for `motions`. Each minimization starts
@@ -92,15 +94,16 @@ class DeformSolver {
                           const Progress& progress = {}) const;
 
   /// Returns the linear response to `handles`, for Drag. Solves 12 right-hand sides per handle with
-  /// the 3n x 3n system. If the options settle, this call factors that system first. If the system
+  /// the 3n x 3n system. With settling, this call first factorizes that system. If the system
   /// exceeds the memory limit, the columns are those of a DragPreview
   /// (DragResponse::why_not_exact). Reports stage "response".
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
                                                   const Progress& progress = {}) const;
-  /// The same for all handles.
+  /// Returns the linear response to all handles.
   std::shared_ptr<const DragResponse> response(const Progress& progress = {}) const;
 
-  /// The rest stretch for these motions, as in DeformResult; empty if no handle scales.
+  /// Returns the rest stretch for these motions (DeformResult::rest_stretch); empty if no handle
+  /// scales.
   std::vector<Eigen::Matrix3d> rest_stretch(std::span<const Eigen::Affine3d> motions) const;
 
   /// Returns true if a solver constructed from these arguments would give bitwise identical

@@ -13,7 +13,7 @@
 
 namespace lapwing {
 
-/// The memory of a minimization. Serves one thread at a time.
+/// The memory of a minimization. Only one thread may use an object at a time.
 struct MinimizerWorkspace {
   MinimizerWorkspace(const EditSystem& edit, Kernels& kernels);
   MinimizerWorkspace(const MinimizerWorkspace&) = delete;
@@ -23,19 +23,19 @@ struct MinimizerWorkspace {
   EnergyMinimizer minimizer;
 };
 
-/// The members of a DeformSolver, which a DragSession uses too.
+/// The members of a DeformSolver, which a DragSession also uses.
 struct DeformSolverState {
   std::shared_ptr<const EditSystem> edit;
   Kernels* kernels = nullptr;
   CpuKernels cpu;
   Kernels* minimizer_kernels = nullptr;  ///< `kernels` or `cpu`
   StageTimings timings;
-  std::unique_ptr<const HandleWeights> weights;    ///< null if the edit takes no rest stretch
+  std::unique_ptr<const HandleWeights> weights;    ///< null if the edit does not use rest stretch
   std::shared_ptr<const ResponseSystem> response;  ///< null if the edit settles
 
-  /// Returns the unused workspace, or a new one. Thread-safe, like `give_back`.
+  /// Returns the cached workspace, or a new one. Both functions are thread-safe.
   std::shared_ptr<MinimizerWorkspace> take_workspace() const;
-  /// Keeps `workspace` for the next minimization, unless another one is kept already.
+  /// Caches `workspace` for the next minimization, unless another workspace is already cached.
   void give_back(std::shared_ptr<MinimizerWorkspace> workspace) const;
 
  private:
@@ -43,7 +43,7 @@ struct DeformSolverState {
   mutable std::shared_ptr<MinimizerWorkspace> unused_;
 };
 
-/// Takes a workspace for one minimization and gives it back at the end.
+/// Borrows a workspace for one minimization; the destructor returns it.
 class BorrowedWorkspace {
  public:
   explicit BorrowedWorkspace(const DeformSolverState& of)
@@ -59,9 +59,10 @@ class BorrowedWorkspace {
   std::shared_ptr<MinimizerWorkspace> workspace_;
 };
 
-/// Minimizes `u`, displacements of the whole mesh, for `target`, without a coarse proxy. Starts at
-/// `pose` plus the linear response to the change of the handles since. If `pose` is null, starts at
-/// the handle weights. Sets the rotations of free handles in `target`.
+/// Minimizes the energy over `u`, the displacements of the whole mesh, for `target`, without a
+/// coarse proxy. Starts at `pose` plus the linear response to the handles' motion since that pose.
+/// If `pose` is null, starts from the handle weights. Sets the rotations of free handles in
+/// `target`.
 MinimizerResult minimize_from(const DragState* pose, const EditSystem& edit,
                               const HandleWeights& weights, EnergyMinimizer& minimizer,
                               MotionTarget& target, std::span<Eigen::Vector3d> u,

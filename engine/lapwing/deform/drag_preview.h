@@ -16,10 +16,10 @@ namespace lapwing {
 
 struct EditSystem;
 
-/// Prepares a linear drag that is ready long before the exact response. It needs only the n x n
-/// system and four columns per handle (laplacian_response). The exact response needs the 3n x 3n
-/// system and twelve columns. The preview is exact for translations, but in rotations its details
-/// do not rotate.
+/// Prepares a linear drag that is available long before the exact response. It needs only the n x n
+/// system and four columns per handle (laplacian_response); the exact response needs the 3n x 3n
+/// system and twelve columns. The preview is exact for translations. In rotations, its details do
+/// not rotate.
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options);
 ///     Drag drag(preview.response());          // drags while the solver is prepared
@@ -30,23 +30,24 @@ class DragPreview {
   /// object. Throws the errors of DeformSolver's constructor.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
-  /// The same, but reuses the data in `prepared`. The stage "constraints" then replaces "pattern"
-  /// and "order". If `handles` is set, response() has columns only for these handles.
+  /// Like the constructor above, but reuses the data in `prepared`. The stage "constraints" then
+  /// replaces "pattern" and "order". If `handles` is set, response() has columns only for these
+  /// handles.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options,
               std::optional<std::span<const std::size_t>> handles = {},
               const Progress& progress = {});
 
   /// Returns the linear response to all handles, as DeformSolver::response does. Poses of a preview
-  /// can be used with the solver made from it, and vice versa.
+  /// can be used with the solver constructed from it, and vice versa.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
-  /// The same for `handles`. Solves four right-hand sides per handle.
+  /// Returns the linear response to `handles`. Solves four right-hand sides per handle.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;
 
   const EditRegion& region() const;
   const StageTimings& timings() const { return timings_; }
 
-  /// The edit that this preview shares with the DeformSolver made from it.
+  /// Returns the edit that this preview shares with a DeformSolver constructed from it.
   const std::shared_ptr<const EditSystem>& system() const { return system_; }
 
  private:

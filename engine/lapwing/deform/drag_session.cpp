@@ -30,17 +30,19 @@ struct DragSession::State {
   std::vector<double> parameters;        // parameters of pose.motions
   std::vector<Vector3d> prescribed;      // displacements prescribed by pose.motions
   std::vector<Eigen::Matrix3d> stretch;  // S_i of pose.motions; empty for the identity
-  Positions next;  // the displacement in the current frame; reused memory between frames
-  std::vector<Vector3d> next_prescribed;  // for `next`; its memory is reused
+  Positions next;  // the displacement in the current frame; memory is reused between frames
+  std::vector<Vector3d> next_prescribed;  // for `next`; memory is reused between frames
 
   Predictor predictor;
-  std::unique_ptr<CoarseProxy> coarse;  // null until it is built, and if the region needs none
+  // Null until it is built, and if the region does not need a proxy.
+  std::unique_ptr<CoarseProxy> coarse;
   bool coarse_is_at_pose = false;
   bool lacks_time = false;     // true if a frame of this drag ran out of time
   double iteration_ms = 0.0;   // time of one iteration on the fine surface
   double ending_ms = 0.0;      // time for the work after the iterations of a frame
-  std::vector<Vector3d> pull;  // the gradient of the energy of the fine surface
-  BackgroundTask<std::unique_ptr<CoarseProxy>> coarse_task;  // last: it uses the solver
+  std::vector<Vector3d> pull;  // half of the energy gradient of the fine surface
+  // Last member, because it uses the solver.
+  BackgroundTask<std::unique_ptr<CoarseProxy>> coarse_task;
 
   State(std::shared_ptr<const DeformSolver> of, const DeformSolverState& internals)
       : solver(std::move(of)), of_solver(internals) {}
@@ -58,7 +60,6 @@ struct DragSession::State {
     return workspace->minimizer;
   }
 
-  // Sets `next` to a displacement.
   void copy_to_next(const Positions& displacement) {
     constexpr std::size_t kVerticesPerTask = 4096;
     if (next.empty()) next.assign(edit.rest->size(), Vector3d::Zero());
@@ -68,7 +69,7 @@ struct DragSession::State {
     });
   }
 
-  // Sets `next` by the coarse proxy, within the budget.
+  // Computes `next` with the coarse proxy, within the budget.
   void step_by_proxy(MotionTarget& target, bool is_at_pose, const TimeBudget& budget) {
     if (!is_at_pose) coarse->begin({prescribed, stretch}, pose.displacement);
     copy_to_next(pose.displacement);
@@ -81,8 +82,9 @@ struct DragSession::State {
     ending_ms = ending.elapsed_ms();
   }
 
-  // Lets the proxy move a surface whose handles rest, unless the Hessian is in use, which finds the
-  // minimum sooner. Returns true if this lowered the energy of `next`.
+  // Moves the surface with the proxy while the handles rest. Does nothing if the minimizer uses the
+  // Hessian, which finds the minimum sooner. Returns true if the energy of `next` is lower than
+  // that of the pose.
   bool carry_at_rest(MotionTarget& target, bool is_at_pose) {
     if (!is_at_pose || minimizer().uses_hessian()) return false;
     const double before = minimizer().energy(target.settle_target(), pose.displacement);
@@ -90,7 +92,7 @@ struct DragSession::State {
     return minimizer().energy(target.settle_target(), next) < before;
   }
 
-  // Minimizes `next` as far as the budget allows, by at least one iteration if `must`.
+  // Minimizes `next` as far as the budget allows. If `must` is true, runs at least one iteration.
   MinimizerResult minimize(MotionTarget& target, bool at_rest, bool must, const TimeBudget& budget,
                            const Progress& progress) {
     if (!must && budget && !budget(iteration_ms)) {
@@ -112,8 +114,8 @@ struct DragSession::State {
     return result;
   }
 
-  // Gives the proxy the gradient that remains on the fine surface, if that is smooth. The gradient
-  // of a rough surface would crumple the proxy.
+  // Passes the remaining gradient of the fine surface to the proxy if the fine surface is smooth.
+  // The gradient of a rough surface would crumple the proxy.
   void correct_coarse(const MinimizerResult& result) {
     if (result.iterations == 0 || result.last_step > kLongStep) return;
     pull.resize(next.size(), Vector3d::Zero());
@@ -121,7 +123,6 @@ struct DragSession::State {
     coarse->correct(next, pull);
   }
 
-  // Makes `next` the pose.
   void accept(MotionTarget target, const MinimizerResult& result, bool tells_of_motion) {
     if (tells_of_motion) {
       predictor.add_frame(edit, prescribed, target.prescribed, pose.displacement, next);
@@ -195,7 +196,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     return s.pose;
   }
 
-  // If this frame fails, the proxy is left at a pose that is not the session's.
+  // If this frame throws, the proxy is not at the pose of the session.
   const bool coarse_was_there = std::exchange(s.coarse_is_at_pose, false);
   bool by_coarse = false;
   if (begins) {
@@ -216,7 +217,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
       s.next = s.predictor.predict(edit, s.prescribed, target.prescribed, s.pose.displacement);
     }
   }
-  // While the proxy is being built, frames without time only predict.
+  // While the proxy is being built, frames that have no time left only predict.
   const bool must = at_rest || !(by_coarse || (budget && s.coarse_task.is_pending()));
   const MinimizerResult result = s.minimize(target, at_rest, must, budget, progress);
   if (!begins && !at_rest && !result.settled && !std::exchange(s.lacks_time, true)) prepare();

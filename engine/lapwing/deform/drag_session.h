@@ -31,33 +31,32 @@ class DragSession {
   DragSession(DragSession&&) noexcept;
   DragSession& operator=(DragSession&&) noexcept;
 
-  /// Starts another drag, at a pose of the solver's region or at rest.
+  /// Starts another drag at `start`, a pose of the solver's region, or at rest if `start` is empty.
   void begin(DragState start = {});
 
   /// Computes the next frame and minimizes it as far as `budget` allows (EnergyMinimizer::follow).
-  /// A call with the same motions continues the minimization. Once the surface has settled, such a
-  /// call changes nothing. The first frame from rest starts from displacements interpolated by the
-  /// handle weights. The same applies if a handle has turned by more than 90 degrees since the last
-  /// frame. Throws InputError for invalid motions, SolverError if the surface is not finite, and
-  /// Cancelled. An error leaves the state unchanged.
+  /// A call with the same motions continues the minimization; after the surface has settled, it
+  /// changes nothing. The first frame from rest starts from displacements interpolated by the
+  /// handle weights. So does a frame in which a handle has turned by more than 90 degrees since the
+  /// last frame. Throws InputError for invalid motions, SolverError if the surface is not finite,
+  /// and Cancelled. An error leaves the state unchanged.
   const DragState& step(const HandleMotions& motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
-  /// The same, with turns accumulated from frame to frame by TurnTracker.
+  /// Like `step` above, but accumulates the turns of the handles from frame to frame (TurnTracker).
   const DragState& step(std::span<const Eigen::Affine3d> motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
 
-  /// The current pose.
   const DragState& state() const;
 
-  /// Gives the minimizer's memory back to the solver for other uses. The next frame takes it again.
+  /// Returns the minimizer's memory to the solver for other uses. The next frame borrows it again.
   void release_memory();
 
   /// Starts to build the coarse proxy on another thread. This takes a third of a second for 26,000
   /// vertices and some seconds for a million. Without this call, the build starts in the first
   /// frame that runs out of time.
   void prepare();
-  /// The same, and waits for the coarse proxy, so that no frame depends on how long that takes.
-  /// Throws Cancelled.
+  /// Calls `prepare` and waits for the coarse proxy, so that no frame depends on the duration of
+  /// this work. Throws Cancelled.
   void wait_until_prepared(const Progress& progress = {});
 
  private:

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Memory per vertex for its rows, its packed ring, the L-BFGS history and temporaries of the
-// preparation, without mesh and factor. Measured at 0.1 and 0.4 million vertices.
+// Memory per vertex, in bytes, for its rows, its packed ring, the L-BFGS history and temporary data
+// of the preparation, without mesh and factor. Measured for 0.1 and 0.4 million vertices.
 constexpr std::size_t kBytesToSettle = 3100;
 
 // Drags of regions with fewer vertices need no coarse surface.
@@ -122,8 +122,8 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   } else {
     parallel_invoke(assemble, [&] { build.analyze(); });
   }
-  // Without a preview, no drag is waiting for this constructor, and a 3n x 3n system is factored
-  // next.
+  // Without a preview, no drag waits for this constructor, and the next step factorizes a 3n x 3n
+  // system.
   if (!is_previewed) build.analyze_hessian();
   timings.add(stage, watch.elapsed_ms());
   watch.restart();
@@ -137,8 +137,8 @@ bool EditSystem::needs_coarse_surface() const {
   return options.settle && region.roi.size() >= kSmallRegion;
 }
 
-// Checks the memory that settling needs at least, without the 3n x 3n system. Only a new cache
-// needs the check: an existing one already holds this memory.
+// Checks the minimum memory for settling, without the 3n x 3n system. Only a new cache needs this
+// check: an existing cache has already allocated this memory.
 void EditSystem::require_memory_to_settle(std::size_t factor_bytes) const {
   if (!options.settle) return;
   require_memory(factor_bytes + kBytesToSettle * region.roi.size(),
@@ -180,7 +180,8 @@ std::shared_ptr<const ResponseSystem> EditSystem::response(Kernels& kernels,
   return factors->response(terms(), laplacian, options, kernels, progress, stages);
 }
 
-// `number` is the index among all handles or targets. NaN passes here and fails in the certificate.
+// `number` is the index among all handles or targets. This check accepts NaN, which `require_valid`
+// rejects later.
 void EditSystem::require_near(double distance, const char* what, std::size_t number) const {
   if (size == 0.0 || !(distance > kFarthestMove * size)) return;
   std::ostringstream text;

@@ -18,15 +18,16 @@
 
 namespace lapwing {
 
-/// The largest motion of a handle or target, in sizes of the region. There, positions are rounded
-/// to 2e-9 of that size, so the surface still has a shape.
+/// The largest allowed motion of a handle or target, divided by the size of the region. At this
+/// distance, positions are rounded to 2e-9 of the region's size, which preserves the surface's
+/// shape.
 inline constexpr double kFarthestMove = 1e7;
 
 /// A prepared edit, shared by its preview, its solver and its drags. Does not change after
 /// construction.
 struct EditSystem {
-  /// Reports the stages "pattern" and "order", or "constraints" if `prepared` has both, and then
-  /// "laplacian". Throws the errors of DeformSolver's constructor.
+  /// Reports the stages "pattern" and "order", or "constraints" if `prepared` contains both, and
+  /// then "laplacian". Throws the errors of DeformSolver's constructor.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
              bool is_previewed = false);
@@ -36,29 +37,30 @@ struct EditSystem {
   EditRegion region;
   DeformOptions options;
   StageTimings timings;
-  double size = 0.0;                ///< of the region with its rings (require_extent)
+  double size = 0.0;                ///< of the region and its rings (require_extent)
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
-  std::shared_ptr<const std::vector<Spring>> springs;  ///< of the soft targets; or null
-  std::shared_ptr<FactorCache> factors;                ///< of all edits over these unknowns
-  std::shared_ptr<const LaplacianSystem> laplacian;    ///< factored
-  LooseParts loose;                                    ///< of the region
+  /// Of the soft targets; null if there are none.
+  std::shared_ptr<const std::vector<Spring>> springs;
+  std::shared_ptr<FactorCache> factors;              ///< shared by all edits with these unknowns
+  std::shared_ptr<const LaplacianSystem> laplacian;  ///< factored
+  LooseParts loose;                                  ///< of the region
   /// The vertices that a motion can displace: the unknowns, handle vertices, vertex targets and
   /// loose parts.
   std::vector<Index> moving;
 
-  /// G at rest (FactorCache::tangent_rows).
+  /// Returns G at rest (FactorCache::tangent_rows).
   std::shared_ptr<const BlockRows> tangent_rows(Kernels& kernels) const;
-  /// The factored 3n x 3n system (FactorCache::response).
+  /// Returns the factorized 3n x 3n system (FactorCache::response).
   std::shared_ptr<const ResponseSystem> response(Kernels& kernels, const Progress& progress,
                                                  StageTimings& stages) const;
 
   std::size_t column_count() const { return kMotionParameters * region.handles.size(); }
 
-  /// The column_count() parameters of one motion per handle. Throws InputError for another number,
-  /// and for a motion farther than kFarthestMove.
+  /// Sets the column_count() parameters for `motions`, one per handle. Throws InputError if the
+  /// number of motions is wrong, or if a motion exceeds kFarthestMove.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
-  /// The same for `handles` only, one after the other.
+  /// Sets only the parameters of `handles`, one handle after the other.
   void set_parameters(std::span<const Eigen::Affine3d> motions,
                       std::span<const std::size_t> handles, std::span<double> parameters) const;
 
@@ -66,7 +68,6 @@ struct EditSystem {
   /// outside.
   bool is_held_by_handles_alone() const;
 
-  /// The indices of all handles, ascending.
   std::vector<std::size_t> all_handles() const;
 
   /// Returns true if handles that scale stretch the rest shape of the surface. With the RSI system,
@@ -84,7 +85,7 @@ struct EditSystem {
   /// number of handle vertices if `reused` is the result of an earlier call.
   std::vector<Eigen::Vector3d> displacement_of_handles(
       std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
-  /// Returns also the displacements that hard targets prescribe.
+  /// Like displacement_of_handles, but includes the displacements that hard targets prescribe.
   std::vector<Eigen::Vector3d> prescribed_displacement(
       std::span<const double> parameters, std::vector<Eigen::Vector3d> reused = {}) const;
 

@@ -21,7 +21,7 @@ HandleFrame handle_frame(std::span<const Index> vertices,
                          std::span<const Eigen::Vector3d> positions) {
   HandleFrame frame;
   if (vertices.empty()) return frame;
-  // Relative to the first vertex, so that a mesh far from the origin loses no precision.
+  // Coordinates relative to the first vertex avoid a loss of precision far from the origin.
   const Eigen::Vector3d origin = positions[vertices.front()];
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Index v : vertices) sum += positions[v] - origin;
@@ -36,7 +36,8 @@ HandleFrame handle_frame(std::span<const Index> vertices,
 void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
                        std::span<double> parameters) {
   const Eigen::Matrix3d D = motion.linear() - Eigen::Matrix3d::Identity();
-  // Written as D c + t, not as motion(c) - c: exact for a pure translation wherever the mesh lies.
+  // D c + t is exact for a pure translation; motion(c) - c is not if the mesh is far from the
+  // origin.
   const Eigen::Vector3d at_centroid = D * frame.centroid + motion.translation();
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) {

@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Whether `value` is the same for all handles, up to the rounding error in the scale of a rotation.
+// Returns true if `value` is the same for all handles, up to the rounding errors of a rotation's
+// scale.
 bool is_one_number(std::size_t handles, const auto& value) {
   constexpr double kRounding = 1e-12;
   if (handles == 0) return true;
@@ -110,7 +111,7 @@ std::vector<Vector3d> HandleWeights::displacement(std::span<const Affine3d> moti
                                                   const RestStretch& rest_stretch) const {
   const EditSystem& s = system_;
   const VertexSet& roi = s.region.roi;
-  // Per handle: its turn, its centroid, and the centroid's displacement.
+  // For each handle: its turn, its centroid, and the centroid's displacement.
   constexpr std::size_t kNumbers = 9;
   std::vector<std::array<double, kNumbers>> of_handle(motions.size());
   for (std::size_t h = 0; h < motions.size(); ++h) {

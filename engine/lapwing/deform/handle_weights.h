@@ -11,20 +11,20 @@
 
 namespace lapwing {
 
-/// The weight of each handle at each vertex: about 1 on the handle, about 0 on the belt, smooth
-/// between. The weights of a vertex sum to at most 1, and to 1 if only handles hold the region.
-/// Large rotations start from them. Interpolating a value by them costs one n x n solve, however
-/// many handles there are.
+/// The weight of each handle at each vertex: about 1 on the handle, about 0 on the belt, and smooth
+/// in between. The weights of a vertex sum to at most 1, and to exactly 1 if only handles hold the
+/// region. They provide the start of the minimization for large rotations. Interpolating a value
+/// takes one n x n solve for any number of handles.
 class HandleWeights {
  public:
   /// Solves for the sum of all weights. `system` must outlive the object.
   explicit HandleWeights(const EditSystem& system);
 
-  /// Returns sum_h weight_h value_h per vertex of the region, in the order of EditRegion::roi.
-  /// Solves nothing if the values of all handles are equal but for rounding.
+  /// Returns sum_h weight_h value_h for each vertex of the region, in the order of EditRegion::roi.
+  /// Needs no solve if the values of all handles are equal up to rounding errors.
   std::vector<double> spread(std::span<const double> values) const;
 
-  /// The weights of one handle, per vertex of the region.
+  /// Returns the weights of one handle, per vertex of the region.
   std::vector<double> of_handle(std::size_t handle) const;
 
   /// Returns the displacements interpolated by the handle weights. Each vertex is stretched by the
@@ -36,8 +36,8 @@ class HandleWeights {
                                             const RestStretch& stretch) const;
 
  private:
-  // Fields over the region, one for each number of a value: `spread_columns(3, f)[c]` for
-  // f(handle, c).
+  // Interpolates values with several components. `spread_columns(count, f)[c]` interpolates the
+  // values f(handle, c) over the region.
   using ValueOfHandle = std::function<double(std::size_t, std::size_t)>;
   std::vector<std::vector<double>> spread_columns(std::size_t count,
                                                   const ValueOfHandle& value) const;
@@ -45,7 +45,7 @@ class HandleWeights {
                                                   const ValueOfHandle& value) const;
 
   const EditSystem& system_;
-  std::vector<double> sum_;     ///< of all weights, per vertex of the region
+  std::vector<double> sum_;     ///< sum of all weights, per vertex of the region
   std::vector<double> factor_;  ///< multiplies a solution, per vertex of the region
 };
 

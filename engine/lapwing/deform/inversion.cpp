@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostVertices = 4096;
 
-// Returns the sum of the area normals of the triangles around `v`, each twice the area long.
+// Returns the sum of the normals of the triangles around `v`, each of length twice the area.
 Vector3d area_normal_at(Index v, const Topology& topology, std::span<const Vector3d> p) {
   Vector3d sum = Vector3d::Zero();
   for (const Index t : topology.vertex_triangles[v]) {
@@ -78,7 +78,7 @@ Inversion measure_inversion(std::span<const Index> roi, const Topology& topology
     places.push_back(s);
   }
   if (places.empty()) return {};
-  // Name the inverted vertex that is nearest to the mean of all of them.
+  // Returns the inverted vertex that is nearest to the mean of all inverted vertices.
   Vector3d mean = Vector3d::Zero();
   for (const std::size_t s : places) mean += current[roi[s * stride]];
   mean /= static_cast<double>(places.size());

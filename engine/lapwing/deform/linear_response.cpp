@@ -117,7 +117,7 @@ Numbers scale_forces(const EditSystem& system, std::span<const double> growth) {
   const Adjacency& rings = system.topology.rings;
   const Positions& rest = *system.rest;
   const Unknowns& unknowns = system.constraints.unknowns;
-  // Minus half of the gradient of E by the unknowns.
+  // Minus half of the gradient of E with respect to the vertex positions.
   std::vector<Vector3d> force(rest.size(), Vector3d::Zero());
   for (std::size_t r = 0; r < system.region.roi.size(); ++r) {
     const Index i = system.region.roi[r];
@@ -185,7 +185,7 @@ Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
       prescribed = system.displacement_of_handles(q, std::move(prescribed));
       return growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
     };
-    // `growth` and `force` are those for a handle whose mean scale increases by 1.
+    // `growth` and `force` belong to a handle whose mean scale increases by 1.
     std::vector<double> growth(system.region.roi.size(), 0.0);
     Numbers force;
     if (handle_weights != nullptr) {

@@ -10,13 +10,13 @@
 
 namespace lapwing {
 
-/// The linear response by the n x n system, in which Laplacian coordinates and edges keep their
-/// rest directions: (L'Om L + K + W) u = W d, the same matrix for x, y and z. Returns four columns
-/// for each of `handles` (its coordinates x, y, z and 1), each over the moving vertices
-/// (ResponseColumns along axes).
+/// Returns the linear response of the n x n system (L'Om L + K + W) u = W d, whose matrix is the
+/// same for x, y and z. In this system, Laplacian coordinates and edges do not rotate. Each of
+/// `handles` has four columns (for its coordinates x, y, z and for 1), each over the moving
+/// vertices (ResponseColumns::along_axes).
 Numbers laplacian_response(const EditSystem& system, std::span<const std::size_t> handles);
 
-/// Determines whether the springs of an edit's targets act or are ignored.
+/// Whether the springs of an edit's targets act.
 enum class Springs { pull, ignored };
 
 /// Solves the n x n system for the `prescribed` displacements of one motion. Returns the

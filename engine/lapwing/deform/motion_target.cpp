@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// `turn` is an axis times an angle.
+// `turn` is the axis times the angle in radians.
 bool is_far(const Vector3d& turn) {
   return turn.norm() > kFarTurnDegrees * std::numbers::pi / 180.0;
 }
@@ -85,7 +85,8 @@ HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const 
     const Vector3d& centroid = edit.frames[h].centroid;
     const Eigen::Affine3d turned =
         turned_to(motions.maps[h], centroid, nearest_rotation(pose.maps[h].linear()));
-    // A handle that has not moved keeps its bits, although the new ones are rounded differently.
+    // If a handle has not moved, returns exactly its old map, although the new map has different
+    // rounding errors.
     constexpr double kRounding = 1e-12;
     const Vector3d place = turned * centroid;
     const double size = place.norm() + centroid.norm() + edit.frames[h].radius;

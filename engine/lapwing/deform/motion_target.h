@@ -24,25 +24,25 @@ struct MotionTarget {
   }
 };
 
-/// Returns the target for `motions`. `prescribed` is empty or comes from an earlier target of the
-/// same edit. In the latter case, its memory is reused and the cost is linear in the number of
-/// handle vertices. Throws InputError if the number of motions differs from the number of handles
-/// or a motion is too large. Also throws it for free handles unless the edit settles with soft
+/// Returns the target for `motions`. `prescribed` is empty, or comes from an earlier target of the
+/// same edit. Its memory is then reused, and the cost is linear in the number of handle vertices.
+/// Throws InputError if the number of motions differs from the number of handles or a motion is too
+/// large. Also throws InputError if a handle is free and the edit does not settle with soft
 /// constraints.
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
                            std::vector<Eigen::Vector3d> prescribed = {});
 
-/// Turns the free handles of `target` to `rotations`, one for each of them.
+/// Replaces the rotations of the free handles of `target` by `rotations`, one per free handle.
 void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d> rotations,
                         MotionTarget& target);
 
-/// Returns `motions` with the rotations that free handles have in `pose`, the motions of a pose.
+/// Returns `motions` with the rotations of free handles replaced by those in `pose`.
 HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& edit);
 
-/// Returns true if a handle has turned by more than kFarTurnDegrees. Linear responses cannot
-/// represent such a turn.
+/// Returns true if a handle has turned by more than kFarTurnDegrees, which linear responses cannot
+/// represent.
 bool any_turned_far(std::span<const Eigen::AngleAxisd> turns);
-/// The same for the change of the turns from `last` to `now`.
+/// Like `any_turned_far`, for the turns between `last` and `now`. Ignores free handles.
 bool any_turned_far_since(const HandleMotions& last, const HandleMotions& now);
 
 /// Returns the start of a minimization without a pose: the displacement of every vertex by the
@@ -51,9 +51,8 @@ std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
                                                      const HandleWeights& weights,
                                                      const MotionTarget& target);
 
-/// Sets the displacements of the constrained vertices in `u`. Belt vertices get their displacement
-/// in `last`. Handle vertices get their displacement in `last` plus `prescribed` -
-/// `last_prescribed`.
+/// Sets the displacements of the constrained vertices in `u`. For belt vertices, this is their
+/// displacement in `last`; for handle vertices, it is `last` + `prescribed` - `last_prescribed`.
 void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_prescribed,
                std::span<const Eigen::Vector3d> prescribed, std::span<const Eigen::Vector3d> last,
                std::span<Eigen::Vector3d> u);

@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Matrix3d rotation_matrix(const AxisRotation& rotation) {
-  // At 0 degrees the formula gives negative zeros.
+  // At 0 degrees, the formula would return negative zeros.
   if (rotation.degrees == 0.0) return Matrix3d::Identity();
   const double radians = rotation.degrees * std::numbers::pi / 180.0;
   return Eigen::AngleAxisd(radians, rotation.axis.normalized()).toRotationMatrix();

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The repeated share of the recent change. It is below 1 because the change also contains the
-// minimization that earlier frames had left.
+// The fraction of the recent change that is repeated. It is less than 1 because the recent change
+// also contains minimization that earlier frames had not completed.
 constexpr double kTrust = 0.75;
 // Weight of a frame relative to the next one.
 constexpr double kShareOfOlder = 0.5;
@@ -28,8 +28,8 @@ void Predictor::clear() {
   recent_u_.clear();
 }
 
-// Returns the share of the recent displacement of the handles' vertices that is closest to
-// `change`, in the least-squares sense.
+// Returns the factor, from 0 to 1, by which the recent displacement of the handles' vertices best
+// fits `change` in the least-squares sense.
 double Predictor::repeated_share(const EditSystem& edit, std::span<const Vector3d> change) const {
   double along = 0.0;
   double square = 0.0;

@@ -15,17 +15,17 @@ namespace lapwing {
 /// edit's mesh.
 class Predictor {
  public:
-  /// Clears the history of frames.
   void clear();
 
   /// Predicts the displacement of the surface for the constraints `prescribed`. The prediction
-  /// starts from the pose `u`, which was computed for `last_prescribed`. Costs one solve.
+  /// starts from the pose `u`, which was computed for `last_prescribed`. Takes one n x n solve.
   std::vector<Eigen::Vector3d> predict(const EditSystem& edit,
                                        std::span<const Eigen::Vector3d> last_prescribed,
                                        std::span<const Eigen::Vector3d> prescribed,
                                        std::span<const Eigen::Vector3d> u) const;
 
-  /// Adds a frame from one pose to the next. Each frame counts twice the one before.
+  /// Adds a frame, which is the change from one pose to the next. The weight of each frame is twice
+  /// that of the previous frame.
   void add_frame(const EditSystem& edit, std::span<const Eigen::Vector3d> last_prescribed,
                  std::span<const Eigen::Vector3d> prescribed,
                  std::span<const Eigen::Vector3d> last_u, std::span<const Eigen::Vector3d> u);
@@ -33,7 +33,7 @@ class Predictor {
  private:
   double repeated_share(const EditSystem& edit, std::span<const Eigen::Vector3d> change) const;
 
-  // Weighted sums of the changes of all frames; empty without a frame.
+  // Weighted sums of the changes in all frames; empty before the first frame.
   std::vector<Eigen::Vector3d> recent_prescribed_;
   std::vector<Eigen::Vector3d> recent_u_;
 };

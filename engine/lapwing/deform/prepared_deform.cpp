@@ -80,8 +80,8 @@ class HandleParameters {
     return images_.empty() ? handle : images_[handle];
   }
 
-  // Sets the parameters of `moved`, handles of the edit in ascending order, if `handle` moves by
-  // `motion` and the others rest.
+  // Sets the parameters of the handles `moved` of the edit (ascending), if `handle` moves by
+  // `motion` and all other handles are at rest.
   void set_parameters(std::size_t handle, const Affine3d& motion,
                       std::span<const std::size_t> moved, std::span<double> parameters) const {
     std::fill(parameters.begin(), parameters.end(), 0.0);
@@ -98,7 +98,7 @@ class HandleParameters {
       set(handle, motion);
       return set(image_of(handle), mirrored);
     }
-    Affine3d along = motion;  // of a handle that lies across the plane
+    Affine3d along = motion;  // the handle lies across the plane
     along.affine() = 0.5 * (motion.affine() + mirrored.affine());
     set(handle, along);
   }
@@ -123,7 +123,7 @@ PreparedDeform::PreparedDeform(Mesh mesh, DeformRequest request, const Progress&
 Deformed PreparedDeform::solved(const DeformRequest& request, const Progress& progress) {
   is_at_rest_ = false;
   Deformed result = deform(mesh_, request, kernels_, workspace_, progress);
-  is_at_rest_ = result.commits == 1;  // else the solver is that of the last part
+  is_at_rest_ = result.commits == 1;  // otherwise, the solver belongs to the last substep
   return result;
 }
 
@@ -189,7 +189,8 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
     for (std::size_t k = 0; k < kMotionParameters; ++k, column += n) {
       const auto a = static_cast<Eigen::Index>(k / 4);
       const auto b = static_cast<Eigen::Index>(k % 4);
-      // A motion of the mesh's size, so that rounding matches its coordinates.
+      // The motion has the size of the mesh, so that its rounding errors are similar to those of
+      // the coordinates.
       const double by = b == 3 ? length : 1.0;
       motions.set_parameters(h, unit_motion(center, by, a, b), drag->handles(), parameters);
       for (double& parameter : parameters) parameter /= by;

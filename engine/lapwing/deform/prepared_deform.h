@@ -21,10 +21,10 @@ struct SurfaceResponse {
   /// The centre of each handle, which is the centroid of its vertices.
   std::vector<Eigen::Vector3d> centers;
   std::size_t vertex_count = 0;  ///< of the whole mesh
-  /// For each handle 12 columns, (0, 0), (0, 1), ... (2, 3), of vertex_count displacements each.
-  /// Columns (a, 3) are dimensionless, the others lengths.
+  /// For each handle, 12 columns (0, 0), (0, 1), ... (2, 3) of vertex_count displacements each.
+  /// Columns (a, 3) are dimensionless; all others are lengths.
   std::vector<Eigen::Vector3d> columns;
-  /// Why details do not turn (DragResponse::why_not_exact); empty if they do.
+  /// The reason why details do not rotate (DragResponse::why_not_exact); empty if they rotate.
   std::string why_not_exact;
 
   std::span<const Eigen::Vector3d> column(std::size_t handle, std::size_t a, std::size_t b) const {
@@ -44,14 +44,15 @@ class PreparedDeform {
   /// only the moves can be invalid.
   PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress = {});
 
-  const Mesh& mesh() const { return mesh_; }  ///< at rest
+  const Mesh& mesh() const { return mesh_; }  ///< the mesh at rest
   const DeformRequest& request() const { return request_; }
   const EditRegion& region() const { return region_; }
 
   /// Deforms the mesh by `moves`, one per handle. The result is bitwise identical to that of
   /// `deform`.
   Deformed solve(std::span<const Move> moves, const Progress& progress = {});
-  /// The same with `orientations`, one per handle, in place of the request's.
+  /// Like `solve` above, with one entry of `orientations` per handle instead of the orientations in
+  /// the request.
   Deformed solve(std::span<const Move> moves, std::span<const HandleOrientation> orientations,
                  const Progress& progress = {});
 
@@ -59,17 +60,17 @@ class PreparedDeform {
   /// at rest. The sum in SurfaceResponse matches `solve` without settling to within 1e-6 of the
   /// mesh's diagonal, except at loose parts. Mirror images of the handles also move, and targets
   /// have no effect. The response takes 288 bytes per vertex and handle; its computation takes up
-  /// to three times as much. Throws InputError for a handle that does not exist, SolverError if the
-  /// memory does not suffice, and Cancelled.
+  /// to three times as much memory. Throws InputError for a handle that does not exist, SolverError
+  /// if the memory does not suffice, and Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
-  /// Each function is called once for each k, on any of the threads and in any order.
+  /// `solve_many` calls both functions once for each k, on any of its threads and in any order.
   using MovesOf = std::function<std::vector<Move>(std::size_t k)>;
   using Take = std::function<void(std::size_t k, Deformed&& result)>;
 
-  /// Computes `count` results as `solve` does, on `threads` threads (0: one per CPU core). Each
-  /// thread has its own solver. The first error stops all threads. This function then throws that
-  /// error, with "motion K: " before its message. Reports stage "solve_many" on the calling thread;
+  /// Calls `solve` for `count` motions on `threads` threads (0: one per CPU core). Each thread has
+  /// its own solver. The first error stops all threads. This function then throws that error, with
+  /// "motion K: " before its message. Reports the stage "solve_many" on the calling thread;
   /// `progress` can cancel all threads.
   void solve_many(std::size_t count, const MovesOf& moves_of, const Take& take,
                   unsigned threads = 0, const Progress& progress = {});
@@ -82,7 +83,7 @@ class PreparedDeform {
   CpuKernels kernels_;
   DeformWorkspace workspace_;
   EditRegion region_;
-  bool is_at_rest_ = false;  ///< whether the workspace's solver is at the rest pose
+  bool is_at_rest_ = false;  ///< true if the workspace's solver is at the rest pose
 };
 
 }  // namespace lapwing

@@ -18,9 +18,11 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Rounding error of the stretch of a rotation.
+// Largest relative difference of stretches that are considered equal: the rounding error for a
+// rotation.
 constexpr double kEqualStretches = 1e-12;
-// Regularizes the tangential moment, which is singular for a ring on a line.
+// Lower bound of the determinant of the tangential moment, relative to its squared trace. The
+// moment is singular for a collinear ring.
 constexpr double kCollinearRing = 1e-12;
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
@@ -36,7 +38,8 @@ bool are_rigid(std::span<const Eigen::Affine3d> motions) {
   });
 }
 
-// Returns the stretch nearest to the identity if only handles hold the region, else the identity.
+// Returns the stretch of a handle that is nearest to the identity if only handles hold the region;
+// otherwise returns the identity.
 Matrix3d common_stretch(const EditSystem& system, std::span<const Matrix3d> of_handles) {
   if (!system.is_held_by_handles_alone()) return Matrix3d::Identity();
   return *std::min_element(
@@ -78,7 +81,8 @@ class RingStretch {
     Tangents tangents;
     tangents.col(0) = normal.unitOrthogonal();
     tangents.col(1) = normal.cross(tangents.col(0));
-    // Fits the gradient of u, not of x + u, whose edges leave the tangent plane.
+    // Fits the gradient of u instead of that of x + u, because the edges of x + u are not in the
+    // tangent plane.
     Matrix3d change = Matrix3d::Zero();
     Matrix3d moment = Matrix3d::Zero();
     for (std::size_t e = topology_.rings.starts[i]; e < topology_.rings.starts[i + 1]; ++e) {

@@ -11,16 +11,16 @@ namespace lapwing {
 
 /// The stretch that scaling handles prescribe for the surface.
 struct RestStretch {
-  /// S_i of every ring, per vertex of the mesh: symmetric and positive definite, the identity
+  /// S_i of every ring, per vertex of the mesh: symmetric and positive definite; the identity
   /// outside the region. Empty if no handle changes its size.
   std::vector<Eigen::Matrix3d> of_vertices;
-  /// The smooth map that the S_i are taken from: x -> common x + u, up to a translation.
+  /// The smooth map x -> common x + u (up to a translation), from which the S_i are computed.
   Eigen::Matrix3d common = Eigen::Matrix3d::Identity();
-  std::vector<Eigen::Vector3d> u;  ///< per vertex of the mesh; empty for 0
+  std::vector<Eigen::Vector3d> u;  ///< per vertex of the mesh; empty: u is 0
 };
 
 /// Computes the rest stretch for the handles' motions. It stretches the rest shape of the rings, so
-/// a scaling handle widens or narrows the surface around it without pushing it along.
+/// a scaling handle widens or narrows the surface around it without displacing it.
 ///
 /// A smooth map x -> x + u interpolates the stretches of the handles, each about the handle's
 /// centroid. u is the solution of the n x n system of `system`. In the tangent plane, S_i is the

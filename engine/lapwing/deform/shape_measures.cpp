@@ -38,7 +38,7 @@ double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
   return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
 }
 
-// Accumulated over the edges of one or several rings.
+// Sums over the edges of one or several rings.
 struct RowStretches {
   double sum_of_squares = 0.0;
   std::size_t count = 0;
@@ -68,7 +68,8 @@ RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const
   return row;
 }
 
-// delta_i and L(v'_i). Computed from differences, so meshes far from the origin lose no precision.
+// delta_i and L(v'_i). Computed from differences, which avoids a loss of precision far from the
+// origin.
 struct Laplacians {
   Vector3d was = Vector3d::Zero();
   Vector3d is = Vector3d::Zero();

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Sine of half of 30 degrees. Closer to a whole turn, rounding or an unsteady hand determines the
-// axis.
+// Sine of half of 30 degrees. If the rotation is closer to a whole turn, rounding errors or an
+// unsteady hand determine the axis.
 const double kUncertainAxis = std::sin(15.0 * std::numbers::pi / 180.0);
 
 }  // namespace

@@ -10,21 +10,21 @@ namespace lapwing {
 /// split into substeps unless a path is given (modifiers/substeps.h).
 inline constexpr double kLargestSettledTurnDegrees = 180.0;
 
-/// Returns true if a turn exceeds the limit by more than rounding errors, so that a half turn is
-/// within it.
+/// Returns true if a turn exceeds kLargestSettledTurnDegrees by more than rounding errors. A half
+/// turn does not exceed it.
 inline bool exceeds_settled_turn(double degrees) {
   constexpr double kRoundingDegrees = 1e-6;
   return degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }
 
-/// For larger turns, linear responses are inaccurate, surfaces can turn inside out, and
+/// For turns larger than this, linear responses are inaccurate, surfaces can turn inside out, and
 /// `winding_degrees` measures the winding. This is also the default size of substeps.
 inline constexpr double kFarTurnDegrees = 90.0;
 
 /// Accumulates the turn of one handle over the motions of a drag, also past 180 and 360 degrees.
 /// Several rotation vectors (angle times axis) represent the rotation of a motion; the tracker
-/// chooses the one nearest to the previous vector. It starts from no turn, and each step must be
-/// less than 180 degrees. A larger step is taken for a turn in the other direction.
+/// chooses the one nearest to the previous vector. It starts without a turn. Each step must be less
+/// than 180 degrees; a larger step is interpreted as a turn in the other direction.
 class TurnTracker {
  public:
   TurnTracker() = default;
@@ -37,17 +37,17 @@ class TurnTracker {
   /// does not define a rotation and leaves the turn unchanged.
   void follow(const Eigen::Affine3d& motion);
 
-  /// 0 or more.
+  /// The angle of the accumulated turn, 0 or more.
   double degrees() const;
-  /// Right-handed and of length 1, or 0 without a turn. Within 30 degrees of a whole turn, the axis
-  /// is ill-conditioned, so the previous axis is used.
+  /// The axis of the right-handed turn, of length 1, or 0 without a turn. Within 30 degrees of a
+  /// whole turn, the axis is ill-conditioned, so the previous axis is used.
   Eigen::Vector3d axis() const { return turn_.normalized(); }
   Eigen::AngleAxisd turn() const { return {turn_.norm(), axis()}; }
 
  private:
-  // The sign of the quaternion follows the drag: a whole turn flips it.
+  // The sign of the quaternion is continuous over the drag, so it is opposite after a whole turn.
   Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  // radians times axis
+  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  // axis times angle in radians
 };
 
 }  // namespace lapwing

@@ -21,22 +21,22 @@ struct VertexMotion {
   std::vector<double> stretch;
 };
 
-/// Returns the motion of every vertex from `rest` to `current`. Linear time, on all processors. For
-/// a result of `deform`: vertex_motion(before.positions, deformed.mesh.positions,
+/// Returns the motion of every vertex from `rest` to `current`. Takes linear time and uses all CPU
+/// cores. For a result of `deform`, call vertex_motion(before.positions, deformed.mesh.positions,
 /// before.topology()).
 VertexMotion vertex_motion(std::span<const Eigen::Vector3d> rest,
                            std::span<const Eigen::Vector3d> current, const Topology& topology);
 
-/// The same if only `rows` have moved. All other vertices get no motion, bit for bit, even if their
-/// ring contains one of `rows`.
+/// Like `vertex_motion` above, but only for the vertices `rows`. All other vertices have exactly no
+/// motion, even if their ring contains one of `rows`.
 VertexMotion vertex_motion(std::span<const Index> rows, std::span<const Eigen::Vector3d> rest,
                            std::span<const Eigen::Vector3d> current, const Topology& topology);
 
-/// Returns the quaternion of R with w >= 0. If w = 0, half a turn, its first non-zero component is
-/// positive. `rotation_angle` is 2 acos(w), in radians.
+/// Returns the quaternion of R with w >= 0. If w = 0 (half a turn), the first non-zero component is
+/// positive. `rotation_angle` equals 2 acos(w), in radians.
 Eigen::Quaterniond unit_quaternion(const Eigen::Matrix3d& R);
 
-/// Returns `fit_rotation` of ring i, or exactly the identity if nothing in the ring moved.
+/// Returns `fit_rotation` of ring i, or exactly the identity if no vertex of the ring moved.
 Eigen::Matrix3d ring_rotation(Index i, std::span<const Index> ring,
                               std::span<const Eigen::Vector3d> rest,
                               std::span<const Eigen::Vector3d> current);

@@ -11,9 +11,9 @@
 
 namespace lapwing {
 
-/// A result computed on a background thread. The owner calls from one thread at a time. The
-/// destructor tells the computation to stop and waits for it, so the task must be the owner's last
-/// member if it uses the others.
+/// A result computed on a background thread. Only one thread may call an object at a time. The
+/// destructor tells the computation to stop and waits until it has ended. A task that uses other
+/// members of its owner must therefore be the owner's last member.
 template <typename T>
 class BackgroundTask {
  public:
@@ -22,8 +22,8 @@ class BackgroundTask {
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-  /// Starts `make`, in which check_cancelled throws if it has to stop. Only the first call has an
-  /// effect.
+  /// Starts `make`, in which check_cancelled throws after the destructor has begun. Only the first
+  /// call has an effect.
   template <typename Make>
   void begin(Make make) {
     if (std::exchange(has_begun_, true)) return;
@@ -34,13 +34,13 @@ class BackgroundTask {
     try {
       made_ = std::async(std::launch::async, run);
     } catch (const std::system_error&) {
-      // Without another thread `take` computes the result.
+      // If no thread can be started, `take` computes the result.
       made_ = std::async(std::launch::deferred, run);
     }
   }
   /// True from `begin` until the result is taken, even if the computation has ended.
   bool is_pending() const { return made_.valid(); }
-  /// Whether the result can be taken without waiting.
+  /// Returns true if `take` would return without waiting.
   bool is_made() const {
     return is_pending() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
   }
@@ -54,7 +54,7 @@ class BackgroundTask {
  private:
   bool has_begun_ = false;
   std::atomic<bool> stopped_ = false;
-  std::future<T> made_;  // last: it uses the others
+  std::future<T> made_;  // last member, because it uses the others
 };
 
 }  // namespace lapwing

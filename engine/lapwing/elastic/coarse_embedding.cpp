@@ -70,7 +70,8 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
     for (std::size_t c = begin; c < end; ++c) bind(static_cast<Index>(c), owned[c]);
   });
 
-  // The nodes of each coarse vertex, so that threads gather forces without write conflicts.
+  // With the list of nodes bound to each coarse vertex, threads gather forces without write
+  // conflicts.
   std::vector<Index> nodes;
   nodes.reserve(kEmbeddingNodes * embedded_.size());
   for (const EmbeddedVertex& embedded : embedded_) {
@@ -81,17 +82,17 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
   bound_to_ = inverse_lists(nodes, coarse.kept.size());
 }
 
-// Binds to the nearest vertices of the two rings around the owner, by weights (1 - d / D)^2. D is
-// the distance of the first vertex that is not used, so that weights reach zero before the set
-// changes.
+// Binds the vertices `owned` to the nearest coarse vertices in the two rings around `owner`, with
+// weights (1 - d / D)^2 of the distance d. D is the distance of the nearest unused coarse vertex,
+// so a weight is 0 where the set of nearest vertices changes.
 void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
   if (owned.empty()) return;
-  // Roughly sorted by distance, so that most later vertices are rejected early.
+  // Sorted approximately by distance, so that most later vertices are rejected at once.
   const std::vector<Index> near = two_rings_around(owner, coarse_.topology.rings);
   std::vector<Vector3d> places;
   for (const Index c : near) places.push_back(coarse_.rest[c]);
   std::vector<double> squares(near.size());
-  // The nearest vertices, and the next one.
+  // The nearest vertices, and the nearest unused vertex.
   struct Candidate {
     double square;
     Index node;
@@ -153,8 +154,8 @@ std::vector<Vector3d> CoarseEmbedding::restrict_forces(std::span<const Vector3d>
   const Positions& rest = coarse_.rest;
   const std::size_t count = coarse_.kept.size();
   const auto place = [&](std::size_t c) -> Vector3d { return rest[c] + pose.displacement[c]; };
-  // A moment at a coarse vertex acts as forces w x e_k on its ring, with w such that sum_k e_k x (w
-  // x e_k) is the moment.
+  // A moment at a coarse vertex is replaced by forces w x e_k on its ring, where w is chosen such
+  // that sum_k e_k x (w x e_k) equals the moment.
   std::vector<Vector3d> pulls(count, Vector3d::Zero());
   std::vector<Vector3d> turns(count, Vector3d::Zero());
   constexpr std::size_t kCoarsePerTask = 64;

@@ -6,13 +6,13 @@
 namespace lapwing {
 namespace {
 
-// Handles of at most this many vertices keep all of them.
+// Decimation removes no vertices of handles that have at most this many.
 constexpr std::size_t kSmallHandle = 16;
 
 enum Group : Index { kFree, kBelt, kFirstHandle };
 
-// Returns the group of each vertex of the mesh; only vertices of one group may merge. Keeps
-// vertices outside the region, of small handles and of targets.
+// Returns the group of each vertex of the mesh; only vertices of the same group may be merged.
+// Vertices outside the region, of small handles, and of targets are never merged.
 std::vector<Index> groups_of(const EditRegion& region, std::size_t vertices) {
   std::vector<Index> groups(vertices, kKeptGroup);
   for (const Index v : region.roi) groups[v] = kFree;
@@ -46,7 +46,7 @@ struct Near {
   NumberedTriangles surface;
   Positions rest;
   std::vector<Index> groups;
-  std::size_t outside = 0;  // number of vertices outside the region
+  std::size_t outside = 0;
 };
 
 Near near_of(const VertexSet& roi, const Topology& topology, const Positions& rest,

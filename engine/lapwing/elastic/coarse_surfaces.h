@@ -12,7 +12,7 @@
 
 namespace lapwing {
 
-/// A coarse surface, the embedding of a region in it, and the preparation that edits on it share.
+/// A coarse surface, the embedding of a region in it, and the cached preparation of edits on it.
 struct CoarseLevel {
   CoarseLevel(CoarseSurface of, std::shared_ptr<const Positions> rest, const VertexSet& roi)
       : surface(std::move(of)),
@@ -23,30 +23,30 @@ struct CoarseLevel {
 
   const CoarseSurface surface;
   const CoarseEmbedding embedding;
-  PreparedRegion prepared;  ///< of edits on the surface; used under `preparing`
+  PreparedRegion prepared;  ///< of edits on the coarse surface; guarded by `preparing`
   std::mutex preparing;
 };
 
-/// The coarse surfaces of edits with one ROI of one mesh. Reuses the last surface for the next edit
-/// if handles, belt and targets are the same, for any weights. Thread-safe.
+/// The coarse surfaces of edits with the same ROI of the same mesh. The next edit reuses the last
+/// surface if its handles, belt and targets are the same; weights may differ. Thread-safe.
 class CoarseSurfaces {
  public:
-  /// Returns the surface with about `count` vertices in the region. `rest` is the same pointer for
-  /// the same positions. Returns null if more than half of the vertices would remain because too
-  /// many must be kept.
+  /// Returns the surface with about `count` vertices in the region. Calls with equal positions must
+  /// pass the same pointer `rest`. Returns null if more than half of the region's vertices would
+  /// remain, because decimation must not remove many of them.
   std::shared_ptr<CoarseLevel> of(const EditRegion& region, const Topology& topology,
                                   const std::shared_ptr<const Positions>& rest, std::size_t count);
 
  private:
-  // The last surface and the inputs it was made from.
+  // The last surface, and the inputs of its computation.
   struct Last {
     std::shared_ptr<const Positions> rest;
     std::size_t count = 0;
-    std::vector<Index> groups;  // per vertex of the mesh (groups_of)
+    std::vector<Index> groups;  // group of each vertex of the mesh (groups_of)
     std::shared_ptr<CoarseLevel> level;
   };
 
-  std::mutex mutex_;  // not held while a surface is made
+  std::mutex mutex_;  // not locked while a surface is computed
   Last last_;
 };
 

@@ -1,8 +1,8 @@
 // The inner loop of CoarseEmbedding (elastic/coarse_embedding.cpp). Included by
-// embedding_loops_*.cpp inside an unnamed namespace. Calls nothing that has external linkage: the
-// linker would be free to take another instruction set's copy.
+// embedding_loops_*.cpp inside an unnamed namespace. Calls no function with external linkage, for
+// which the linker could use the copy of another instruction set.
 
-// Four doubles, also efficient if a register holds only two.
+// Four doubles; also efficient if a register contains only two.
 typedef double Row __attribute__((vector_size(sizeof(double) * 4), may_alias));
 
 static inline __attribute__((always_inline)) double sum_of(Row row) {

@@ -18,7 +18,7 @@ bool EnergyMinimizer::State::has_stretch_of(const MinimizerTarget& target) const
   return true;
 }
 
-// Whether `at` is the surface `u`, evaluated for the same target.
+// Returns true if `at` contains the surface `u`, evaluated for `target`.
 bool EnergyMinimizer::State::is_at(const MinimizerTarget& target,
                                    std::span<const Vector3d> u) const {
   if (!is_placed || forces.empty() != target.forces.empty()) return false;
@@ -26,7 +26,7 @@ bool EnergyMinimizer::State::is_at(const MinimizerTarget& target,
     return rotation.handle() == handle;
   };
   if (!std::ranges::equal(free_rotations, target.free_handles, is_of)) return false;
-  // Positions come first, because they differ in nearly all frames.
+  // Positions are compared first, because they differ in nearly all frames.
   for (std::size_t k = 0; k < system.size(); ++k) {
     if (u[vertex(k)] != of_unknown(at.x, k)) return false;
     if (!forces.empty() && target.forces[vertex(k)] != of_unknown(forces, k)) return false;
@@ -37,10 +37,10 @@ bool EnergyMinimizer::State::is_at(const MinimizerTarget& target,
   return has_stretch_of(target);
 }
 
-// Sets `at` to the surface `u`. Does nothing if it is that already.
+// Sets `at` to the surface `u` and evaluates it, unless this has already been done.
 void EnergyMinimizer::State::place(const MinimizerTarget& target, std::span<const Vector3d> u) {
   if (is_at(target, u)) return;
-  is_placed = false;  // also if the evaluation is cancelled
+  is_placed = false;  // in case the evaluation is cancelled
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
   weights.resize(n);
@@ -69,7 +69,7 @@ void EnergyMinimizer::State::place(const MinimizerTarget& target, std::span<cons
   reevaluate();
 }
 
-// Evaluates `at` again after another surface was evaluated.
+// Evaluates `at` again after the evaluation of another surface.
 void EnergyMinimizer::State::reevaluate() {
   evaluate(at);
   is_placed = true;
@@ -103,7 +103,7 @@ void EnergyMinimizer::State::place_springs() {
   }
 }
 
-// Reuses the data of a handle that has not changed.
+// FreeRotation::place reuses the data of unchanged handles.
 void EnergyMinimizer::State::place_free_handles(const MinimizerTarget& target) {
   const std::size_t count = target.free_handles.size();
   if (count == 0 && free_rotations.empty()) return;
@@ -150,7 +150,7 @@ void EnergyMinimizer::State::finish(std::span<Vector3d> u) const {
   for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(at.x, k);
 }
 
-// Evaluates energy and gradient at point.x, with the best rotations.
+// Computes the energy and its gradient at point.x, with the optimal rotations.
 void EnergyMinimizer::State::evaluate(Point& point) {
   is_placed = false;
   const std::size_t n = system.size();

@@ -25,9 +25,9 @@ using Eigen::Vector3d;
 // L-BFGS history length, in steps.
 constexpr int kHistoryLength = 10;
 
-// Iterations before the first factorization of the Hessian, and from one to the next
-// (decision 4). On 210 edits of 105 meshes a first factorization after three or five
-// iterations takes the same time within 5%.
+// Number of iterations before the first factorization of the Hessian, and between factorizations
+// (decision 4). For 210 edits of 105 meshes, first factorizations after three and after five
+// iterations take the same time within 5%.
 constexpr int kBeforeHessian = 3;
 constexpr int kHessianPeriod = 20;
 constexpr int kNever = std::numeric_limits<int>::max();
@@ -76,7 +76,7 @@ void EnergyMinimizer::State::reset_history() {
   at_rest = false;
 }
 
-// Directions come from the n x n factor until `before_hessian` iterations are done.
+// Uses the n x n factor for the first `before_hessian` iterations.
 void EnergyMinimizer::State::begin_schedule(int before_hessian) {
   at_rest = false;
   taken = 0;
@@ -91,9 +91,9 @@ bool EnergyMinimizer::State::is_hessian_due() const {
   return preconditioner != nullptr && taken >= next_factorization;
 }
 
-// Factorizes the Hessian at the pose `at`, at which the rotations were fitted last. The history is
-// kept from one Hessian of a pose to the next: both miss the same directions of compression, in
-// which the energy is softer. It is cleared when the kind of the first Hessian changes.
+// Factorizes the Hessian at the pose `at`, at which the rotations were fitted last. The history
+// remains valid from one Hessian to the next: both are too stiff in the same directions of
+// compression. It is cleared when the Hessian replaces the n x n factor, or the reverse.
 void EnergyMinimizer::State::factorize_hessian() {
   const bool had_hessian = by_hessian;
   by_hessian = preconditioner->factorize(rotations->transforms(), displacement);
@@ -103,7 +103,8 @@ void EnergyMinimizer::State::factorize_hessian() {
   if (by_hessian != had_hessian) history.forget();
 }
 
-// Under strong compression the Hessian is a poor model of the energy.
+// Uses the n x n factor again, because the Hessian is a poor model of the energy under strong
+// compression.
 void EnergyMinimizer::State::fall_back_to_factor() {
   by_hessian = false;
   use_factor_for_turns();
@@ -112,7 +113,7 @@ void EnergyMinimizer::State::fall_back_to_factor() {
   history.forget();
 }
 
-// The response of free handles to a turn depends on the matrix that directions come from.
+// Updates the response of free handles to rotations, which depends on the current preconditioner.
 void EnergyMinimizer::State::use_factor_for_turns() {
   for (FreeRotation& rotation : free_rotations) {
     if (by_hessian) {
@@ -124,8 +125,9 @@ void EnergyMinimizer::State::use_factor_for_turns() {
   }
 }
 
-// Finds `direction`; steps go along -direction. `slope` is half that of E, `step` in mean edge
-// lengths. `accurate` selects Preconditioner::solve_accurately_in_place.
+// Computes `direction`; a step moves along -direction. In the result, `slope` is half the slope of
+// E, and `step` is in mean edge lengths. `accurate` selects
+// Preconditioner::solve_accurately_in_place.
 EnergyMinimizer::State::Sums EnergyMinimizer::State::find_direction(bool accurate) {
   history.first_loop(at.gradient, direction);
   for (const FreeRotation& rotation : free_rotations) rotation.rotate_to_factor(direction);
@@ -157,8 +159,9 @@ void EnergyMinimizer::State::accept_next() {
   is_placed = true;
 }
 
-// Whether the minimizer would end by a step of the n x n factor. Such a step may be far shorter
-// than the remaining bend of long limbs, so it may end only by a tiny one.
+// Returns true if the minimization must not end with the current step, because the n x n factor
+// computed it. Such a step may be far shorter than the remaining motion of long limbs, so the
+// minimization may only end with it if it is nearly 0.
 bool EnergyMinimizer::State::must_end_by_hessian() const {
   constexpr double kNextToNothing = 1e-4;
   return !may_end_by_factor && !by_hessian && preconditioner != nullptr &&
@@ -245,7 +248,7 @@ bool EnergyMinimizer::uses_hessian() const {
   return state_->by_hessian;
 }
 
-// Minimizes from the point that `place` has set.
+// Minimizes from the point set by `place`.
 MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget& budget,
                                          const Progress& progress) {
   const ProgressScope scope(progress);
@@ -263,10 +266,10 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
     while (!result.settled && has_time()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      // The last direction is only measured.
+      // After the last iteration, the direction only serves to measure the remaining step.
       const bool is_last = result.iterations == s.options.max_iterations;
       if (!is_last && s.is_hessian_due()) {
-        // A factorization takes longer than a frame has; the next one begins with it.
+        // A factorization takes longer than a frame, so the next frame begins with it.
         if (s.at_rest && budget && result.iterations > 0) break;
         s.factorize_hessian();
         watch.restart();
@@ -276,7 +279,8 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         history.forget();
         sums = s.find_direction();
       }
-      // A factor in single precision may be too stiff in soft directions, and end too early.
+      // In single precision, the factor may be too stiff in soft directions; the minimization would
+      // then end too early.
       if (s.by_hessian && sums.step <= s.options.tolerance) sums = s.find_direction(true);
       result.last_step = s.last_step = sums.step;
       result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;
@@ -287,9 +291,9 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         continue;
       }
       if (result.settled) {
-        // The direction is known, so taking it costs one evaluation. It leaves an error far below
-        // the tolerance, on which remeshing and other discrete steps may depend. A surface that was
-        // settled before does not move.
+        // The direction is known, so the step costs only one evaluation. It reduces the error far
+        // below the tolerance, because remeshing and other discrete operations may depend on small
+        // errors. A surface that was already settled does not move.
         if (result.iterations > 0 && s.line_search(sums.slope)) s.accept_next();
         break;
       }

@@ -12,15 +12,15 @@
 
 namespace lapwing {
 
-/// A handle whose orientation is free: its centre and shape are prescribed, its rotation is not.
-/// Vertex k should go to `centre + R shape[k]`, where the rotation R fits these positions to the
-/// vertices best, by the weights of the system. E measures the remaining distance, so its gradient
+/// A handle with free orientation: its centre and shape are prescribed, but not its rotation. The
+/// prescribed position of vertex k is `centre + R shape[k]`, where R is the rotation that minimizes
+/// the weighted distance between these positions and the current ones. The gradient of E therefore
 /// needs no derivative of R.
 struct FreeHandle {
-  std::vector<Index> vertices;         ///< of the mesh; unknowns of the system
-  std::vector<Eigen::Vector3d> shape;  ///< per vertex, relative to the centre
-  /// Per vertex: the centre minus the vertex at rest, so that `to_centre + R shape` is the
-  /// displacement.
+  std::vector<Index> vertices;         ///< vertices of the mesh that are unknowns of the system
+  std::vector<Eigen::Vector3d> shape;  ///< position of each vertex relative to the centre
+  /// The centre minus the rest position of each vertex. `to_centre + R shape` is thus the
+  /// prescribed displacement.
   std::vector<Eigen::Vector3d> to_centre;
 
   bool operator==(const FreeHandle&) const = default;
@@ -28,35 +28,37 @@ struct FreeHandle {
 
 /// The constraints and forces on a surface. All fields are per vertex of the mesh.
 struct MinimizerTarget {
-  /// d: prescribed displacements; 0 off the handles. A vertex of the region that is not an unknown
-  /// takes its value exactly.
+  /// d: prescribed displacements; 0 outside the handles. Vertices of the region that are not
+  /// unknowns reach these values exactly.
   std::span<const Eigen::Vector3d> prescribed;
-  /// S_i: symmetric and positive definite; the identity if empty.
+  /// S_i: symmetric and positive definite. If empty, all S_i are the identity.
   std::span<const Eigen::Matrix3d> rest_stretch;
-  /// f: forces on the unknowns; none if empty.
+  /// f: forces on the unknowns. If empty, no forces act.
   std::span<const Eigen::Vector3d> forces = {};
-  /// At the vertices of these handles, positions fitted by rotation replace `prescribed`.
+  /// For the vertices of these handles, the positions of FreeHandle replace `prescribed`.
   std::span<const FreeHandle> free_handles = {};
 };
 
-/// A factored 3n x 3n matrix that preconditions L-BFGS near a pose. With only the n x n matrix,
-/// which resists every rotation of a ring, long limbs take many iterations to bend.
+/// A factorized 3n x 3n matrix that preconditions L-BFGS near a pose. The n x n matrix is stiff
+/// against every rotation of a ring; with this matrix alone, long limbs would need many iterations
+/// to bend.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Assembles and factors the matrix at a pose. `transforms` holds one T_i per row of the rings.
-  /// `displacement` has one vector per entry of RegionRings::vertices. Returns false if the matrix
-  /// does not fit in memory or is not positive definite. In that case, do not call
+  /// Assembles and factorizes the matrix at a pose. `transforms` contains one T_i per row of the
+  /// rings, `displacement` one vector per entry of RegionRings::vertices. Returns false if the
+  /// matrix does not fit in memory or is not positive definite. In that case, do not call
   /// `solve_in_place`.
   virtual bool factorize(std::span<const Eigen::Matrix3d> transforms,
                          std::span<const Eigen::Vector3d> displacement) = 0;
 
-  /// Replaces a right-hand side by its solution, in the order of elimination of the n x n system: x
-  /// of all unknowns, then y, then z.
+  /// Replaces a right-hand side by the solution. The unknowns are in elimination order of the n x n
+  /// system: x of all unknowns, then y, then z.
   virtual void solve_in_place(std::span<double> b) = 0;
 
-  /// The same with an error of about a tenth, even if the factor is held in single precision.
+  /// Like `solve_in_place`, but with a relative error of at most about a tenth, even if the factor
+  /// is in single precision.
   virtual void solve_accurately_in_place(std::span<double> b) { solve_in_place(b); }
 };
 
@@ -86,44 +88,44 @@ class EnergyMinimizer {
   double energy(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Minimizes E over `u`, the displacements of the whole mesh, in place. The result does not
-  /// depend on earlier calls. Allocates nothing per iteration. Reports stage "settle". If it throws
-  /// Cancelled, `u` holds the last iterate.
+  /// depend on earlier calls. Iterations do not allocate memory. Reports the stage "settle". If it
+  /// throws Cancelled, `u` contains the last iterate.
   MinimizerResult settle(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const Progress& progress = {});
 
   /// Minimizes one frame of a drag from the predicted `u`. Uses the L-BFGS history of earlier
-  /// frames, because `target` differs little from that of the last frame. Ends when `budget` is
-  /// spent.
+  /// frames, because `target` differs little from the target of the last frame. Ends when `budget`
+  /// is spent.
   MinimizerResult follow(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// The same with the preconditioner, which this call first factors at `u`. For surfaces of a few
-  /// thousand vertices, a frame has enough time for this.
+  /// Like `follow`, but uses the preconditioner, which it first factorizes at `u`. On surfaces of a
+  /// few thousand vertices, this is fast enough for a frame.
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Minimizes a frame with the `target` of the last call, from its result `u`. If such calls have
-  /// made three iterations in total, the next call first factors the preconditioner at the current
-  /// pose, even if that exceeds `budget`.
+  /// Minimizes a frame with the same `target` as the last call, starting from its result `u`. After
+  /// three iterations in successive calls of this function, the next call first factorizes the
+  /// preconditioner at the current pose, even if that exceeds `budget`.
   MinimizerResult follow_at_rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                  const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Call this if the target moves but the frame has no time for `follow`. The state of
-  /// `follow_at_rest` then belongs to an earlier pose and must not be reused.
+  /// Call this if the target has moved but there is no time to call `follow`. It discards the state
+  /// of `follow_at_rest`, which belongs to an earlier pose.
   void end_rest();
 
-  /// Clears the history, so that the next frame is the first of another drag.
+  /// Clears the history; call this before the first frame of a drag.
   void begin_drag();
 
   /// Returns true if the last step was computed with the preconditioner.
   bool uses_hessian() const;
 
-  /// Writes half of the gradient of E at the surface of the last call, for the unknowns. `gradient`
-  /// is per vertex of the mesh.
+  /// Writes half of the gradient of E at the result of the last call to `gradient`, which has one
+  /// vector per vertex of the mesh. Sets only the vectors of the unknowns.
   void gradient(std::span<Eigen::Vector3d> gradient) const;
-  /// Returns T_i per row of the rings, at the surface of the last call.
+  /// Returns T_i for each row of the rings, at the result of the last call.
   std::vector<Eigen::Matrix3d> transforms();
-  /// Returns R of each of the target's free handles, at the surface of the last call.
+  /// Returns R for each free handle of the target, at the result of the last call.
   std::vector<Eigen::Matrix3d> handle_rotations();
 
  private:

@@ -25,30 +25,32 @@ struct EnergyMinimizer::State {
   std::unique_ptr<RingRotations> rotations;
   Preconditioner* const given_preconditioner;
   Preconditioner* preconditioner = nullptr;  ///< null after a factorization has failed
-  bool at_rest = false;                      ///< whether the last call was `follow_at_rest`
-  int taken = 0;                             ///< iterations since `begin_schedule`
-  bool by_hessian = false;                   ///< whether directions come from the preconditioner
-  int next_factorization = 0;                ///< the iteration before which it is due
-  /// True if the minimization may end with a step of the n x n factor, which may be far shorter
-  /// than the remaining distance.
+  bool at_rest = false;                      ///< true if the last call was `follow_at_rest`
+  int taken = 0;                             ///< number of iterations since `begin_schedule`
+  bool by_hessian = false;                   ///< true if directions come from the preconditioner
+  /// Value of `taken` at which the next factorization is due.
+  int next_factorization = 0;
+  /// True if the minimization may end with a step of the n x n factor. Such a step may be far
+  /// shorter than the distance to the minimum.
   bool may_end_by_factor = false;
   double iteration_ms = 0.0;  ///< time of the last iteration without factorization
   double last_step = 0.0;     ///< length of the last step, in mean edge lengths
-  bool is_placed = false;     ///< true if the last evaluation was at `at`
+  bool is_placed = false;     ///< true if `at` was evaluated last
   Lbfgs history;
 
   // Vectors over the unknowns are in elimination order: x of all, then y, then z.
   std::vector<Eigen::Vector3d> displacement;  ///< per vertex of RegionRings::vertices
-  std::vector<double> energies;               ///< per row
-  std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
+  std::vector<double> energies;               ///< one per row of the rings
+  std::vector<Eigen::Matrix3d> stretch;       ///< per row of the rings; empty: all are the identity
   std::vector<double> weights;                ///< W of each unknown
   std::vector<Eigen::Vector3d> prescribed;    ///< per vertex of RegionRings::vertices
-  std::vector<Eigen::Vector3d> fitted;        ///< `prescribed`, with free handles at their best fit
-  std::vector<double> forces;                 ///< per unknown; empty if no forces act
+  /// `prescribed`, with the fitted positions of free handles.
+  std::vector<Eigen::Vector3d> fitted;
+  std::vector<double> forces;  ///< per unknown; empty if no forces act
   std::vector<double> direction;
   std::vector<double> correction;
 
-  // A surface with its E and half of its gradient.
+  // A surface, its energy E, and half of the gradient of E.
   struct Point {
     std::vector<double> x;
     std::vector<double> gradient;
@@ -58,8 +60,8 @@ struct EnergyMinimizer::State {
   Point at;
   Point next;
 
-  // A spring of the system, with the rows and unknowns of its corners; kNoIndex for a prescribed
-  // corner.
+  // A spring of the system, with the row and the unknown of each corner. A prescribed corner has
+  // kNoIndex in `places`.
   struct PlacedSpring {
     Spring spring;
     std::array<Index, 3> rows{};
@@ -73,7 +75,7 @@ struct EnergyMinimizer::State {
     double force = 0.0;
     double slope = 0.0;
     double gradient = 0.0;
-    double step = 0.0;  ///< the largest
+    double step = 0.0;  ///< length of the longest vertex step
   };
   std::vector<Sums> partial;  ///< per task
 
@@ -115,7 +117,7 @@ struct EnergyMinimizer::State {
   Sums sum_over_unknowns(const Add& add) {
     parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t task = begin; task < end; ++task) {
-        Sums sum;  // local, because adjacent tasks would write to one cache line
+        Sums sum;  // local, because the entries of adjacent tasks share a cache line
         const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
         for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
         partial[task] = sum;

@@ -10,11 +10,11 @@
 namespace lapwing {
 namespace {
 
-// Whether the cache alone holds `factor`, so that its memory may be used again.
+// Returns true if only the cache owns `factor`, so that its memory may be reused.
 template <typename T>
 bool is_unused(const std::shared_ptr<T>& factor) {
-  // Copying changes the count, which orders this thread after the last other owner's release;
-  // reading the count alone would not.
+  // Copying modifies the reference count, which synchronizes this thread with the last other
+  // owner's release. Reading the count would not.
   const std::shared_ptr<T> copy = factor;
   return copy.use_count() == 2;
 }
@@ -103,7 +103,7 @@ std::shared_ptr<const ResponseSystem> FactorCache::response(
     response_has_memory_ = false;
   }
   response_->set_laplacian(std::move(laplacian));
-  // In smaller regions the analysis runs beside the assembly, which takes little memory.
+  // For smaller regions, the analysis runs in parallel to the assembly, which needs little memory.
   if (unknowns_.size() > kMinimumDegreeLimit) {
     response_->analyze(progress, timings);
     require_memory(options.memory_limit_bytes);
@@ -121,7 +121,8 @@ std::shared_ptr<const ResponseSystem> FactorCache::response(
   return response_;
 }
 
-// Returns null if nobody holds the rows. A response that turns freely has other rows.
+// Returns null if the rows are no longer in use. The rows of a response with `turns_freely` are
+// different.
 std::shared_ptr<const BlockRows> FactorCache::held_tangent_rows(const SystemTerms& terms) const {
   const bool response_has = response_ != nullptr && response_kind_ == LinearResponse::tangent &&
                             terms == response_terms_ && !terms.turns_freely;
@@ -141,7 +142,7 @@ std::shared_ptr<const BlockRows> FactorCache::tangent_rows(const SystemTerms& te
   return rows;
 }
 
-// Does nothing if the system has its memory already.
+// Does nothing if the system's memory is already allocated.
 void FactorCache::require_memory(std::size_t limit_bytes) {
   if (response_ != nullptr && response_has_memory_) return;
   if (response_ != nullptr) response_bytes_ = response_->memory_bytes();

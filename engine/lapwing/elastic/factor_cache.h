@@ -16,7 +16,7 @@
 
 namespace lapwing {
 
-/// The 3n x 3n system of a region exceeds the memory limit.
+/// Thrown if the 3n x 3n system of a region exceeds the memory limit.
 class DoesNotFit : public SolverError {
  public:
   explicit DoesNotFit(const std::string& need)
@@ -28,23 +28,23 @@ class DoesNotFit : public SolverError {
   std::string need_;
 };
 
-/// The inputs of a system's values besides region and constraints.
+/// The inputs that determine the values of a system, except region and constraints.
 struct SystemTerms {
-  std::shared_ptr<const Positions> rest;  ///< the same pointer for the same positions
+  std::shared_ptr<const Positions> rest;  ///< equal positions must have the same pointer
   EnergyTerms energy;
   bool turns_freely = false;                           ///< EditRegion::turns_freely
-  std::shared_ptr<const std::vector<Spring>> springs;  ///< null for none
+  std::shared_ptr<const std::vector<Spring>> springs;  ///< null if there are none
 
   bool operator==(const SystemTerms&) const = default;
 };
 
-/// Caches the factors for edits of one region with the same unknowns. A returned factor does not
-/// change. The next factor shares its pattern, orders and symbolic factorizations. It also reuses
-/// the memory of the previous factor if that one is no longer in use. All results are bitwise
+/// Caches the factors for edits of one region with the same unknowns. A returned factor never
+/// changes. The next factor shares the pattern, orders and symbolic factorizations. It also reuses
+/// the memory of the previous factor if nothing else uses that factor. All results are bitwise
 /// identical to those of a factorization from scratch. The class is thread-safe.
 class FactorCache {
  public:
-  /// Finds only the pattern. `topology` must outlive the object.
+  /// Computes only the pattern. `topology` must outlive the object.
   FactorCache(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns);
 
   bool serves(const VertexSet& roi, const Unknowns& unknowns) const;
@@ -64,8 +64,8 @@ class FactorCache {
     /// Runs the symbolic factorization of the 3n x 3n pattern, for the Hessian of a pose. Does
     /// nothing if the region is large.
     void analyze_hessian();
-    /// Factors, after the steps above that are still missing. Throws SolverError, naming the
-    /// vertex, if a component is not held.
+    /// Factorizes the system. Runs `assemble` and `analyze` first if they have not run. Throws
+    /// SolverError if no constraint holds a component; the message names a vertex.
     std::shared_ptr<const LaplacianSystem> finish();
 
    private:
@@ -78,22 +78,22 @@ class FactorCache {
     std::span<const double> W_;
     std::shared_ptr<LaplacianSystem> system_;
   };
-  /// `W` holds the squared weight of each unknown and must outlive the build.
+  /// `W` contains the squared weight of each unknown and must outlive the LaplacianBuild.
   LaplacianBuild build_laplacian(SystemTerms terms, std::span<const double> W) {
     return {*this, std::move(terms), W};
   }
 
-  /// Returns the factored 3n x 3n system. `options` determine its kind and its memory limit.
+  /// Returns the factorized 3n x 3n system. `options` determine its kind and its memory limit.
   /// Reports the stages "assemble", "analyze", "normal_matrix" and "factor", except those already
-  /// done. Throws DoesNotFit if the memory does not suffice. In that case, the cache stores nothing
-  /// of the system.
+  /// done. Throws DoesNotFit if the memory does not suffice; the cache then contains no part of the
+  /// system.
   std::shared_ptr<const ResponseSystem> response(const SystemTerms& terms,
                                                  std::shared_ptr<const LaplacianSystem> laplacian,
                                                  const DeformOptions& options, Kernels& kernels,
                                                  const Progress& progress, StageTimings& timings);
 
-  /// Returns G at rest (`tangent_rows`), from which the Hessian of a pose is assembled. All holders
-  /// share it, including the response.
+  /// Returns G at rest (`tangent_rows`), from which the Hessian at a pose is assembled. The
+  /// response and all callers share it.
   std::shared_ptr<const BlockRows> tangent_rows(const SystemTerms& terms,
                                                 const LaplacianSystem& laplacian, Kernels& kernels);
 
@@ -109,16 +109,17 @@ class FactorCache {
   const SystemPattern pattern_;
   CoarseSurfaces coarse_surfaces_;
 
-  std::mutex mutex_;  // guards all below
+  std::mutex mutex_;  // guards all members below
   std::shared_ptr<LaplacianSystem> laplacian_;
-  SystemTerms laplacian_terms_;  // without positions if it is not assembled
-  std::shared_ptr<const SolverAnalysis> analysis_ahead_;  // of the 3n x 3n system that comes first
+  SystemTerms laplacian_terms_;  // default-constructed if the system is not assembled
+  // Of the first 3n x 3n system, computed in advance.
+  std::shared_ptr<const SolverAnalysis> analysis_ahead_;
   std::shared_ptr<ResponseSystem> response_;
   LinearResponse response_kind_ = LinearResponse::tangent;
   SystemTerms response_terms_;
   bool response_has_memory_ = false;
   std::size_t response_bytes_ = 0;       // memory that `response_` needs; 0 if unknown
-  std::weak_ptr<const BlockRows> rows_;  // G at rest, as long as it is in use
+  std::weak_ptr<const BlockRows> rows_;  // G at rest, while it is in use
   SystemTerms rows_terms_;
 };
 

@@ -17,8 +17,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Below this share of the held handle's stiffness, a turn counts as free and is left unchanged:
-// turns of a handle of one vertex, or of vertices on a line, have no effect.
+// If the stiffness against a rotation is below this fraction of the unstrained stiffness, the
+// rotation is not changed. For example, rotations of a handle of one vertex or of collinear
+// vertices have no effect.
 constexpr double kLeastStiffness = 1e-9;
 
 Vector3d at(std::span<const double> field, Index k) {
@@ -26,7 +27,7 @@ Vector3d at(std::span<const double> field, Index k) {
   return {field[k], field[n + k], field[2 * n + k]};
 }
 
-// Compares up to rounding, since rotating a shape back is not exact.
+// Compares up to rounding errors, because rotating a shape back is not exact.
 bool are_equal(std::span<const Vector3d> a, std::span<const Vector3d> b) {
   constexpr double kEqualShare = 1e-9;
   return std::ranges::equal(a, b, [](const Vector3d& p, const Vector3d& q) {
@@ -34,7 +35,7 @@ bool are_equal(std::span<const Vector3d> a, std::span<const Vector3d> b) {
   });
 }
 
-// x += `by` * `field`, vector by vector.
+// Adds by * v to `x` for every vector v of `field`.
 void add_field(const Matrix3d& by, std::span<const double> field, std::span<double> x) {
   constexpr std::size_t kVectorsPerTask = 4096;
   const std::size_t n = field.size() / 3;
@@ -169,7 +170,7 @@ void FreeRotation::rotate_from_factor(std::span<double> solution) const {
 
 void FreeRotation::add_turn(std::span<double> solution) const {
   if (columns_.empty()) {
-    // P is the same for x, y and z, so its response turns with the handle.
+    // P is the same for x, y and z, so the response rotates with the handle.
     const Matrix3d inverse =
         inverse_stiffness(rotation_ * response_stiffness_ * rotation_.transpose());
     const Vector3d turn = inverse * torque(solution, rotation_);

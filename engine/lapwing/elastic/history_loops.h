@@ -6,8 +6,8 @@
 
 namespace lapwing {
 
-/// The loops of Lbfgs over a chunk of its vectors, for one instruction set. Sums are in double
-/// precision and go in a fixed order.
+/// The inner loops of Lbfgs for one instruction set, each over a chunk of the vectors. Sums are
+/// computed in double precision and in a fixed order.
 struct HistoryLoops {
   double (*multiply)(const float* difference, const double* x, std::size_t count);
   /// x -= factor difference.
@@ -15,7 +15,7 @@ struct HistoryLoops {
   double (*dot)(const float* a, const float* b, std::size_t count);
 };
 
-/// `set` must be available.
+/// Returns the loops for `set`, which the CPU must support.
 const HistoryLoops& history_loops(InstructionSet set);
 
 }  // namespace lapwing

@@ -1,17 +1,18 @@
 // The inner loops of Lbfgs (elastic/lbfgs_history.cpp). Included by history_loops_*.cpp inside an
-// unnamed namespace. Calls nothing that has external linkage: the linker would be free to take
-// another instruction set's copy.
+// unnamed namespace. Calls no function with external linkage, for which the linker could use the
+// copy of another instruction set.
 
 typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes)));
 typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
 
-// Number of partial sums, the same for every instruction set, so that results have the same bits.
+// Number of partial sums. It is the same for every instruction set, so that all add in the same
+// order.
 constexpr std::size_t kSums = 16;
 constexpr std::size_t kParts = kSums / kLanes;
 
-// memcpy allows unaligned addresses on every compiler, at no cost.
+// memcpy allows unaligned addresses with every compiler; it compiles to a single load or store.
 LAPWING_INLINE Lanes lanes_at(const double* p) {
   Lanes lanes;
   __builtin_memcpy(&lanes, p, sizeof lanes);

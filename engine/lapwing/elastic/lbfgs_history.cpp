@@ -18,10 +18,11 @@ extern const HistoryLoops kHistoryLoopsAvx512;
 
 namespace {
 
-// If the gradient grows by less than this share along a step, it shows rounding, not curvature.
+// A step is not added if the cosine of the angle between the step and its gradient change is at
+// most this value: the change then shows rounding errors or negative curvature.
 constexpr double kSmallestCurvature = 1e-12;
-// Sums run over chunks, so that they do not depend on the number of threads and the vectors of one
-// chunk stay in cache.
+// Sums are computed chunk by chunk. They therefore do not depend on the number of threads, and the
+// vectors of a chunk remain in the cache.
 constexpr std::size_t kChunk = 1024;
 
 template <typename Body>
@@ -95,7 +96,7 @@ void Lbfgs::add(std::span<const double> last_x, std::span<const double> x,
   const Sums sums = sum_of_chunks();
   if (!(sums.first[place] >
         kSmallestCurvature * std::sqrt(sums.step_square * sums.change_square))) {
-    // The slot may have held the oldest step.
+    // The slot may have contained the oldest step, which is now lost.
     used_ = std::min(used_, window_ - 1);
     return;
   }
@@ -157,7 +158,7 @@ void Lbfgs::second_loop(std::span<double> p) {
     for (int older = k + 1; older < used_; ++older) {
       sum -= factors_[slot(older)] * products_[slot(older)][i];
     }
-    factors_[i] = sum / products_[i][i] - factors_[i];  // beta - alpha, to be subtracted
+    factors_[i] = sum / products_[i][i] - factors_[i];  // beta - alpha, which `combine` subtracts
   }
   combine(p, steps_);
 }

@@ -8,35 +8,37 @@
 
 namespace lapwing {
 
-/// The history of limited-memory BFGS (Nocedal 1980). With A the first Hessian, whose factor the
-/// caller has,
+/// The history of limited-memory BFGS (Nocedal 1980). If A is the first Hessian, which the caller
+/// has factorized, then
 ///     history.first_loop(g, p);  // p from the gradient g
 ///     p = A^-1 p;
 ///     history.second_loop(p);
-/// sets p to the inverse of a better Hessian times g. Stores 2 `window` vectors in single
-/// precision, scaled by `length`, about that of a step, to keep them in range. Results do not
-/// depend on the number of threads.
+/// sets p to g multiplied by the inverse of an improved Hessian. Stores 2 * `window` vectors in
+/// single precision. They are divided by `length`, the approximate length of a step, so that they
+/// do not leave the range of floats. Results do not depend on the number of threads.
 class Lbfgs {
  public:
   static constexpr int kLargestWindow = 24;
 
   Lbfgs(std::size_t size, int window, double length = 1.0);
 
-  /// Adds the step from `last_x` to `x`, along which the gradient went from `last_g` to `g`, in
-  /// place of the oldest one. A step along which the gradient did not grow is left out.
+  /// Adds the step from `last_x` to `x`, along which the gradient changed from `last_g` to `g`. If
+  /// the history is full, the step replaces the oldest one. A step without positive curvature is
+  /// not added.
   void add(std::span<const double> last_x, std::span<const double> x,
            std::span<const double> last_g, std::span<const double> g);
 
-  /// The first half of the two-loop recursion: p is g without its parts along gradient changes.
+  /// The first half of the two-loop recursion: sets p to g minus multiples of the gradient changes.
   void first_loop(std::span<const double> g, std::span<double> p);
-  /// The second half: adds the steps.
+  /// The second half of the two-loop recursion: adds multiples of the steps to p.
   void second_loop(std::span<double> p);
 
   bool is_empty() const { return used_ == 0; }
   void forget() { used_ = newest_ = 0; }
 
  private:
-  // Dot products over one chunk, per slot of the history, and squares for the newest step.
+  // Dot products over one chunk: for each slot of the history, and squares of the newest step and
+  // change.
   struct Sums {
     std::array<double, kLargestWindow> first{};
     std::array<double, kLargestWindow> second{};
@@ -59,14 +61,16 @@ class Lbfgs {
   const HistoryLoops& loops_;
   std::size_t size_;
   int window_;
-  double scale_;  ///< of the stored vectors: a power of two, so exact
+  double scale_;  ///< of the stored vectors; a power of two, so that scaling is exact
   int used_ = 0;
-  int newest_ = 0;  ///< slot of the last one stored
+  int newest_ = 0;  ///< slot of the newest step
   std::vector<float> steps_;
   std::vector<float> changes_;
-  std::array<std::array<double, kLargestWindow>, kLargestWindow> products_{};  ///< step . change
-  std::array<double, kLargestWindow> factors_{};  ///< of the changes, then of the steps; per slot
-  std::vector<Sums> partial_;                     ///< per chunk of the vectors
+  /// Dot products of steps and changes.
+  std::array<std::array<double, kLargestWindow>, kLargestWindow> products_{};
+  /// Per slot: of the changes in the first loop, of the steps in the second.
+  std::array<double, kLargestWindow> factors_{};
+  std::vector<Sums> partial_;  ///< per chunk of the vectors
 };
 
 }  // namespace lapwing

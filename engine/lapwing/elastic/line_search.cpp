@@ -26,9 +26,10 @@ void EnergyMinimizer::State::go(double length) {
   if (by_hessian) correct();
 }
 
-// A step by the Hessian moves vertices along straight lines and so stretches rotating parts, more
-// on finer meshes. One step of the n x n system at the rotations of `next` removes that stretch. It
-// never raises E, which at fixed rotations is that system's quadratic.
+// A step by the Hessian moves vertices along straight lines, which stretches rotating parts, on
+// finer meshes more than on coarse ones. One step of the n x n system at the rotations of `next`
+// removes that stretch. It never raises E: at fixed rotations, E is a quadratic function with the
+// matrix of that system.
 void EnergyMinimizer::State::correct() {
   correction = next.gradient;
   system.solve_in_elimination_order(correction, 3);
@@ -38,12 +39,12 @@ void EnergyMinimizer::State::correct() {
   evaluate(next);
 }
 
-// Sets `next` to a step along the direction that lowers E. Returns false if there is none.
+// Sets `next` to a surface along the direction at which E is lower. Returns false if there is none.
 bool EnergyMinimizer::State::line_search(double slope) {
   for (FreeRotation& rotation : free_rotations) rotation.begin_step(direction);
   for (double length = 1.0; length >= kShortestStep;) {
     go(length);
-    const double promised = 2.0 * length * slope;  // below 0
+    const double promised = 2.0 * length * slope;  // predicted change of E, negative
     const double fall = next.energy - at.energy;
     if (fall <= kShareOfSlope * promised + kEnergyRounding * std::abs(at.energy)) {
       return true;

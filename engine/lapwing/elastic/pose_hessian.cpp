@@ -21,23 +21,24 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// The square root of beta. A share of 0.001 of A remains in the Hessian, so a step is at most 1000
-// times that of the n x n factor. Without it compressed rings would have almost no resistance.
+// The square root of beta. The Hessian contains A / 1000, so a step is at most 1000 times longer
+// than with the n x n factor. Without this term, compressed rings would have almost no stiffness.
 const double kRootOfBeta = std::sqrt(1.0 - 1e-3);
 
 Matrix3d rotation_stiffness(const Matrix3d& S) {
   return S.trace() * Matrix3d::Identity() - S;
 }
 
-// Factors that turn the blocks of G_i at rest into those of a pose.
+// Factors that convert the blocks of G_i at rest to those at a pose.
 struct BlockFactors {
   Matrix3d left;
   Matrix3d right;
 };
 
-// T = R S is the transform of row `r` of the rings. Its stretched rest edges are S e. By [S e]x =
-// det(S) S^-1 [e]x S^-1 the blocks a_i of the pose follow from those of rest. F_i F_i' is K_i of
-// the pose seen from the ring, no less than that of the stretched rest in any direction.
+// T = R S is the transform of row `r` of the rings, and its stretched rest edges are S e. The
+// blocks a_i at the pose follow from those at rest because [S e]x = det(S) S^-1 [e]x S^-1. F_i F_i'
+// is K_i at the pose in the coordinates of the ring, but in every direction at least that of the
+// stretched rest shape.
 BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3d& T,
                           std::span<const Vector3d> displacement) {
   Matrix3d at_rest = Matrix3d::Zero();
@@ -64,7 +65,7 @@ BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3
   const Matrix3d R = T * inverse_S;
   const Matrix3d Q = R.transpose() * C * S;
   const Matrix3d inverse_F = inverse_cholesky_factor(rotation_stiffness(S * at_rest * S));
-  Eigen::SelfAdjointEigenSolver<Matrix3d> ratio;  // to a few digits, which are enough here
+  Eigen::SelfAdjointEigenSolver<Matrix3d> ratio;  // computeDirect is less accurate but fast
   ratio.computeDirect(inverse_F * rotation_stiffness(0.5 * (Q + Q.transpose())) *
                       inverse_F.transpose());
   const Vector3d inverse_roots = ratio.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
@@ -72,7 +73,7 @@ BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3
       ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose(),
       kRootOfBeta * inverse_S * R.transpose()};
   if (is_stretched) {
-    // A direction without rotation is a row of zeros in G_i at rest, so any inverse will do.
+    // If a rotation has no effect, G_i at rest has a row of zeros, so any inverse can be used.
     const Matrix3d F = inverse_cholesky_factor(rotation_stiffness(at_rest))
                            .completeOrthogonalDecomposition()
                            .pseudoInverse();
@@ -103,14 +104,14 @@ void PoseHessian::prepare() {
   const std::scoped_lock lock(taking_);
   if (factor_ != nullptr) return;
   prepared_.begin([this] {
-    const SerialScope alone;  // the other threads belong to the frames
+    const SerialScope alone;  // the other threads are needed for the frames
     std::unique_ptr<ConstrainedFactor> factor = analyzed_factor();
     if (factor != nullptr) factor->solver().prepare_memory();
     return factor;
   });
 }
 
-// Returns null if there is not enough memory.
+// Returns null if the memory does not suffice.
 std::unique_ptr<ConstrainedFactor> PoseHessian::analyzed_factor() const {
   auto factor = std::make_unique<ConstrainedFactor>(pattern_, 3, FactorPrecision::float32);
   factor->analyze();
@@ -118,7 +119,8 @@ std::unique_ptr<ConstrainedFactor> PoseHessian::analyzed_factor() const {
 }
 
 bool PoseHessian::fits(const ConstrainedFactor& factor) const {
-  std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
+  // Of the matrix; below, of G at rest and at the pose.
+  std::size_t blocks = pattern_.blocks().rows.size();
   for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));
   const std::size_t bytes = 9 * sizeof(double) * blocks + factor.solver().statistics().peak_bytes;
   return bytes <= allowed_memory(memory_limit_);
@@ -173,7 +175,8 @@ bool PoseHessian::is_factored(ConstrainedFactor& factor) const {
   return true;
 }
 
-// Returns false if memory is short or the matrix is not positive definite in doubles either.
+// Returns false if the memory does not suffice, or if the matrix is indefinite in double precision,
+// too.
 bool PoseHessian::factor_in_doubles() {
   auto doubles = std::make_unique<ConstrainedFactor>(pattern_, 3);
   doubles->analyze_as(*factor_);
@@ -184,7 +187,7 @@ bool PoseHessian::factor_in_doubles() {
   return true;
 }
 
-// Returns whether `b` equals the last one that was read.
+// Copies `b` to b_. Returns true if b_ already had these values.
 bool PoseHessian::read(std::span<const double> b) {
   const std::vector<int>& order = laplacian_.elimination_order();
   const std::size_t n = order.size();
@@ -223,12 +226,12 @@ void PoseHessian::solve_accurately_in_place(std::span<double> b) {
   write(b);
 }
 
-// Improves x_, the factor's solution for b_; single precision is wrong only in a few soft
-// directions. Takes one step of iterative refinement if that is small, else conjugate gradients,
-// preconditioned by the factor, until their steps shorten.
+// Improves x_, the solution of the factor for b_. In single precision, it has large errors only in
+// a few soft directions. If one step of iterative refinement is small, applies this step. Otherwise
+// applies conjugate gradients, preconditioned by the factor, until the estimated error is small.
 void PoseHessian::refine() {
   constexpr int kMostSteps = 8;
-  constexpr double kGood = 0.1;  // error over the largest entry of x, estimated from the changes
+  constexpr double kGood = 0.1;  // estimated error divided by the largest entry of x
   const auto n = static_cast<Eigen::Index>(b_.size());
   Eigen::Map<VectorXd> x(x_.data(), n);
   const auto is_good = [&](double change, double last_change) {

@@ -14,23 +14,25 @@
 namespace lapwing {
 
 /// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5), as a
-/// preconditioner. Under tension, a ring resists bending. Under compression, K_i is that of the
-/// stretched rest shape, so that the matrix is positive semidefinite at every pose. The matrix is
-/// factored in single precision, which takes half the memory of a 3n x 3n factor in double
-/// precision. If rounding errors make it indefinite at a pose, it is factored in double precision
-/// there. The memory is allocated in `prepare` or in the first factorization.
+/// preconditioner. Tension increases K_i, and with it the resistance against bending. Under
+/// compression, K_i is that of the stretched rest shape, so that the matrix is positive
+/// semidefinite at every pose. The matrix is factorized in single precision, which needs half the
+/// memory of double precision. If rounding errors make it indefinite at a pose, it is factorized in
+/// double precision at that pose. The memory is allocated in `prepare` or in the first
+/// factorization.
 class PoseHessian final : public Preconditioner {
  public:
-  /// Finds G at rest over the rings of a region (tangent_rows).
+  /// Returns G at rest over the rings of a region (tangent_rows).
   using AtRest = std::function<std::shared_ptr<const BlockRows>()>;
 
-  /// `topology`, `pattern` and `laplacian`, the n x n system, must outlive the object. `at_rest` is
-  /// called at the first factorization.
+  /// `laplacian` is the n x n system. `topology`, `pattern` and `laplacian` must outlive the
+  /// object. The first factorization calls `at_rest`.
   PoseHessian(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
               const LaplacianSystem& laplacian, const DeformOptions& options, AtRest at_rest);
 
-  /// Starts to allocate the memory on another thread, for which the first factorization waits. May
-  /// be called while another thread factors, and does nothing if the memory exists already.
+  /// Starts to allocate the memory on another thread; the first factorization waits for that
+  /// thread. May be called while another thread factorizes. Does nothing if the memory is already
+  /// allocated.
   void prepare();
 
   bool factorize(std::span<const Eigen::Matrix3d> transforms,
@@ -55,16 +57,18 @@ class PoseHessian final : public Preconditioner {
   AtRest make_at_rest_;
   std::size_t memory_limit_;
   std::vector<Index> roi_;
-  std::vector<Index> row_of_;  ///< place in roi_ -> row of the rings
+  std::vector<Index> row_of_;  ///< for each entry of roi_, its row in the rings
   std::shared_ptr<const BlockRows> at_rest_;
   BlockRows turned_;
-  std::unique_ptr<ConstrainedFactor> factor_;   ///< in floats
-  std::unique_ptr<ConstrainedFactor> doubles_;  ///< null unless the current pose needs it
-  std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
+  std::unique_ptr<ConstrainedFactor> factor_;  ///< in single precision
+  /// In double precision; null unless the current pose needs it.
+  std::unique_ptr<ConstrainedFactor> doubles_;
+  std::vector<double> b_;  ///< in the order of the unknowns; x, y and z of an unknown are adjacent
   std::vector<double> x_;
-  bool is_solved_ = false;  ///< x_ is the factor's solution for b_
-  std::mutex taking_;       ///< held until factor_ exists or prepared_ has begun
-  BackgroundTask<std::unique_ptr<ConstrainedFactor>> prepared_;  // last: it uses all the others
+  bool is_solved_ = false;  ///< true if x_ is the factor's solution for b_
+  std::mutex taking_;       ///< locked until factor_ exists or prepared_ has begun
+  // Last member, because it uses the others.
+  BackgroundTask<std::unique_ptr<ConstrainedFactor>> prepared_;
 };
 
 }  // namespace lapwing

@@ -17,7 +17,7 @@ bool PreparedRegion::serves(const VertexSet& roi, const Unknowns& unknowns) cons
 std::shared_ptr<FactorCache> PreparedRegion::factors_of(const VertexSet& roi,
                                                         const Unknowns& unknowns) {
   if (!serves(roi, unknowns)) {
-    factors_.reset();  // frees the old factors first, since they are large
+    factors_.reset();  // frees the old factors before new ones are created, because they are large
     factors_ = std::make_shared<FactorCache>(topology_, roi, unknowns);
   }
   return factors_;

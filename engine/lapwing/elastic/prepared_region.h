@@ -12,7 +12,7 @@ namespace lapwing {
 
 class FactorCache;
 
-/// Compares bit patterns: 0 and -0 differ.
+/// Compares bit patterns: 0 and -0 are different.
 bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector3d> b);
 
 /// Caches the preparation of an edit for the next edit of the same ROI:

@@ -14,11 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Refinement stops below this residual, about the rounding error of the blended columns.
+// Refinement stops below this relative residual, which is about the rounding error of the blended
+// columns.
 constexpr double kGoodResidual = 1e-10;
 constexpr int kMostRefinements = 2;
 
-// Scales G if components turn freely, so that 1e-6 of A remains, far above rounding.
+// Factor of G if components can rotate freely. It leaves 1e-6 of A in the tangent, far more than
+// rounding errors.
 const double kRootOfTurningShare = std::sqrt(1.0 - 1e-6);
 
 double norm(std::span<const double> v) {
@@ -38,9 +40,9 @@ std::string component_of(Index vertex, const Topology& topology, const Unknowns&
          std::to_string(first);
 }
 
-// Enlarges the diagonal, so that rounding in directions without resistance, such as a hinge of two
-// triangles, does not make the matrix indefinite. The share is slightly above the one at which the
-// solver refuses a pivot.
+// Enlarges the diagonal, so that rounding errors in directions without stiffness, such as a hinge
+// between two triangles, do not make the matrix indefinite. kShare is slightly greater than the
+// solver's tolerance for pivots.
 void brace(BlockMatrix& N) {
   constexpr double kShare = 3e-13;
   for (std::size_t c = 0; c < N.pattern->size(); ++c) {
@@ -89,7 +91,7 @@ void ResponseSystem::analyze(const Progress& progress, StageTimings& timings) {
 }
 
 std::size_t ResponseSystem::memory_bytes() const {
-  std::size_t blocks = pattern_.blocks().rows.size();  // of N
+  std::size_t blocks = pattern_.blocks().rows.size();  // blocks of N, then of the rows
   for (const Index v : roi_) blocks += 1 + topology_.rings.size(v);
   return 9 * sizeof(double) * blocks + factor_.solver().statistics().peak_bytes;
 }
@@ -104,15 +106,16 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   };
   const auto make_rows = [&] {
     report_progress(progress, "assemble", 0.0);
-    rows_.reset();  // of the last rest shape, which a tangent may hold
+    rows_.reset();  // frees the rows of the last rest shape
     rows_ = made_rows(rest, turns_freely, std::move(rows), kernels);
     stage_is_done("assemble");
   };
   if (is_analyzed()) {
     make_rows();
   } else {
-    // All threads search for the order. The symbolic factorization then runs on one thread, in
-    // parallel to the rows. N, which takes longer, has all threads again.
+    // All threads search for the order. Then the symbolic factorization runs on one thread, in
+    // parallel to the assembly of the rows. The assembly of N, which takes longer, uses all threads
+    // again.
     report_progress(progress, "assemble", 0.0);
     pattern_.factorization_order();
     const double ordering_ms = watch.elapsed_ms();
@@ -181,7 +184,7 @@ void ResponseSystem::factorize(std::span<const double> W, const Progress& progre
   timings.add("factor", watch.elapsed_ms());
 }
 
-// y = N u over the unknowns.
+// Computes y = N u for the rows of the unknowns.
 void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) const {
   std::vector<double> rows(3 * rows_->size());
   lapwing::multiply(*rows_, u, rows);
@@ -196,7 +199,7 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
 
 void ResponseSystem::right_hand_side(std::span<const Vector3d> prescribed,
                                      std::span<double> b) const {
-  // With hard constraints, the prescribed values move to the right-hand side. With soft
+  // With hard constraints, the prescribed displacements move to the right-hand side. With soft
   // constraints, every constrained vertex is an unknown, so `given` is empty.
   const std::vector<Vector3d> given = dirichlet_values(roi_, constraints_.unknowns, prescribed);
   std::fill(b.begin(), b.end(), 0.0);

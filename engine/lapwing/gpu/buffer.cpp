@@ -21,7 +21,8 @@ constexpr VkBufferUsageFlags kUsage =
 constexpr VkMemoryPropertyFlags kMappable =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 
-// Uncached memory (a discrete GPU's, seen over the bus) is very slow to read: staging is better.
+// Uncached memory, such as that of a discrete GPU accessed over the bus, is very slow to read.
+// Staging is faster.
 constexpr VkMemoryPropertyFlags kUnified = kMappable | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// Enough for 63 dispatches, many more than any list has.
+// Enough for 63 dispatches, far more than in any list.
 constexpr std::uint32_t kProfileQueries = 128;
 constexpr double kMillisecondsPerNanosecond = 1e-6;
 
@@ -46,7 +46,7 @@ CommandList::~CommandList() {
   try {
     wait();
   } catch (const std::exception&) {
-    // A lost device has nothing left to wait for.
+    // If the device is lost, there is nothing to wait for.
   }
 }
 

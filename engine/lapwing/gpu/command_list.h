@@ -9,25 +9,24 @@
 
 namespace lapwing::gpu {
 
-/// Commands recorded once by a Recorder and submitted any number of times. Submitting allocates
-/// nothing, so a drag frame is one `run()`. Not thread-safe. The context must outlive it; the
-/// destructor waits for the list's own last submission.
+/// Commands recorded once by a Recorder and submitted any number of times. Submitting does not
+/// allocate memory, so a drag frame is a single call of `run`. Not thread-safe. The context must
+/// outlive the list. The destructor waits for the last submission of this list.
 class CommandList {
  public:
-  /// `name` appears in error messages. The list can hold `timestamps` calls of
-  /// `Recorder::timestamp`.
+  /// `name` appears in error messages. The list has space for `timestamps` calls of
+  /// Recorder::timestamp.
   CommandList(Context& context, std::string name, std::uint32_t timestamps = 0);
   ~CommandList();
   CommandList(const CommandList&) = delete;
   CommandList& operator=(const CommandList&) = delete;
 
-  /// Submits and returns the timeline value to wait for. Lists run one after the other, and each
-  /// sees the writes of earlier ones. Throws GpuError if nothing was recorded. Waits first if the
-  /// list's previous submission still runs. A swapchain's semaphores may be added as in
-  /// `Context::submit`.
+  /// Submits the list and returns the timeline value to wait for. Lists run one after the other,
+  /// and each sees the writes of earlier lists. If the previous submission of this list is still
+  /// running, waits for it first. Throws GpuError if nothing was recorded. The semaphores of a
+  /// swapchain may be added as in Context::submit.
   std::uint64_t submit(std::span<const VkSemaphoreSubmitInfo> waits = {},
                        std::span<const VkSemaphoreSubmitInfo> signals = {});
-  /// Waits for this list's last submission.
   void wait() const;
   void run() {
     submit();
@@ -53,8 +52,8 @@ class CommandList {
   struct History {
     VkBuffer buffer;
     Scope write;                        ///< the last write
-    Scope visible;                      ///< reads that already wait for it
-    VkPipelineStageFlags2 read_stages;  ///< reads since
+    Scope visible;                      ///< reads that already wait for this write
+    VkPipelineStageFlags2 read_stages;  ///< stages of the reads since the last write
   };
 
   std::uint64_t ticks_at(std::uint32_t query) const;
@@ -66,12 +65,14 @@ class CommandList {
   VkCommandBuffer handle_ = VK_NULL_HANDLE;
   Owned<VkQueryPool> queries_;
   std::uint32_t timestamp_capacity_;
-  /// Queries for Context::profile, after the timestamps: one before and after everything, then one
-  /// before and after each dispatch, while queries last.
+  /// Number of queries for Context::profile, which follow the timestamps: one before and one after
+  /// the whole list, then one before and one after each dispatch, as long as there are queries
+  /// left.
   std::uint32_t profile_capacity_ = 0;
-  std::vector<std::string> profiled_kernels_;  ///< per dispatch, in order
-  mutable bool in_profile_ = true;             ///< whether the profile includes the last submission
-  std::vector<History> histories_;             ///< kept so that recording again allocates nothing
+  std::vector<std::string> profiled_kernels_;  ///< kernel of each dispatch, in order
+  mutable bool in_profile_ = true;             ///< true if the profile includes the last submission
+  /// Reused, so that recording again allocates no memory.
+  std::vector<History> histories_;
   std::uint64_t last_submission_ = 0;
   bool recorded_ = false;
 };

@@ -23,32 +23,32 @@ struct ContextOptions {
   /// `list_devices`, or a part of a device's name in any case.
   std::string device = "auto";
   std::vector<const char*> instance_extensions =
-      {};  ///< such as those of a window; added to those that the context needs
-  std::vector<const char*> device_extensions = {};  ///< added to those that the context needs
+      {};  ///< for example those of a window; added to the required extensions
+  std::vector<const char*> device_extensions = {};  ///< added to the required extensions
   /// If false, device memory is never mapped, as on a discrete GPU, so that every copy is staged.
-  /// For tests.
+  /// Used in tests.
   bool map_device_memory = true;
-  /// Time every command list and every dispatch, for `Context::profile`.
+  /// If true, measures the time of every command list and every dispatch, for Context::profile.
   bool profile = false;
 };
 
-/// Bytes that the host wrote for the device, and read from it.
+/// Numbers of bytes that the host has written for the device and has read from it.
 struct TransferCounts {
   std::uint64_t uploaded = 0;
   std::uint64_t downloaded = 0;
 };
 
 /// An instance, one device and one queue of Vulkan 1.3, with synchronization2, dynamic rendering,
-/// timeline semaphores, push descriptors and, if the device has it, shaderFloat64. The queue has
-/// compute, and also graphics if any queue of the device has both.
+/// timeline semaphores, push descriptors and, if the device has it, shaderFloat64. The queue
+/// supports compute, and also graphics if a queue of the device supports both.
 ///
-/// Everything made from a context refers to it and must not outlive it. `submit` and `present` may
+/// Objects created with a context refer to it and must not outlive it. `submit` and `present` may
 /// be called from several threads. Contexts must be created and destroyed on one thread at a time.
 class Context {
  public:
   /// The environment variable LAPWING_VALIDATION=1 turns on validation and synchronization
-  /// validation. Throws GpuError if no device fits or the validation layers are not installed. The
-  /// message says what was tried and what to install.
+  /// validation. Throws GpuError if no device is suitable or the validation layers are not
+  /// installed. The message lists the devices that were tried and the packages to install.
   explicit Context(const ContextOptions& options = {});
   ~Context();
   Context(const Context&) = delete;
@@ -59,8 +59,8 @@ class Context {
   bool has_graphics() const { return has_graphics_; }
   bool maps_device_memory() const { return maps_device_memory_; }
 
-  /// Raw handles, for what this layer does not wrap (swapchains, images, graphics pipelines).
-  /// Device functions are called through `vk()`: context.vk().vkCmdDraw(...).
+  /// Raw handles, for Vulkan objects that this folder does not wrap (swapchains, images, graphics
+  /// pipelines). Call device functions through `vk()`, for example context.vk().vkCmdDraw(...).
   const VolkDeviceTable& vk() const { return table_; }
   VkInstance instance() const { return instance_; }
   VkPhysicalDevice physical_device() const { return physical_device_; }
@@ -68,45 +68,49 @@ class Context {
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
 
-  /// Throws GpuError, naming the call, its result and the device, if `result` is an error.
+  /// Throws GpuError if `result` is an error. The message names the call, its result and the
+  /// device.
   void check(VkResult result, const char* call) const;
 
-  /// Returns the first memory type among the bits `allowed` with all of `required` and, if there is
-  /// one, all of `preferred` too. Throws GpuError if none has `required`.
+  /// Returns the first memory type among the bits `allowed` that has all `required` and all
+  /// `preferred` flags. If there is none, returns the first type with all `required` flags. Throws
+  /// GpuError if no type has these.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags required,
                             VkMemoryPropertyFlags preferred = 0) const;
   VkMemoryPropertyFlags memory_flags(std::uint32_t type) const;
-  /// Throws GpuError, naming `what`, the bytes and the limit, if the device can never allocate
-  /// `bytes`: more than its largest buffer, its largest allocation or its memory.
+  /// Throws GpuError if `bytes` exceeds the device's largest buffer, its largest allocation or its
+  /// memory. The message contains `what`, the size and the limit.
   void check_allocation_size(VkDeviceSize bytes, const std::string& what) const;
 
-  /// Submits recorded commands and returns the value that the context's one timeline reaches when
-  /// they are done. Values rise with every call. A swapchain's semaphores may be added: any number
-  /// of waits, up to kMaxExtraSignals signals. Allocates nothing.
+  /// Submits recorded commands. Returns the value that the context's timeline reaches when the
+  /// commands are done; it increases with every call. The semaphores of a swapchain may be added:
+  /// any number of waits and up to kMaxExtraSignals signals. Does not allocate memory.
   std::uint64_t submit(VkCommandBuffer commands, std::span<const VkSemaphoreSubmitInfo> waits = {},
                        std::span<const VkSemaphoreSubmitInfo> signals = {});
   static constexpr std::size_t kMaxExtraSignals = 3;
 
-  /// Presents a swapchain's images between submissions. The caller must handle the result: most
-  /// errors ask for another swapchain.
+  /// Presents the images of a swapchain between submissions. The caller must handle the result:
+  /// most errors require a new swapchain.
   VkResult present(const VkPresentInfoKHR& info);
-  /// Blocks until the device is idle, including the screen, while other threads cannot submit. For
-  /// shutdown only, because nothing else tells when a swapchain is no longer used.
+  /// Blocks until the device is idle, including presentation. Other threads cannot submit
+  /// meanwhile. Use it only at shutdown, where no other call reports that a swapchain is no longer
+  /// in use.
   void wait_idle() noexcept;
 
   /// Blocks until the timeline reaches `value`. Throws GpuError if the device is lost.
   void wait(std::uint64_t value) const;
-  /// Blocks until all that any thread submitted before the call has finished.
+  /// Blocks until all submissions that any thread made before this call have finished.
   void wait_for_submitted();
-  /// Returns the value that the timeline has reached.
+  /// Returns the current value of the timeline.
   std::uint64_t completed() const;
 
-  /// Returns the bytes of all transfers so far, with those that callers counted for mapped memory.
+  /// Returns the number of bytes transferred so far, including those that callers have reported for
+  /// mapped memory.
   TransferCounts transfers() const { return {uploaded_, downloaded_}; }
   void count_upload(std::size_t bytes) noexcept { uploaded_ += bytes; }
   void count_download(std::size_t bytes) noexcept { downloaded_ += bytes; }
 
-  /// Returns what the device has done, or null unless the options asked for it.
+  /// Returns the profile of the device's work, or null if ContextOptions::profile is false.
   Profile* profile() const { return profile_.get(); }
 
   bool validation_enabled() const { return validation_ != nullptr; }
@@ -139,7 +143,8 @@ class Context {
   std::atomic<std::uint64_t> downloaded_ = 0;
 };
 
-/// Returns the number of validation messages of this process so far, including those of shutdown.
+/// Returns the number of validation messages in this process so far, including those from destroyed
+/// contexts.
 std::size_t total_validation_messages();
 
 }  // namespace lapwing::gpu

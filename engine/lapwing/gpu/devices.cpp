@@ -60,7 +60,7 @@ std::string missing_extension(const PhysicalDevice& device,
   return {};
 }
 
-// Requires Vulkan 1.3, because these structures do not exist before.
+// Requires Vulkan 1.3, because earlier versions do not have these structures.
 std::string missing_feature(VkPhysicalDevice device) {
   VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
@@ -72,7 +72,7 @@ std::string missing_feature(VkPhysicalDevice device) {
   return {};
 }
 
-// Prefers a family that can draw as well, so that the renderer shares the one queue.
+// Prefers a family that also supports graphics, so that the renderer can share the queue.
 bool find_queue_family(PhysicalDevice& device) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device.handle, &count, nullptr);

@@ -31,9 +31,9 @@ std::string last_dl_error() {
   return text != nullptr ? text : "unknown error";
 }
 
-// Creates one more instance per loader and never destroys it. A driver is unloaded with its last
-// instance, and reloading it may fail: NVIDIA's took half a second each time and was no longer
-// found after some thirty times (driver 580).
+// Creates an additional instance for each loader and never destroys it. A driver is unloaded with
+// its last instance, and reloading may fail: NVIDIA's driver 580 took half a second each time, and
+// was no longer found after about thirty times.
 void keep_drivers(const VkInstanceCreateInfo& info) {
   static std::mutex mutex;
   static std::set<std::string> kept;
@@ -55,7 +55,7 @@ void keep_drivers(const VkInstanceCreateInfo& info) {
 
 void open_loader() {
   const std::string file = loader_file();
-  // Never closed: drivers keep threads and thread-local data that outlive an instance.
+  // Never closed, because threads and thread-local data of drivers outlive an instance.
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw_no_loader(file, last_dl_error());
   const auto entry =

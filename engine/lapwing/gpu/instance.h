@@ -13,14 +13,15 @@ namespace lapwing::gpu {
 
 class Validation;
 
-/// Opens the Vulkan loader. Throws GpuError if there is none or it does not support Vulkan 1.3.
+/// Opens the Vulkan loader. Throws GpuError if the loader is missing or does not support Vulkan
+/// 1.3.
 void open_loader();
 
 /// Creates an instance of Vulkan 1.3. Call `open_loader` first. `validation` may be null. Throws
-/// GpuError, saying what to install, if no driver is installed.
+/// GpuError if no driver is installed; the message lists the packages to install.
 VkInstance create_instance(std::span<const char* const> extensions, const Validation* validation);
 
-/// A physical device and what a context needs to open it.
+/// A physical device and the data that a context needs to open it.
 struct PhysicalDevice {
   VkPhysicalDevice handle = VK_NULL_HANDLE;
   DeviceDescription description;
@@ -29,13 +30,13 @@ struct PhysicalDevice {
   bool has_graphics = false;
 };
 
-/// Returns all devices, with the reason to reject those that lack Vulkan 1.3, a feature, one of
-/// `extensions`, or a queue with compute.
+/// Returns all devices. A device is rejected, with the reason, if it lacks Vulkan 1.3, a required
+/// feature, one of `extensions`, or a queue that supports compute.
 std::vector<PhysicalDevice> physical_devices(VkInstance instance,
                                              std::span<const char* const> extensions);
 
-/// Returns the device that `wanted` (see ContextOptions::device) names. Throws GpuError, listing
-/// every device and why it does not fit, if there is none.
+/// Returns the device selected by `wanted` (see ContextOptions::device). Throws GpuError if there
+/// is none; the message lists every device and the reason why it was not selected.
 const PhysicalDevice& select_device(std::span<const PhysicalDevice> devices,
                                     const std::string& wanted);
 

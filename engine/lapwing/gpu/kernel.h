@@ -11,10 +11,10 @@
 
 namespace lapwing::gpu {
 
-/// A compute shader ready to dispatch, with push constants and one set of buffers bound by push
-/// descriptors. The number of buffers, and which of them it only reads or only writes, come from
-/// the shader itself (`readonly`, `writeonly`), so that host and shader cannot disagree. The
-/// context must outlive it. Movable.
+/// A compute shader that is ready to dispatch, with push constants and one set of buffers, which
+/// are bound by push descriptors. The number of buffers and their access (`readonly`, `writeonly`)
+/// are read from the shader module, so that host and shader always agree. The context must outlive
+/// the kernel. Movable.
 class Kernel {
  public:
   /// `workgroup_size` becomes specialization constant 0 (layout(local_size_x_id = 0)). Throws

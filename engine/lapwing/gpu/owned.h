@@ -35,8 +35,8 @@ class Owned {
   Destroy destroy_ = nullptr;
 };
 
-/// Creates an object by calling `make`, such as vkCreateBuffer. If that fails, throws a GpuError
-/// that names `call`.
+/// Creates an object by calling `make`, for example vkCreateBuffer. Throws GpuError if the call
+/// fails; the message contains `call`.
 template <typename Handle, typename Info>
 Owned<Handle> create(const Context& context,
                      VkResult(VKAPI_PTR* make)(VkDevice, const Info*, const VkAllocationCallbacks*,

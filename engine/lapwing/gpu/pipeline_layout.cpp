@@ -42,7 +42,8 @@ void PipelineLayout::bind(VkCommandBuffer commands, VkPipelineBindPoint point, V
   std::array<VkWriteDescriptorSet, kMaxBuffers> writes;
   for (std::uint32_t b = 0; b < buffers.size(); ++b) {
     const BufferRange& range = buffers[b];
-    // An empty range cannot be bound. The shader does not read what is bound instead.
+    // An empty range cannot be bound. The whole buffer is bound instead, and the shader does not
+    // read it.
     infos[b] = {range.buffer->handle(), range.offset,
                 range.bytes == 0 ? VK_WHOLE_SIZE : range.bytes};
     writes[b] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};

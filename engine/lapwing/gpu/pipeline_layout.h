@@ -9,15 +9,16 @@
 
 namespace lapwing::gpu {
 
-/// Layout of a pipeline with storage buffers and push constants. The buffers have the bindings 0,
-/// 1, ... of one set, and push descriptors bind them.
+/// The layout of a pipeline with storage buffers and push constants. The buffers have the bindings
+/// 0, 1, ... of one set, and are bound by push descriptors.
 class PipelineLayout {
  public:
   /// `buffers` is the number of storage buffers, at most kMaxBuffers.
   PipelineLayout(const Context& context, VkShaderStageFlags stages, std::uint32_t buffers,
                  std::uint32_t push_constant_bytes);
 
-  static constexpr std::size_t kMaxBuffers = 16;  ///< Vulkan guarantees at least 32
+  /// Vulkan guarantees at least 32 push descriptors.
+  static constexpr std::size_t kMaxBuffers = 16;
 
   VkPipelineLayout handle() const { return layout_.get(); }
 

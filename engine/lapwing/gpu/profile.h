@@ -8,21 +8,21 @@
 
 namespace lapwing::gpu {
 
-/// Work of one kernel.
 struct KernelUse {
   std::uint64_t dispatches = 0;
   double device_ms = 0.0;
 };
 
-/// Work of a device. Times are by its own clock, 0 on a device without timestamps.
+/// The work of a device. Times are measured by the device's clock, and are 0 on a device without
+/// timestamps.
 struct DeviceUse {
   std::uint64_t submissions = 0;
-  double device_ms = 0.0;                    ///< sum over submissions, each from begin to end
-  std::map<std::string, KernelUse> kernels;  ///< by Kernel::name
+  double device_ms = 0.0;                    ///< sum of the durations of all submissions
+  std::map<std::string, KernelUse> kernels;  ///< indexed by Kernel::name
 };
 
-/// Sums the work of a context's command lists. Each submission counts once it has been waited for.
-/// Thread-safe.
+/// Sums the work of a context's command lists. A submission is included when the host has waited
+/// for it. Thread-safe.
 class Profile {
  public:
   void add(const DeviceUse& use) {

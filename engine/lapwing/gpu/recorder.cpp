@@ -92,7 +92,7 @@ void Recorder::require(VkBuffer buffer, const Scope& next) {
   };
   if ((next.accesses & kAllWrites) != 0) {
     if (history.write.stages != 0) wait_for(history.write);
-    // A write after reads waits for their execution; they left nothing to make visible.
+    // A write after reads only waits for their execution; reads leave no data to make visible.
     if (history.read_stages != 0) wait_for({history.read_stages, 0});
     history.write = next;
     history.visible = {};
@@ -206,9 +206,9 @@ void Recorder::fill(const Buffer& buffer, std::uint32_t word) {
                                        buffer.bytes() / sizeof word * sizeof word, word);
 }
 
-// Software devices write a timestamp without waiting for earlier commands, whatever its stage, but
-// they do wait at a barrier. After a draw they also delay the timestamp to the next barrier, and so
-// past any kernel before that.
+// For every stage, software devices write a timestamp without waiting for earlier commands; they
+// only wait at barriers. After a draw, they also delay the timestamp to the next barrier, that is,
+// until after all kernels before that barrier.
 void Recorder::write_timestamp(std::uint32_t query) {
   VkMemoryBarrier2 everything{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   everything.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;

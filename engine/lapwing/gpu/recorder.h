@@ -12,22 +12,23 @@
 
 namespace lapwing::gpu {
 
-/// Records dispatches and copies into a command list and places the barriers between them. It
-/// tracks every buffer's reads and writes, and a command waits only for those that it depends on.
-/// The list begins with a barrier against all earlier submissions and ends with one that makes its
-/// writes visible to the host, so lists need no further synchronization.
+/// Records dispatches and copies into a command list, and inserts barriers between them. It tracks
+/// the reads and writes of every buffer; a command waits only for the accesses on which it depends.
+/// The list begins with a barrier after all earlier submissions, and ends with a barrier that makes
+/// its writes visible to the host. Lists therefore need no further synchronization.
 class Recorder {
  public:
-  /// Clears `list` after its last submission has finished.
+  /// Waits for the last submission of `list`, then clears the list.
   explicit Recorder(CommandList& list);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Runs `kernel` for at least `invocations` invocations, rounded up to whole workgroups; the
-  /// shader ignores the surplus (shaders/invocation.glsl). `buffers` are in the order of their
-  /// bindings. Throws GpuError, naming the kernel, if their number is not the kernel's, if one
-  /// exceeds limits().maxStorageBufferRange or is misaligned, if one is bound both for reading and
-  /// for writing, or if `push` does not have the kernel's size. 0 invocations record nothing.
+  /// Records `invocations` invocations of `kernel`, rounded up to whole workgroups; the shader must
+  /// ignore the surplus invocations (shaders/invocation.glsl). `buffers` are in the order of their
+  /// bindings. If `invocations` is 0, records nothing. Throws GpuError, with the kernel's name, if
+  /// the number of buffers or the size of `push` does not match the kernel, if a buffer exceeds
+  /// limits().maxStorageBufferRange or is misaligned, or if a buffer is bound both for reading and
+  /// for writing.
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
                 std::span<const BufferRange> buffers, std::span<const std::byte> push);
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
@@ -44,22 +45,23 @@ class Recorder {
 
   /// Copies `source` to `target`, which must have the same length.
   void copy(const BufferRange& source, const BufferRange& target);
-  /// Sets every 4 bytes of a buffer to `word`. Up to 3 bytes at the end stay.
+  /// Sets every 4 bytes of a buffer to `word`. Up to 3 bytes at the end do not change.
   void fill(const Buffer& buffer, std::uint32_t word);
 
-  /// Declares how a command recorded through `handle()` will access a buffer, and places the
-  /// barrier that it needs. Call it before the command, and outside a rendering scope.
+  /// Declares how a command recorded through `handle()` accesses a buffer, and inserts the required
+  /// barrier. Call this before the command and outside a rendering scope.
   void access(const Buffer& buffer, VkPipelineStageFlags2 stages, VkAccessFlags2 accesses);
-  /// For commands that this class does not wrap.
+  /// Returns the command buffer, for commands that this class does not wrap.
   VkCommandBuffer handle() const { return list_.handle(); }
 
-  /// Writes a timestamp after all commands before it have finished. Returns its number, from 0.
+  /// Records a timestamp that is written when all earlier commands have finished. Returns its
+  /// index.
   std::uint32_t timestamp();
 
-  /// Makes the list ready to submit. Without this call it cannot be submitted.
+  /// Completes the list. It cannot be submitted before this call.
   void finish();
 
-  /// Returns the number of barriers placed so far between commands of this list.
+  /// Returns the number of barriers inserted so far between commands of this list.
   std::size_t barrier_count() const { return barrier_count_; }
 
  private:

@@ -8,7 +8,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// Numbers of the SPIR-V specification, section 3.
+// Numbers defined in section 3 of the SPIR-V specification.
 constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::size_t kHeaderWords = 5;
 enum Op : std::uint32_t {
@@ -42,8 +42,9 @@ struct Variable {
 
 struct Module {
   std::vector<std::uint32_t> capabilities;
-  std::map<std::uint32_t, Decorations> decorations;  // by id; a block's members count as the block
-  std::map<std::uint32_t, std::uint32_t> pointees;   // pointer type -> type
+  // By id; decorations of a block's members are stored with the block.
+  std::map<std::uint32_t, Decorations> decorations;
+  std::map<std::uint32_t, std::uint32_t> pointees;  // type to which each pointer type points
   std::vector<Variable> bound;
 };
 

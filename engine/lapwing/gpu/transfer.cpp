@@ -10,7 +10,7 @@
 namespace lapwing::gpu {
 namespace {
 
-// Large enough to hide the 0.2 ms of a submission, small enough to keep.
+// Large enough that the 0.2 ms of a submission do not matter, and small enough to remain allocated.
 constexpr VkDeviceSize kStagingBytes = VkDeviceSize{16} << 20U;
 
 void check_range(const Buffer& buffer, VkDeviceSize offset, std::size_t bytes) {

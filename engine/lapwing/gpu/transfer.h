@@ -12,22 +12,24 @@ namespace lapwing::gpu {
 class Context;
 class CommandList;
 
-/// Copies numbers between host memory and buffers: directly if the buffer is mapped, else piece by
-/// piece through a mapped staging buffer, which is created when first needed. Calls return when the
-/// copy is done. The device must have finished with the buffer. Not thread-safe.
+/// Copies numbers between host memory and buffers. If the buffer is mapped, copies directly.
+/// Otherwise, copies piece by piece through a mapped staging buffer, which is created when it is
+/// first needed. Calls return when the copy is complete. The device must not use the buffer during
+/// a call. Not thread-safe.
 class Transfer {
  public:
   explicit Transfer(Context& context);
   ~Transfer();
 
-  /// Copies `data` to `offset` bytes into `buffer`. Throws GpuError if it does not fit.
+  /// Copies `data` to `buffer`, starting at byte `offset`. Throws GpuError if the data do not fit.
   void upload(const Buffer& buffer, std::span<const std::byte> data, VkDeviceSize offset = 0);
   template <std::ranges::contiguous_range Range>
   void upload(const Buffer& buffer, const Range& data, VkDeviceSize offset = 0) {
     upload(buffer, std::span<const std::byte>(std::as_bytes(std::span(data))), offset);
   }
 
-  /// Fills `data` from `offset` bytes into `buffer`. Throws GpuError if that exceeds the buffer.
+  /// Copies from `buffer`, starting at byte `offset`, to `data`. Throws GpuError if this range
+  /// exceeds the buffer.
   void download(const Buffer& buffer, std::span<std::byte> data, VkDeviceSize offset = 0);
   template <std::ranges::contiguous_range Range>
   void download(const Buffer& buffer, Range&& data, VkDeviceSize offset = 0) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kEnabled{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
 
-// Counts the messages of the whole process, because those about leaked objects arrive while a
+// Number of messages in the whole process, because messages about leaked objects arrive while a
 // context is destroyed.
 std::atomic<std::size_t> total_messages{0};
 
@@ -56,7 +56,8 @@ Validation::Validation() {
   messenger_info_.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
   messenger_info_.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                                     VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  // General messages are left out. They come from the loader and concern the machine's set-up.
+  // General messages are excluded. They come from the loader and concern the configuration of the
+  // machine.
   messenger_info_.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                                 VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   messenger_info_.pfnUserCallback = &Validation::receive;
@@ -68,8 +69,8 @@ Validation::Validation() {
 }
 
 void Validation::attach(VkInstance instance) {
-  // Do not use volk's global pointers. They belong to the newest instance, which may have no
-  // messenger.
+  // Do not use volk's global function pointers. They belong to the newest instance, which may have
+  // no messenger.
   const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
       vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT"));
   check_result(create(instance, &messenger_info_, nullptr, &messenger_),

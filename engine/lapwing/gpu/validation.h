@@ -9,7 +9,8 @@ namespace lapwing::gpu {
 /// Prints the validation messages of one Vulkan instance to stderr and counts them.
 class Validation {
  public:
-  /// Throws GpuError, saying what to install, if the loader finds no validation layer.
+  /// Throws GpuError if the loader finds no validation layer; the message names the package to
+  /// install.
   Validation();
 
   static const char* layer();

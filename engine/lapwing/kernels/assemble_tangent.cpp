@@ -24,7 +24,7 @@ void assemble_row(const EnergyProblem& problem, Index i, double* out) {
     C += k[n] * e * e.transpose();
   }
   const Matrix3d inverse_F = inverse_cholesky_factor(C.trace() * Matrix3d::Identity() - C);
-  Vector3d sum = Vector3d::Zero();  // of the arms, for the block of i itself
+  Vector3d sum = Vector3d::Zero();  // sum of the arms, for the block of i itself
   for (std::size_t n = 0; n < ring.size(); ++n) {
     const Vector3d arm = k[n] * (v[i] - v[ring[n]]) + om * w[n] * delta;
     Eigen::Map<Matrix3d>(out + 9 * (n + 1)).noalias() = -inverse_F * cross_matrix(arm);

@@ -7,12 +7,13 @@
 namespace lapwing {
 namespace {
 
-// The displacements of this many vertices stay in the L1 cache while the columns pass by.
+// The displacements of this number of vertices remain in the L1 cache while all columns are added.
 constexpr std::size_t kVerticesPerBatch = 256;
 
 using Displacements = std::array<double, 3 * kVerticesPerBatch>;
 
-// Adds `parameter` times column k to the displacements of `count` vertices from moving[first] on.
+// Adds `parameter` times column k to the displacements of `count` vertices, starting with
+// moving[first].
 void add_column(const ResponseColumns& columns, std::size_t k, double parameter, std::size_t first,
                 std::size_t count, Displacements& displacement) {
   const std::size_t moving = columns.moving.size();

@@ -4,8 +4,8 @@
 
 namespace lapwing {
 
-/// The kernels on the CPU, in double precision, on all threads. The device is tested against them,
-/// and they run with `--device cpu` or without Vulkan.
+/// The kernels on the CPU, in double precision, on all threads. They are the reference in tests of
+/// the device kernels, and run with `--device cpu` or without Vulkan.
 class CpuKernels final : public Kernels {
  public:
   CpuKernels();
@@ -28,12 +28,12 @@ class CpuKernels final : public Kernels {
 
 /// CPU twin of the kernel blend_response: current[v] = rest[v] + sum_k parameters[k] column_k[v]
 /// for the moving vertices. `rest` and `current` have one vector per vertex of the mesh and may be
-/// the same. Columns with parameter 0 are skipped. Allocates nothing.
+/// the same memory. Skips columns with parameter 0. Does not allocate memory.
 void blend_response(std::span<const Eigen::Vector3d> rest, const ResponseColumns& columns,
                     std::span<const double> parameters, std::span<Eigen::Vector3d> current);
 
-/// CPU twin of the kernel vertex_normals: unit area-weighted normals of the vertices `which`; zero
-/// if no triangle around the vertex has area.
+/// CPU twin of the kernel vertex_normals: computes area-weighted unit normals of the vertices
+/// `which`. A normal is 0 if all triangles around the vertex have zero area.
 void vertex_normals(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles,
                     const Adjacency& vertex_triangles, std::span<const Index> which,
                     std::span<Eigen::Vector3d> normals);

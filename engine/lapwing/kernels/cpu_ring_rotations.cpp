@@ -132,7 +132,7 @@ void CpuRingRotations::fit(std::size_t number, FitBatch& batch) const {
                        stretch_.empty() ? nullptr : &stretch_[number]};
   const unsigned unsure = loops_.fit(rings, batch);
   if (unsure == 0) return;
-  // These rings need the slow, robust fit.
+  // The rotations of these rings are computed by the slow, robust method.
   for (int lane = 0; lane < kFitLanes; ++lane) {
     if ((unsure >> static_cast<unsigned>(lane) & 1U) == 0) continue;
     Matrix3d T = nearest_rotation(matrix_of(batch.C, lane));

@@ -9,11 +9,11 @@
 
 namespace lapwing {
 
-/// RingRotations in double precision, on all threads. Allocates nothing after construction, except
+/// RingRotations in double precision, on all threads. Allocates memory only in the constructor and
 /// for the first rest stretch.
 class CpuRingRotations final : public RingRotations {
  public:
-  /// Uses the loops for `set`, which must be available.
+  /// Uses the loops for `set`, which the CPU must support.
   explicit CpuRingRotations(std::shared_ptr<const RegionRings> rings,
                             InstructionSet set = available_instruction_sets().front());
 
@@ -31,12 +31,14 @@ class CpuRingRotations final : public RingRotations {
   const RegionRings& rings_ = *shared_rings_;
   const RingLoops& loops_;
   std::vector<FitRest> rest_;              ///< per batch of kFitLanes rows
-  std::vector<FitStretch> stretch_;        ///< per batch; empty for the identity
-  std::vector<std::size_t> entry_starts_;  ///< per batch, in entries_
+  std::vector<FitStretch> stretch_;        ///< per batch; empty: all S_i are the identity
+  std::vector<std::size_t> entry_starts_;  ///< first entry of each batch in entries_
   std::vector<FitEntries> entries_;
-  std::vector<PaddedVector> displacement_;  ///< per vertex, of the last fit; padded to full batches
-  std::vector<PaddedTurn> turns_;           ///< per vertex, of the last fit; 0 if it is no row
-  std::vector<PaddedVector> residuals_;     ///< likewise: om_i (L(v')_i - T_i delta_i)
+  /// Displacement of each vertex in the last fit; padded to full batches.
+  std::vector<PaddedVector> displacement_;
+  /// T_i - I of each vertex in the last fit; 0 if the vertex is not a row.
+  std::vector<PaddedTurn> turns_;
+  std::vector<PaddedVector> residuals_;  ///< om_i (L(v')_i - T_i delta_i), in the same order
 };
 
 }  // namespace lapwing

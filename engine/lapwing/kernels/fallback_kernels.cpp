@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// The device until it fails, and the CPU.
+/// The device, until it fails, and the CPU.
 class FallbackKernels::Devices {
  public:
   explicit Devices(const std::function<std::unique_ptr<Kernels>()>& make) {
@@ -45,7 +45,7 @@ class FallbackKernels::Devices {
   }
 
  private:
-  std::unique_ptr<Kernels> device_;  ///< null once it has failed
+  std::unique_ptr<Kernels> device_;  ///< null after the device has failed
   CpuKernels cpu_;
   DeviceInfo after_;
 };
@@ -86,7 +86,7 @@ class FallbackKernels::Rotations final : public RingRotations {
       if (!is_on_device) rings.reset();
     }
 
-    // Recreates on the CPU what the last calls left on the device.
+    // Recreates the state of the device on the CPU.
     void move_to_cpu() {
       rotations.reset();
       make();
@@ -111,7 +111,7 @@ class FallbackKernels::Rotations final : public RingRotations {
     }
 
     std::shared_ptr<Devices> devices;
-    std::shared_ptr<const RegionRings> rings;  ///< kept only while on the device, like `fitted`
+    std::shared_ptr<const RegionRings> rings;  ///< needed only while on the device, like `fitted`
     std::size_t row_count = rings->row_count();
     std::vector<Eigen::Matrix3d> stretch;
     std::vector<Eigen::Vector3d> fitted;  ///< the displacement of the last fit

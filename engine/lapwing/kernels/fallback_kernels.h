@@ -7,15 +7,16 @@
 
 namespace lapwing {
 
-/// The kernels of a device that may fail. If a call fails (GpuError: lost, or out of memory), the
-/// CPU twin repeats it and runs all later ones. The caller loses nothing, and results stay within
-/// the tolerance of the twins. `device()` is then the CPU, and says which device failed.
+/// The kernels of a device that may fail. If a call fails with GpuError (device lost or out of
+/// memory), the CPU twin repeats it and runs all later calls. No data are lost, and the results are
+/// within the tolerance of the twins. `device()` then describes the CPU and names the failed
+/// device.
 ///
-/// For this, its ring rotations keep the rings and the last displacement: 300 bytes per vertex of
-/// the region. They may outlive the object. Not thread-safe.
+/// For this purpose, its ring rotations store the rings and the last displacement, which takes 300
+/// bytes per vertex of the region. The ring rotations may outlive this object. Not thread-safe.
 class FallbackKernels final : public Kernels {
  public:
-  /// If `make` throws GpuError, the CPU does everything.
+  /// If `make` throws GpuError, all calls run on the CPU.
   explicit FallbackKernels(const std::function<std::unique_ptr<Kernels>()>& make);
 
   const DeviceInfo& device() const override;

@@ -1,8 +1,8 @@
 // The inner loops of fit_rotations and energy_gradient (CpuRingRotations). A batch of rotations is
-// fitted kLanes rows at a time, as many as a register holds, because compilers split wider vectors
+// fitted kLanes rows at a time, as many as fit in a register, because compilers split wider vectors
 // into single numbers. ring_loops_*.cpp include this file inside an unnamed namespace, after they
-// define kLanes. It calls nothing with external linkage: the linker could use another instruction
-// set's copy.
+// define kLanes. It calls no function with external linkage, for which the linker could use the
+// copy of another instruction set.
 
 static_assert(kFitLanes % kLanes == 0);
 
@@ -12,13 +12,14 @@ typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
 
-// As in laplacian/rotation.cpp: below this product of distances to the other eigenvalues the
-// eigenvector loses half its digits.
+// As in laplacian/rotation.cpp: if the product of the distances to the other eigenvalues is
+// smaller, the eigenvector loses half of its digits.
 constexpr double kSmallestGap = 1e-6;
-// From the upper bound, a well-conditioned root takes three or four steps.
+// Newton steps without a test of convergence. A well-conditioned root needs three or four steps
+// from the upper bound.
 constexpr int kUncheckedNewtonSteps = 2;
 constexpr int kMostNewtonSteps = 12;
-// Convergence is quadratic, so that the error after a step this small is negligible.
+// Convergence is quadratic, so the error after such a small step is negligible.
 constexpr double kConverged = 1e-9;
 
 LAPWING_INLINE Lanes absolute(Lanes x) { return x < 0.0 ? -x : x; }
@@ -97,7 +98,7 @@ LAPWING_INLINE void sum_rings(const FitRings& rings, int first, FitBatch& batch)
 
 struct Root {
   Lanes value;
-  LaneBits found;  // the slope is large enough
+  LaneBits found;  // true if the iteration has converged and the slope is large enough
 };
 
 // Returns the largest root of Horn's matrix for |H| = 1, like largest_root in
@@ -117,7 +118,8 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
                         c7 * c7 + c8 * c8;
   const Lanes b = -8.0 * determinant;
   const Lanes c = 1.0 - 4.0 * squares;
-  // The root l is the sum of the singular values, the last with the sign of the determinant. So
+  // The root l is the sum of the singular values, where the last one has the sign of the
+  // determinant. Therefore
   //     l^2 = 1 + 2 sqrt(squares + 2 determinant l) and l^2 <= 3.
   // This gives an upper bound, which is rounded up.
   const Lanes positive = determinant > 0.0 ? determinant : Lanes{};
@@ -152,7 +154,7 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   for (int k = 0; k < 9; ++k) H[k] = usable ? H[k] * inverse : Lanes{};
   const Root root = largest_root(H);
 
-  // N - l I, with N of quaternion_form in laplacian/rotation.cpp.
+  // N - l I, where N is the matrix of quaternion_form in laplacian/rotation.cpp.
   const Lanes a00 = H[0] + H[4] + H[8] - root.value;
   const Lanes a11 = H[0] - H[4] - H[8] - root.value;
   const Lanes a22 = H[4] - H[0] - H[8] - root.value;
@@ -164,7 +166,8 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   const Lanes a13 = H[2] + H[6];
   const Lanes a23 = H[5] + H[7];
 
-  // Its adjugate is q q' times a number: the column with the largest diagonal is q.
+  // Its adjugate is a multiple of q q', so the column with the largest diagonal entry is a multiple
+  // of q.
   const Lanes s0 = a00 * a11 - a01 * a01;
   const Lanes s1 = a00 * a12 - a01 * a02;
   const Lanes s2 = a00 * a13 - a01 * a03;
@@ -221,8 +224,8 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   return unsure;
 }
 
-// Computes residual and energy from T. Differences of edges come from displacements and T - I, so
-// that small ones keep their digits.
+// Computes residual and energy from T. Differences of edges are computed from displacements and T -
+// I, so that small differences are accurate.
 LAPWING_INLINE void finish(const FitRings& rings, int first, FitBatch& batch) {
   std::uint32_t rows[kLanes];
   number_rows(rings, first, rows);
@@ -255,7 +258,7 @@ LAPWING_INLINE void finish(const FitRings& rings, int first, FitBatch& batch) {
   lanes_at(batch.energy + first) = energy;
 }
 
-// Replaces `m` by `m` S, with S the rest stretch; column-major.
+// Replaces `m` by `m` S, where S is the rest stretch; both are column-major.
 LAPWING_INLINE void stretch_from_right(const FitStretch& stretch, int first, Lanes* m) {
   constexpr int kEntry[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
   for (int row = 0; row < 3; ++row) {
@@ -293,7 +296,7 @@ void finish_batch(const FitRings& rings, FitBatch& batch) {
   for (int first = 0; first < kFitLanes; first += kLanes) finish(rings, first, batch);
 }
 
-// A vector of energy_gradient. Arithmetic is as fast if a register holds only half of it.
+// A vector in energy_gradient. Arithmetic is equally fast if a register contains only half of it.
 typedef double Padded __attribute__((vector_size(sizeof(PaddedVector)), may_alias));
 
 LAPWING_INLINE const Padded& padded(const PaddedVector& vector) {
@@ -304,8 +307,8 @@ LAPWING_INLINE Padded turned(const PaddedTurn& turn, double x, double y, double 
   return padded(turn.column[0]) * x + padded(turn.column[1]) * y + padded(turn.column[2]) * z;
 }
 
-// Returns the edge terms of a row's gradient. Edges go from the row to its neighbours, against the
-// sense of the contract; both signs cancel.
+// Returns the edge terms of a row's gradient. Edges point from the row to its neighbours, opposite
+// to those in RingRotations; the two signs cancel.
 LAPWING_INLINE Padded edge_forces(const GradientRings& rings, std::size_t row) {
   const Padded here = padded(rings.displacement[row]);
   double own[3] = {};  // sum of k (v_j - v_i), to which T_i - I is applied once

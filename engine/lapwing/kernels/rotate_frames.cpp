@@ -12,12 +12,14 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A sum that cancels to less than this share is only rounding error.
+// If a sum cancels to less than this fraction of its terms, only rounding errors remain.
 constexpr double kRoundingShare = 1e-12;
-// A mapped ring this many times smaller than the target's has no extent beyond rounding error.
+// If a mapped ring is smaller than the target's ring by more than this factor, its extent is only a
+// rounding error.
 constexpr double kMostScale = 1e12;
 
-// The edges of a row: a_j are those of the mapped ring, b_j those of the target's ring.
+// Sums over the edges of a row: a_j are the edges of the mapped ring, b_j those of the target's
+// ring.
 struct RingEdges {
   Matrix3d moment = Matrix3d::Zero();  // sum_j b_j a_j'
   double source_spread = 0.0;          // sum_j |a_j|^2
@@ -48,8 +50,8 @@ Vector3d unit_or_zero(const Vector3d& normal) {
   return length > kRoundingShare ? Vector3d(normal / length) : Vector3d::Zero();
 }
 
-// Right-handed and orthonormal with `normal` as its third axis (Duff et al., "Building an
-// orthonormal basis, revisited", 2017).
+// Returns a right-handed orthonormal frame with `normal` as the third axis (Duff et al., "Building
+// an orthonormal basis, revisited", 2017).
 Matrix3d frame_of(const Vector3d& normal) {
   const double sign = std::copysign(1.0, normal.z());
   const double a = -1.0 / (sign + normal.z());
@@ -61,7 +63,8 @@ Matrix3d frame_of(const Vector3d& normal) {
   return frame;
 }
 
-// The turn about the third axis that maximizes trace(turn' H), found from the two tangent axes.
+// The turn about the third axis that maximizes trace(turn' H). It depends only on the upper left 2
+// x 2 block of H.
 struct PlaneTurn {
   explicit PlaneTurn(const Matrix3d& H)
       : cosine(H(0, 0) + H(1, 1)), sine(H(1, 0) - H(0, 1)), length(std::hypot(cosine, sine)) {}
@@ -77,9 +80,9 @@ struct PlaneTurn {
   double length;
 };
 
-// Returns F_t Rz F_s', in which Rz turns the projected edges of the mapped ring to those of the
-// target's. If they determine no turn, the axes of space replace the edges, which gives the
-// smallest rotation.
+// Returns F_t Rz F_s'. F_s and F_t are the frames, and Rz rotates the projected edges of the mapped
+// ring to those of the target's ring. If the edges determine no turn, the coordinate axes replace
+// them, which leads to the smallest rotation.
 Matrix3d turn_of_frames(const Vector3d& source_normal, const Vector3d& target_normal,
                         const RingEdges& edges) {
   const Matrix3d source = frame_of(source_normal);

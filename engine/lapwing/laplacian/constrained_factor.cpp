@@ -6,7 +6,7 @@
 namespace lapwing {
 namespace {
 
-// Sets the progress callback of a solver while it lives.
+// Sets the progress callback of a solver for the lifetime of this object.
 class Reporting {
  public:
   Reporting(BlockSolver& solver, const Progress& progress) : solver_(solver) {

@@ -10,7 +10,8 @@ namespace {
 // power of the weight because a stiffness W overcomes the bending stiffness of the surface at
 // wavelengths above W^(-1/4) edges. A weight of 1/2 thus constrains wavelengths above 2 edges, and
 // a weight of 1/10 those above 10 edges. On a sheet with a falloff 24 edges wide, the surface
-// follows the handle by the factors 1, 0.84 and 0.25 at half, three quarters and all of that width.
+// follows the handle by the factors 1, 0.84 and 0.25 at half, three quarters and the full width of
+// the falloff.
 double graded_share(double weight) {
   const double square = weight * weight;
   return square * square;
@@ -39,7 +40,7 @@ Constraints constraints_of(const EditRegion& region, const Topology& topology,
   for (const Target& target : region.targets) {
     if (region.hard_targets) {
       if (target.is_vertex()) is_given[target.corners[0]] = 1;
-      // Belt and handles would hold the target back.
+      // Constraints of belt and handles would keep the target from its position.
       for (const Index corner : target.corners) anchored[corner] = 0.0;
     }
     is_drawn[target.corners[0]] = 1;

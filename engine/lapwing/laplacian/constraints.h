@@ -11,20 +11,21 @@
 
 namespace lapwing {
 
-/// The unknowns of an edit, and how firmly each is held to its prescribed displacement.
+/// The unknowns of an edit and their constraint stiffness.
 struct Constraints {
   Unknowns unknowns;
-  std::vector<double> W;  ///< per unknown; kStiff or the squared weight in handle and belt, less if
-                          ///< a handle is graded, 0 elsewhere
+  /// Stiffness of each unknown: kStiff or the squared weight on belt and handles, less in a
+  /// handle's falloff, and 0 elsewhere.
+  std::vector<double> W;
 };
 
 /// Returns the constraints of a region. `weight` is DeformOptions::constraint_weight. If it is
 /// empty, the stiffness is kStiff for the belt and for handles without their own weight. With soft
 /// constraints, all vertices of the region are unknowns, except those with hard targets. With hard
 /// constraints, only free vertices are unknowns. The displacements of all other vertices are
-/// prescribed. Soft targets and targets inside triangles are springs. Belt and
-/// handles do not constrain the corners of a hard target. Unconstrained vertices
-/// without a ring do not move and are not unknowns.
+/// prescribed. Soft targets and targets inside triangles are springs. Belt and handles do not
+/// constrain the corners of a hard target. Unconstrained vertices without a ring do not move and
+/// are not unknowns.
 Constraints constraints_of(const EditRegion& region, const Topology& topology,
                            std::optional<double> weight, bool hard);
 

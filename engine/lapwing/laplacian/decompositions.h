@@ -4,8 +4,8 @@
 
 namespace lapwing {
 
-// Eigen's decompositions of 3 x 3 matrices, compiled once. A file that uses Eigen's own takes
-// seconds longer to compile.
+// Eigen's decompositions of 3 x 3 matrices, compiled only once. Files that include Eigen's headers
+// for them take seconds longer to compile.
 
 struct SingularValues3 {
   Eigen::Matrix3d U;

@@ -13,11 +13,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A ring area below this share of the mean counts as this share, so that row weights stay finite
-// and can be summed.
+// Lower bound of a ring area, as a fraction of the mean ring area. It keeps row weights finite and
+// of similar magnitude.
 constexpr double kSmallestAreaShare = 1e-3;
 
-// The weight of an edge between equilateral triangles, and the sum of six around a vertex.
+// The weight of an edge between equilateral triangles, and the sum of the six weights around a
+// vertex.
 constexpr double kRegularWeight = std::numbers::inv_sqrt3;
 constexpr double kRegularSum = 6.0 * kRegularWeight;
 
@@ -30,7 +31,7 @@ double ring_area(Index i, const Topology& topology, std::span<const Vector3d> po
   return area / 6.0;
 }
 
-// Returns the ring area of i or the mean of its neighbours', whichever is larger.
+// Returns the larger of the ring area of i and the mean ring area of its neighbours.
 double area_around(Index i, const Adjacency& rings, std::span<const double> areas) {
   const auto ring = rings[i];
   double sum = 0.0;
@@ -38,7 +39,8 @@ double area_around(Index i, const Adjacency& rings, std::span<const double> area
   return ring.empty() ? areas[i] : std::max(areas[i], sum / static_cast<double>(ring.size()));
 }
 
-// Returns the ring areas of the vertices of `roi` and their neighbours. Others are undefined.
+// Returns the ring areas of the vertices of `roi` and of their neighbours. All other entries are
+// undefined.
 Numbers ring_areas(const Topology& topology, std::span<const Vector3d> rest,
                    std::span<const Index> roi) {
   constexpr std::size_t kRowsPerTask = 2048;
@@ -61,8 +63,9 @@ Numbers ring_areas(const Topology& topology, std::span<const Vector3d> rest,
   return areas;
 }
 
-// Returns A / r^2 of a region of area A and radius of gyration r: 4 pi for a sphere, 2 pi for a
-// disc, 12 over the aspect ratio for a narrow strip. A single vertex counts as the narrowest strip.
+// Returns A / r^2 for a region with area A and radius of gyration r: 4 pi for a sphere, 2 pi for a
+// disk, and 12 divided by the aspect ratio for a narrow strip. A single vertex has the lower bound,
+// kNarrowest.
 double area_over_square_of_radius(std::span<const Vector3d> rest, std::span<const Index> roi,
                                   std::span<const double> areas) {
   constexpr double kNarrowest = 12.0 / 100.0;

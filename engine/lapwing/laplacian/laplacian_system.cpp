@@ -41,7 +41,7 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
   const Stopwatch watch;
   parallel_invoke([&] { assemble(rest, terms); }, [&] { analyze(); });
   factorize(constraints.W);
-  shared_rings();  // while `rest` is valid
+  shared_rings();  // computed now, while `rest` is valid
   timings.add("laplacian", watch.elapsed_ms());
 }
 
@@ -127,7 +127,8 @@ std::shared_ptr<const RegionRings> LaplacianSystem::shared_rings() const {
   return rings_;
 }
 
-// Returns the vertices of the unknowns in the order of elimination, then the others of the region.
+// Returns the vertices of the unknowns in elimination order, followed by all other vertices of the
+// region.
 std::vector<Index> LaplacianSystem::rows_by_elimination() const {
   const Unknowns& unknowns = constraints_.unknowns;
   std::vector<Index> rows;
@@ -141,7 +142,7 @@ std::vector<Index> LaplacianSystem::rows_by_elimination() const {
   return rows;
 }
 
-// An edge between two rows counts from both ends.
+// An edge between two rows counts twice, once in each row.
 void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
   constexpr std::size_t kUnknownsPerTask = 2048;
   const BlockPattern& blocks = *A.pattern;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kColumnsPerTask = 1024;
 
-// out += kSign A' B for 3 x 3 blocks, column after column.
+// Computes out += kSign A' B for 3 x 3 blocks in column-major order.
 template <int kSign>
 void add_transposed_product(const double* A, const double* B, double* out) {
   for (int c = 0; c < 3; ++c) {
@@ -105,7 +105,7 @@ void NormalPattern::find_entries(const BlockRows& M, const Unknowns& unknowns) {
   }
 }
 
-// Column c of N holds every unknown r >= c that shares a row of M with c.
+// Column c of N contains a block for every unknown r >= c that shares a row of M with c.
 void NormalPattern::find_blocks(const BlockRows& M) {
   const std::size_t n = blocks_.size();
   const std::size_t task_count = (n + kColumnsPerTask - 1) / kColumnsPerTask;
@@ -150,7 +150,7 @@ void NormalPattern::add_products(const BlockRows& M, BlockMatrix& N,
   const auto size = static_cast<std::size_t>(M.block_size);
   const std::size_t numbers = size * size;
   parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
-    // The entry of each row in the current column. Only rows of that column are read.
+    // For each row in the current column, its entry. All other elements are outdated and not read.
     std::vector<std::size_t> place(n);
     CancelCheck cancel_check;
     for (std::size_t c = begin; c < end; ++c) {

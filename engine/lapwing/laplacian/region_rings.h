@@ -8,25 +8,26 @@
 
 namespace lapwing {
 
-/// The one-rings of a region at rest with a local numbering, so that the cost of an iteration does
-/// not depend on the size of the mesh around. Row r is local vertex r.
+/// The one-rings of a region at rest with local vertex indices, so that the cost of an iteration
+/// does not depend on the size of the whole mesh. Row r is local vertex r.
 struct RegionRings {
-  std::vector<Index> vertices;    ///< local number -> vertex of the mesh; rows, then neighbours
-  std::vector<Index> starts{0};   ///< entries of row r: [starts[r], starts[r + 1])
-  std::vector<Index> neighbours;  ///< per entry
-  std::vector<Eigen::Vector3d> edges;   ///< per entry: v_j - v_i at rest
-  std::vector<double> weights;          ///< per entry: w_ij, of eq. 1
-  std::vector<double> reverse_weights;  ///< per entry: w_ji; 0 if j is no row
-  std::vector<double> stiffness;        ///< per entry: k_ij, of EnergyWeights; or empty
-  std::vector<double> row_weights;      ///< per row: om_i
-  std::vector<Index> unknown_rows;      ///< unknown, in the caller's order -> its row
+  /// Mesh vertex of each local vertex: first the rows, then their other neighbours.
+  std::vector<Index> vertices;
+  std::vector<Index> starts{0};         ///< entries of row r: [starts[r], starts[r + 1])
+  std::vector<Index> neighbours;        ///< per entry
+  std::vector<Eigen::Vector3d> edges;   ///< v_j - v_i at rest, per entry
+  std::vector<double> weights;          ///< w_ij of eq. 1, per entry
+  std::vector<double> reverse_weights;  ///< w_ji, per entry; 0 if j is not a row
+  std::vector<double> stiffness;        ///< k_ij of EnergyWeights, per entry; or empty
+  std::vector<double> row_weights;      ///< om_i, per row
+  std::vector<Index> unknown_rows;      ///< row of each unknown, in the caller's order
 
   std::size_t row_count() const { return starts.size() - 1; }
   bool is_row(Index own) const { return own < row_count(); }
 };
 
-/// Returns the rings of `rows`. `weights` are those of the whole mesh. `unknowns` must be among the
-/// rows. Linear time.
+/// Returns the rings of `rows`. `weights` are those of the whole mesh. `unknowns` must be a subset
+/// of `rows`. Takes linear time.
 RegionRings region_rings(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                          const EnergyWeights& weights, std::span<const Index> rows,
                          std::span<const Index> unknowns);

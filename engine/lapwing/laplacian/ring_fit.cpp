@@ -11,8 +11,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Returns the mean of K_i relative to v_i. The sum of differences loses no digits far from the
-// origin.
+// Returns the mean of K_i relative to v_i. Summing differences avoids a loss of precision far from
+// the origin.
 Vector3d ring_center(Index i, std::span<const Index> ring, std::span<const Vector3d> positions) {
   Vector3d sum = Vector3d::Zero();
   for (const Index j : ring) sum += positions[j] - positions[i];
@@ -64,8 +64,8 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
   if (!(S > 0.0)) return fit;
   fit.inverse_S = 1.0 / S;
   const Matrix3d J = Matrix3d::Identity() - C / S;
-  // The two larger eigenvalues of J / S are at least 1/2 each and at most 1, so the determinant is
-  // within a factor of four of the smallest eigenvalue.
+  // Here J is divided by S. Its two larger eigenvalues are between 1/2 and 1, so the determinant is
+  // between a quarter of the smallest eigenvalue and the smallest eigenvalue.
   const double determinant = J.determinant();
   fit.inverse_J =
       determinant > kCollinearShare ? Matrix3d(J.inverse() / S) : pseudo_inverse_on_line(C, S);
@@ -74,7 +74,7 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
 
 namespace {
 
-// sum_k v'_k x_k' and sum_k |x_k|^2 over K_i.
+// H = sum_k v'_k x_k' and size = sum_k |x_k|^2 over K_i.
 struct RingMoments {
   Matrix3d H = Matrix3d::Zero();
   double size = 0.0;
@@ -82,7 +82,8 @@ struct RingMoments {
 
 RingMoments ring_moments(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                          std::span<const Vector3d> current) {
-  // The x_k sum to 0 over K_i, so the v'_k need not be centred. Relative to v'_i, that of i is 0.
+  // The x_k sum to 0 over K_i, so the v'_k need not be centred. They are taken relative to v'_i, so
+  // the term of i is 0.
   const Vector3d center = ring_center(i, ring, rest);
   RingMoments sums;
   sums.size = center.squaredNorm();
@@ -100,7 +101,7 @@ RingSimilarity fit_similarity(Index i, std::span<const Index> ring, std::span<co
                               std::span<const Vector3d> current) {
   const auto [H, size] = ring_moments(i, ring, rest, current);
   RingSimilarity fit{nearest_rotation(H)};
-  // The sum of v'_k . R x_k over that of |x_k|^2.
+  // s = (sum of v'_k . R x_k) / (sum of |x_k|^2).
   if (size > 0.0) fit.scale = fit.R.cwiseProduct(H).sum() / size;
   return fit;
 }

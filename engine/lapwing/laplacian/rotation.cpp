@@ -19,12 +19,14 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-// Below this share of the largest singular value the second one counts as zero.
+// The second singular value counts as 0 below this fraction of the largest one.
 constexpr double kRankOneShare = 1e-12;
-// Below this product of distances to the other eigenvalues the eigenvector loses half its digits.
+// If the product of the distances to the other eigenvalues is smaller, the eigenvector loses half
+// of its digits.
 constexpr double kSmallestGap = 1e-6;
 constexpr int kMostNewtonSteps = 40;
-// Angle from opposite directions, in radians, within which rounding decides the axis.
+// If the vectors are opposite up to this angle (in radians), rounding errors would determine the
+// axis.
 constexpr double kOpposite = 1e-9;
 
 Matrix3d rotation_by_svd(const Matrix3d& H) {
@@ -65,7 +67,8 @@ LargestRoot largest_root(const Matrix3d& H) {
   const double b = -8.0 * H.col(0).dot(cofactors.col(0));
   const double c = 1.0 - 4.0 * cofactors.squaredNorm();
   const auto slope_at = [&](double l) { return (4.0 * l * l + 2.0 * a) * l + b; };
-  double l = std::sqrt(3.0);  // the singular values of a matrix of norm 1 sum to at most this
+  // Upper bound of the sum of the singular values of a matrix with norm 1.
+  double l = std::sqrt(3.0);
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     const double slope = slope_at(l);
     if (!(slope > kSmallestGap)) break;
@@ -96,7 +99,8 @@ Matrix3d nearest_rotation(const Matrix3d& given) {
   const Matrix3d H = given / size;
   const LargestRoot root = largest_root(H);
   if (!(root.slope > kSmallestGap)) return rotation_by_svd(H);
-  // The adjugate of N - l I is q q' times a number: its column with the largest diagonal is q.
+  // The adjugate of N - l I is a multiple of q q', so its column with the largest diagonal entry is
+  // a multiple of q.
   const Matrix4d A = quaternion_form(H) - root.value * Matrix4d::Identity();
   int best = 0;
   double largest = 0.0;

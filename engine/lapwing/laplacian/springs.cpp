@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 constexpr double kStiffness = 1e7;
 
-// Returns the place of block (row, column) in the values of a matrix, row >= column.
+// Returns the index of block (row, column) among the blocks of a matrix. Requires row >= column.
 std::size_t block_at(const BlockPattern& pattern, Index row, Index column) {
   const auto rows = pattern.column(column);
   return pattern.starts[column] +

@@ -15,31 +15,32 @@ namespace lapwing {
 ///     stiffness |sum_k shares_k u(corner k) - prescribed|^2
 /// to the energy. This is the constraint term of eq. 5, extended to points inside triangles.
 struct Spring {
-  std::array<Index, 3> corners{};  ///< of one triangle; all equal for a vertex
+  std::array<Index, 3> corners{};  ///< corners of a triangle; all equal for a vertex
   std::array<double, 3> shares{};  ///< barycentric coordinates of the point
   Eigen::Vector3d prescribed = Eigen::Vector3d::Zero();  ///< displacement of the point
-  double stiffness = 1.0;  ///< positive; kStiff: far stiffer than the surface
+  double stiffness = 1.0;                                ///< positive, or kStiff
 };
 
-/// Marks a spring or a constrained vertex as far stiffer than the surface. LaplacianSystem replaces
+/// Marks a spring or constrained vertex as much stiffer than the surface. LaplacianSystem replaces
 /// this value by a finite stiffness.
 inline constexpr double kStiff = std::numeric_limits<double>::infinity();
 
-/// Returns the springs with a finite stiffness instead of kStiff: 1e7 times the mean of the
-/// diagonal of A. The error is the force divided by that stiffness, and rounding still leaves 9
-/// digits.
+/// Returns the springs with a finite stiffness instead of kStiff: 1e7 times the mean diagonal of A.
+/// The error of the position is the force divided by the stiffness. With this value, rounding still
+/// leaves 9 correct digits.
 std::vector<Spring> with_finite_stiffness(std::span<const Spring> springs, const BlockMatrix& A);
 
-/// Adds the matrix of the springs over the unknowns to A, for each direction of a block. The
-/// pattern must contain the edges of their triangles.
+/// Adds the matrix of the springs to A, for each component of a block. The pattern of A must
+/// contain the edges of the springs' triangles.
 void add_springs(std::span<const Spring> springs, const Unknowns& unknowns, BlockMatrix& A);
 
-/// Adds that matrix times u to y, 3 numbers per unknown. `u` is given for the whole mesh.
+/// Adds the product of the springs' matrix and `u` to y, which has 3 numbers per unknown. `u` has
+/// one vector per vertex of the mesh.
 void add_spring_product(std::span<const Spring> springs, const Unknowns& unknowns,
                         std::span<const Eigen::Vector3d> u, std::span<double> y);
 
 /// Returns the forces of the springs on the unknowns at displacement 0, 3 numbers per unknown.
-/// Empty without springs.
+/// Returns an empty list if there are no springs.
 Numbers spring_forces(std::span<const Spring> springs, const Unknowns& unknowns);
 
 }  // namespace lapwing

@@ -17,9 +17,9 @@ void set_uniform(std::span<double> row) {
   std::fill(row.begin(), row.end(), 1.0 / static_cast<double>(row.size()));
 }
 
-// Returns the cotangent of the angle at `apex`, within the limits. A triangle without area reaches
-// a limit, as almost flat ones do, because rounding decides which of the two it is. NaN if `apex`
-// coincides with `a` or `b`.
+// Returns the cotangent of the angle at `apex`, clamped to kLargestCotangent. A triangle without
+// area gets one of the two limits, like an almost degenerate one. Returns NaN if `apex` coincides
+// with `a` or `b`.
 double cotangent(const Vector3d& apex, const Vector3d& a, const Vector3d& b) {
   const Vector3d u = a - apex;
   const Vector3d v = b - apex;
@@ -51,7 +51,8 @@ void set_cotangents(const Topology& topology, Index i, std::span<const Vector3d>
   }
 }
 
-// Raises every weight to a share of the mean. Returns false if the mean is 0 or not finite.
+// Raises small weights to kSmallestCotangentShare times the mean absolute weight. Returns false if
+// the mean is 0 or not finite.
 bool make_positive(std::span<double> weights) {
   double mean = 0.0;
   for (const double w : weights) mean += std::abs(w);
@@ -88,7 +89,7 @@ void for_rows(const Topology& topology, std::span<const Index> rows, std::span<d
   });
 }
 
-// Turns a row of cotangent sums into weights.
+// Converts a row of cotangent sums to weights.
 void make_weights(std::span<double> row) {
   if (!make_positive(row)) return set_uniform(row);
   const double sum = sum_of(row);

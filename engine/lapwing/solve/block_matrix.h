@@ -10,7 +10,7 @@
 namespace lapwing {
 
 /// Pattern of a symmetric matrix of square blocks: the lower triangle in compressed columns. Column
-/// c holds the block rows `rows[starts[c], starts[c+1])` in ascending order. The first is the
+/// c contains the block rows `rows[starts[c], starts[c+1])` in ascending order. The first is the
 /// diagonal block, which is always present.
 struct BlockPattern {
   std::vector<std::size_t> starts{0};
@@ -23,7 +23,7 @@ struct BlockPattern {
 };
 
 /// A symmetric matrix in blocks of `block_size` x `block_size` (1 or 3). The pattern must outlive
-/// it. `values` holds the blocks in the pattern's order, each in column-major order. Diagonal
+/// it. `values` contains the blocks in the pattern's order, each in column-major order. Diagonal
 /// blocks are stored in full.
 struct BlockMatrix {
   const BlockPattern* pattern = nullptr;
@@ -37,12 +37,13 @@ struct BlockMatrix {
   }
 };
 
-/// Computes y = A x for `columns` vectors, stored one after the other. Sums in a fixed order.
+/// Computes y = A x for `columns` vectors, which are stored one after the other. The order of
+/// summation is fixed.
 void multiply(const BlockMatrix& A, std::span<const double> x, std::span<double> y,
               std::size_t columns);
 
-/// The adjacency graph of a pattern: both triangles in compressed rows, without the diagonal,
-/// ascending.
+/// The adjacency graph of a pattern in compressed rows. Contains both triangles without the
+/// diagonal; the neighbours in each row are ascending.
 struct BlockGraph {
   std::vector<int> starts;
   std::vector<int> neighbours;

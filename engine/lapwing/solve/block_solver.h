@@ -11,8 +11,8 @@
 
 namespace lapwing {
 
-/// The matrix has no Cholesky factor: it is singular or indefinite at `block` (a block column in
-/// the caller's numbering).
+/// Thrown if the matrix has no Cholesky factor because it is singular or indefinite. The failing
+/// pivot is in block column `block`, in the caller's numbering.
 class NotPositiveDefinite : public SolverError {
  public:
   NotPositiveDefinite(const std::string& what, Index at) : SolverError(what), block(at) {}
@@ -21,17 +21,17 @@ class NotPositiveDefinite : public SolverError {
 
 /// The number type of a factor. Matrices, right-hand sides and solutions are always doubles.
 enum class FactorPrecision {
-  float64,  ///< refuses a pivot up to 1e-13 times its diagonal entry
-  /// Half the memory. Refuses a pivot up to 1e-6 times its diagonal entry. The relative error of a
-  /// solution is about 1e-7 times the condition number, which suffices for a preconditioner.
+  float64,  ///< rejects pivots of at most 1e-13 times the diagonal entry
+  /// Half the memory. Rejects pivots of at most 1e-6 times the diagonal entry. The relative error
+  /// of a solution is about 1e-7 times the condition number, which suffices for a preconditioner.
   float32,
 };
 
-/// Predictions of `analyze` for the factorization. A number that a solver does not know is 0.
+/// Predictions of `analyze` for the factorization. Values that a solver cannot predict are 0.
 struct SolverStatistics {
-  double flops = 0;              ///< operations of one factorization
-  std::size_t factor_bytes = 0;  ///< memory of the factor
-  std::size_t peak_bytes = 0;    ///< peak memory of analysis, factor and solves together
+  double flops = 0;  ///< operations of one factorization
+  std::size_t factor_bytes = 0;
+  std::size_t peak_bytes = 0;  ///< peak memory of analysis, factor and solves together
 };
 
 /// The immutable result of the symbolic factorization of a pattern.
@@ -41,8 +41,8 @@ class SolverAnalysis {
 };
 
 /// Sparse Cholesky factorization of a symmetric positive definite block matrix, in three steps:
-/// analyze once per pattern, factor once per matrix, solve as often as needed. Only the solves may
-/// be called from several threads at once; they wait for each other.
+/// analyze once per pattern, factorize once per matrix, solve as often as needed. Only the solve
+/// functions may be called from several threads at once; a mutex serializes them.
 class BlockSolver {
  public:
   virtual ~BlockSolver() = default;
@@ -54,49 +54,51 @@ class BlockSolver {
   /// The pattern must outlive the solver.
   virtual void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) = 0;
 
-  /// Returns the result of `analyze`, for other solvers of the same class to share. Null before
-  /// `analyze`, or if the class cannot share it.
+  /// Returns the result of `analyze`, which other solvers of the same class can share. Returns null
+  /// before `analyze`, or if the class does not support sharing.
   virtual std::shared_ptr<const SolverAnalysis> analysis() const { return nullptr; }
 
-  /// Uses a shared analysis instead of `analyze`. Its pattern must outlive this solver too. Throws
+  /// Uses a shared analysis instead of `analyze`. Its pattern must also outlive this solver. Throws
   /// SolverError if the analysis is not of this class.
   virtual void analyze_as(std::shared_ptr<const SolverAnalysis> analysis);
 
-  /// Allocates the memory of a factorization in advance and lets the system clear it. This may take
-  /// as long as the factorization, and is meant for a background thread. Throws Cancelled.
+  /// Allocates the memory of a factorization in advance, and touches it so that the system clears
+  /// its pages. This may take as long as the factorization itself; call it on a background thread.
+  /// Throws Cancelled.
   virtual void prepare_memory() {}
 
   /// Factorizes a matrix with the analyzed pattern. Throws NotPositiveDefinite.
   virtual void factorize(const BlockMatrix& matrix) = 0;
 
-  /// Like `factor`, for a matrix that differs from the last one factored only in the diagonal
-  /// blocks `changed` (block columns, in any order). A solver may reuse the rest.
+  /// Like `factorize`, for a matrix that differs from the last factorized matrix only in the
+  /// diagonal blocks `changed` (block columns, in any order). A solver may reuse the unchanged
+  /// parts of the factor.
   virtual void refactorize_diagonal(const BlockMatrix& matrix,
                                     [[maybe_unused]] std::span<const Index> changed) {
     factorize(matrix);
   }
 
-  /// Solves A X = B for `columns` right-hand sides stored one after the other, A.scalar_size()
-  /// numbers each. B and X may be the same memory.
+  /// Solves A X = B for `columns` right-hand sides, which are stored one after the other with
+  /// A.scalar_size() numbers each. B and X may be the same memory.
   virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns) = 0;
 
-  /// Like `solve`, in place, for right-hand sides in the caller's order: block b of the matrix is
-  /// block places[b] of X. Fastest if that order is close to the order of elimination.
+  /// Solves A X = B in place, where X initially contains B. Block b of the matrix corresponds to
+  /// block places[b] of X. Fastest if X is stored nearly in elimination order.
   virtual void solve_in_places(std::span<double> X, std::size_t columns,
                                std::span<const Index> places);
 
   virtual SolverStatistics statistics() const { return {}; }
 
-  /// Sets the callback to which `factor` reports stage "factor" and the share of its operations
-  /// done, on the calling thread. If `progress` says so, `factor` throws Cancelled. Stays until
-  /// replaced. A solver that cannot stop half-way ignores it.
+  /// Sets the callback to which `factorize` reports the stage "factor" and the completed fraction
+  /// of its operations, on the calling thread. If the callback returns false, `factorize` throws
+  /// Cancelled. Solvers that cannot be interrupted ignore the callback.
   void set_progress(Progress progress) { progress_ = std::move(progress); }
 
  protected:
   Progress progress_;
 };
 
-/// Returns the engine's own multifrontal block Cholesky solver (block_cholesky/).
+/// Creates the engine's own multifrontal block Cholesky solver (block_cholesky/).
 std::unique_ptr<BlockSolver> make_solver(FactorPrecision precision = FactorPrecision::float64);
 
 }  // namespace lapwing

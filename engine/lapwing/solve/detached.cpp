@@ -15,7 +15,7 @@ namespace {
 // An abandoned thread occupies the memory of a graph and a CPU core until it ends.
 constexpr int kMostAbandoned = 2;
 std::atomic<int> running_threads = 0;
-std::atomic<int> awaited_threads = 0;  // the other running threads are abandoned
+std::atomic<int> awaited_threads = 0;  // all other running threads are abandoned
 
 class Counted {
  public:

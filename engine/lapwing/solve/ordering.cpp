@@ -16,7 +16,7 @@
 namespace lapwing {
 namespace {
 
-// Fewer blocks are ordered within 0.1 s, which is not worth a thread.
+// Ordering fewer blocks takes less than 0.1 s, so it needs no separate thread.
 constexpr std::size_t kQuickToOrder = 30'000;
 
 static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
@@ -49,12 +49,12 @@ std::vector<int> identity_order(std::size_t n) {
 
 }  // namespace
 
-// Calls AMD's inner routine, because the graph is symmetric and has no diagonal. amd_order spends a
-// sixth of its time to ensure that.
+// Calls AMD's inner routine, because the graph is symmetric and has no diagonal. amd_order would
+// spend a sixth of its time to establish both.
 std::vector<int> minimum_degree(const BlockGraph& graph, double* operations) {
   const std::size_t n = graph.starts.size() - 1;
   const std::size_t edges = graph.neighbours.size();
-  const std::size_t room = edges + edges / 5 + n + 1;  // as AMD advises
+  const std::size_t room = edges + edges / 5 + n + 1;  // the size that AMD recommends
   if (room > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw SolverError("the minimum degree ordering cannot index " + std::to_string(edges) +
                       " couplings of " + std::to_string(n) + " vertices; choose a smaller region");
@@ -85,7 +85,7 @@ EliminationOrder minimum_degree_order(const BlockPattern& pattern) {
   const std::size_t n = pattern.size();
   BlockGraph graph = block_graph(pattern);
   if (graph.neighbours.empty()) return {identity_order(n), static_cast<double>(n)};
-  // Shared, because an abandoned thread outlives this call and still writes the number.
+  // Shared ownership, because an abandoned thread outlives this call and still writes to it.
   const auto operations = std::make_shared<double>(0.0);
   std::vector<int> order = cancellable(n, [operations, graph = std::move(graph)] {
     return minimum_degree(graph, operations.get());

@@ -8,25 +8,27 @@
 namespace lapwing {
 
 enum class Ordering {
-  automatic,          ///< minimum_degree up to kMinimumDegreeLimit blocks, nested_dissection above
-  minimum_degree,     ///< AMD: a tenth of the time of nested dissection
-  nested_dissection,  ///< METIS: a third fewer operations in the factorization of regular meshes
+  automatic,       ///< minimum_degree up to kMinimumDegreeLimit blocks, nested_dissection above
+  minimum_degree,  ///< AMD; takes a tenth of the time of nested dissection
+  /// METIS; for regular meshes, the factorization needs a third fewer operations.
+  nested_dissection,
 };
 
-/// Up to this many blocks, nested dissection takes longer than it saves in one factorization. If
-/// one pattern is factored repeatedly, nested dissection pays from 20,000 blocks on.
+/// Up to this number of blocks, nested dissection takes more time than it saves in a single
+/// factorization. If a pattern is factorized repeatedly, it saves time from 20,000 blocks on.
 inline constexpr std::size_t kMinimumDegreeLimit = 150'000;
 
 /// Returns a permutation of the block columns, new to old, that keeps the Cholesky factor sparse.
-/// The same pattern gives the same order. Throws SolverError if METIS runs out of memory or the
-/// graph has too many edges for its index type. For M'M of a mesh, `dissection_order` is faster.
+/// The order depends only on the pattern and `ordering`. Throws SolverError if METIS runs out of
+/// memory or the graph has too many edges for its index type. For M'M of a mesh, `dissection_order`
+/// is faster.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern,
                                      Ordering ordering = Ordering::automatic);
 
 struct EliminationOrder {
   std::vector<int> order;  ///< new to old
   /// Sum of the squared entry counts of the factor's block columns. This is the number of
-  /// operations to factorize 1 x 1 blocks, and a 27th of that for 3 x 3 blocks.
+  /// operations to factorize a matrix of 1 x 1 blocks. Blocks of 3 x 3 need 27 times as many.
   double operations = 0;
 };
 
@@ -38,7 +40,8 @@ EliminationOrder minimum_degree_order(const BlockPattern& pattern);
 /// Throws SolverError if the graph has too many edges for 31-bit indices.
 std::vector<int> minimum_degree(const BlockGraph& graph, double* operations = nullptr);
 
-/// Returns the scalar permutation that keeps the rows of a block together.
+/// Returns the permutation of scalar rows that permutes the blocks by `order` and keeps the rows of
+/// each block consecutive.
 std::vector<int> scalar_order(std::span<const int> order, int block_size);
 
 }  // namespace lapwing

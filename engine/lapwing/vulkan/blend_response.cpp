@@ -12,7 +12,7 @@
 namespace lapwing {
 namespace {
 
-// Layouts of shaders/blend_response.comp.
+// The memory layout in shaders/blend_response.comp.
 constexpr std::size_t kColumnsPerGroup = 4;
 struct alignas(16) GroupHeader {
   std::uint32_t group_count;
@@ -81,8 +81,8 @@ void BlendResponse::add_ranges(std::size_t most_bytes, gpu::Transfer& transfer) 
   }
 }
 
-// Calls pack(vertex of moving, out, stride), which writes the vertex's numbers per group and axis,
-// `stride` apart, and transfers them to the device.
+// Calls pack(m, out, stride) for each moving vertex m, and transfers the result to the device.
+// `pack` must write one Vec4 per group and axis, at distances of `stride`.
 template <typename Pack>
 void BlendResponse::fill(gpu::Transfer& transfer, const Pack& pack) {
   for (const Range& range : ranges_) {

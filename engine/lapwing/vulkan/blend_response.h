@@ -14,37 +14,38 @@
 
 namespace lapwing {
 
-/// Kernel blend_response over the columns of one response, stored on the device in float32. If the
-/// columns exceed the largest buffer, the vertices are split into ranges with separate buffers. May
-/// be created on another thread than it is used on.
+/// Runs the kernel blend_response for the columns of one response, which are stored on the device
+/// in float32. If the columns exceed the largest buffer, the vertices are split into ranges with
+/// separate buffers. An object may be created on one thread and used on another.
 class BlendResponse {
  public:
-  /// One buffer has at most `most_bytes` of columns; the device's limit if 0. Throws GpuError if
-  /// the columns do not fit in the device's memory.
+  /// A buffer contains at most `most_bytes` of columns; 0: the limit of the device. Throws GpuError
+  /// if the columns do not fit in the device's memory.
   BlendResponse(std::shared_ptr<gpu::Context> context, gpu::Transfer& transfer,
                 const ResponseColumns& columns, const Topology& topology,
                 std::size_t most_bytes = 0);
 
-  /// Returns the pipeline that `record` runs.
+  /// Creates the kernel to pass to `record`.
   static gpu::Kernel kernel(const gpu::Context& context);
 
-  /// Sets the start of the blends: the moving vertices at `rest` + `displacement`, both of the
-  /// whole mesh, relative to `origin`. An empty `displacement` is 0. Required before the first
-  /// blend. The device must have finished the recorded commands, as for `set_parameters`.
+  /// Sets the pose from which blends start: `rest` + `displacement`, relative to `origin`. Both
+  /// lists have one vector per vertex of the mesh; an empty `displacement` is 0. Call this before
+  /// the first blend. The device must have finished the recorded commands, as for `set_parameters`.
   void set_rest(gpu::Transfer& transfer, std::span<const Eigen::Vector3d> rest,
                 std::span<const Eigen::Vector3d> displacement, const Eigen::Vector3d& origin);
-  /// Sets the parameters of the next run of the recorded commands, one per column. Throws
+  /// Sets the parameters for the next run of the recorded commands, one per column. Throws
   /// InputError if their number is wrong.
   void set_parameters(std::span<const double> parameters);
 
-  /// Records the blend into `positions`, one vec4 per vertex of the mesh. w stays 1.
+  /// Records the blend, which writes x, y and z of `positions`, a buffer with one vec4 per vertex
+  /// of the mesh.
   void record(gpu::Recorder& recorder, const gpu::Kernel& kernel,
               const gpu::Buffer& positions) const;
-  /// Does the same as the recorded commands, at once on the CPU. All buffers must be mapped.
+  /// Does the work of the recorded commands immediately, on the CPU. All buffers must be mapped.
   void run_on_host(std::span<Vec4> positions) const;
 
   std::span<const Index> moving() const { return moving_; }
-  /// The vertices whose normals change: the moving ones and their neighbours.
+  /// Returns the vertices whose normals change: the moving vertices and their neighbours.
   const gpu::Buffer& affected() const { return affected_; }
 
  private:
@@ -69,7 +70,7 @@ class BlendResponse {
   std::vector<Range> ranges_;
 };
 
-/// Uploads a response with its own Transfer, on any thread.
+/// Uploads a response with a separate Transfer. May be called on any thread.
 std::shared_ptr<BlendResponse> upload_response(const std::shared_ptr<gpu::Context>& context,
                                                const ResponseColumns& columns,
                                                const Topology& topology);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kVerticesPerHostTask = 4096;
 
-// A Vec4 in a register. Device memory is aligned for it.
+// A Vec4 in a register. Device memory has the required alignment.
 typedef float Lanes __attribute__((vector_size(sizeof(Vec4)), may_alias));
 
 const Lanes& lanes(const Vec4& v) {

@@ -9,11 +9,11 @@
 
 namespace lapwing {
 
-/// MappedRings on the device, a batch of rows at a time (layout: shaders/mapped_ring.glsl). The
-/// source and the points stay there; the rings are uploaded for each batch.
+/// MappedRings on the device, one batch of rows at a time (layout: shaders/mapped_ring.glsl). The
+/// source and the points are uploaded once, the rings for each batch.
 class MappedBatches {
  public:
-  /// `source` has one vector per source vertex. The mapped rings take differences of these.
+  /// `source` has one vector per source vertex. The kernels use differences of these vectors.
   MappedBatches(VulkanState& state, const MappedRings& rings,
                 std::span<const Eigen::Vector3d> source);
 
@@ -24,8 +24,8 @@ class MappedBatches {
     return rings_.target.starts[batch.first_row];
   }
 
-  /// Uploads the rings of `batch`, runs `kernel` on them and waits. `others` are the buffers that
-  /// follow, and `flag` is its last push constant.
+  /// Uploads the rings of `batch`, runs `kernel` on the batch and waits. `others` are the buffers
+  /// bound after those of mapped_ring.glsl. `flag` is the last push constant.
   void run(const RingBatch& batch, const gpu::Kernel& kernel,
            std::initializer_list<gpu::BufferRange> others, bool flag = false);
 

@@ -8,7 +8,7 @@
 namespace lapwing {
 namespace {
 
-// 19 MB of blocks in float64: many rows per submission, yet far below every device's limits.
+// 19 MB of blocks in float64: many rows per submission, but far below the limits of every device.
 constexpr std::size_t kBlocksPerBatch = std::size_t{1} << 18U;
 
 std::vector<RingBatch> split(const RingProblem& problem) {

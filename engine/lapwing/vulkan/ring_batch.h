@@ -22,15 +22,15 @@ struct RingBatch {
   std::size_t block_count() const { return row_count + entry_count; }
 };
 
-/// Splits rows 0 to `row_count` into few batches whose buffers stay far below every device's
-/// limits. `entries_of` returns the size of a row's ring.
+/// Splits the rows 0 to row_count - 1 into a few batches whose buffers are far below the limits of
+/// every device. `entries_of` returns the size of a row's ring.
 std::vector<RingBatch> split_rows(std::size_t row_count,
                                   const std::function<std::size_t(std::size_t)>& entries_of);
-/// Returns the largest of each number over all batches.
+/// Returns the maximum of each member over all batches.
 RingBatch largest_of(std::span<const RingBatch> batches);
 
-/// A RingProblem on the device, a batch of rows at a time (layout: shaders/ring.glsl), so that the
-/// memory of one call and its output stay small for any number of rows.
+/// A RingProblem on the device, one batch of rows at a time (layout: shaders/ring.glsl), so that
+/// input and output need little memory for any number of rows.
 class RingBatches {
  public:
   RingBatches(VulkanState& state, const RingProblem& problem);
@@ -44,8 +44,8 @@ class RingBatches {
   /// (see Kernels::assemble_rsi and assemble_tangent).
   void assemble(const gpu::Kernel& kernel, const char* name, std::span<double> blocks);
 
-  /// Uploads `batch`, runs `kernel` on it and waits. `output` is the last buffer before those of
-  /// the energy.
+  /// Uploads `batch`, runs `kernel` on it and waits. `output` is bound after the buffers of
+  /// ring.glsl and before those of the energy.
   void run(const RingBatch& batch, const gpu::Kernel& kernel, const gpu::Buffer& output);
 
  private:

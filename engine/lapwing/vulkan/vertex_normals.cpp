@@ -10,7 +10,7 @@
 namespace lapwing {
 namespace {
 
-// A triangle around vertex i as the edge opposite to i, from corner to corner in its orientation.
+// A triangle around vertex i, represented by the edge opposite to i in the triangle's orientation.
 using Edge = std::pair<Index, Index>;
 
 Edge opposite_edge(const Triangle& t, Index i) {
@@ -18,7 +18,8 @@ Edge opposite_edge(const Triangle& t, Index i) {
   return {t[(corner + 1) % 3], t[(corner + 2) % 3]};
 }
 
-// Returns the place of an edge from `from` on that begins at `corner`, or edges.size().
+// Returns the index, at least `from`, of an edge that begins at `corner`, or edges.size() if there
+// is none.
 std::size_t find_edge_from(std::span<const Edge> edges, std::size_t from, Index corner) {
   for (std::size_t e = from; e < edges.size(); ++e) {
     if (edges[e].first == corner) return e;
@@ -26,8 +27,8 @@ std::size_t find_edge_from(std::span<const Edge> edges, std::size_t from, Index 
   return edges.size();
 }
 
-// Returns the place of an edge that begins an open fan (no other edge ends at its start), or
-// `from`.
+// Returns the index, at least `from`, of an edge that begins an open fan (no other edge ends at its
+// start), or `from` if there is none.
 std::size_t find_open_start(std::span<const Edge> edges, std::size_t from) {
   for (std::size_t e = from; e < edges.size(); ++e) {
     bool continued = false;
@@ -39,14 +40,14 @@ std::size_t find_open_start(std::span<const Edge> edges, std::size_t from) {
   return from;
 }
 
-// Represents one triangle around a vertex. `normal` is the index in SplitNormals of the normal at
-// the triangle's corner. `edge` is the edge of the triangle opposite this corner.
+// A triangle around a vertex. `normal` is the index in SplitNormals of the normal at this corner of
+// the triangle. `edge` is the edge opposite this corner.
 struct Corner {
   Index normal;
   Edge edge;
 };
 
-// Sorts `edges` into chains by swapping and appends their corners.
+// Sorts `edges` in place into chains, and appends the corners of the chains to `corners`.
 void append_fans(std::span<Edge> edges, std::vector<Index>& corners) {
   for (std::size_t done = 0; done < edges.size();) {
     std::swap(edges[done], edges[find_open_start(edges, done)]);

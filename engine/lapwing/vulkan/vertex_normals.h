@@ -9,12 +9,12 @@
 
 namespace lapwing {
 
-/// Returns the triangles around each vertex i as fans. Corners c0, c1, c2, ... stand for the
-/// triangles (i, c0, c1), (i, c1, c2), ... A corner with kFanBegins set begins another fan. An
+/// Returns the triangles around each vertex i as fans. Corners c0, c1, c2, ... represent the
+/// triangles (i, c0, c1), (i, c1, c2), ... A corner with kFanBegins set begins a new fan. An
 /// interior manifold vertex with k triangles has one fan of k + 1 corners. This needs half the
 /// reads of a list of triangles. Every triangle appears once and keeps its orientation. A vertex
-/// may have extra normals (SplitNormals). An entry with the normal's number and kNormalBegins set
-/// precedes the fans of each extra normal.
+/// may have additional normals (SplitNormals). The fans of each additional normal follow an entry
+/// that contains the normal's index and kNormalBegins.
 Adjacency build_fans(std::span<const Triangle> triangles, const Adjacency& vertex_triangles,
                      const SplitNormals& split);
 inline constexpr Index kFanBegins = 0x80000000U;
@@ -31,7 +31,7 @@ class VertexNormals {
   /// y and z of `normals`.
   void record(gpu::Recorder& recorder, const gpu::Buffer& which, const gpu::Buffer& positions,
               const gpu::Buffer& normals) const;
-  /// Does the same as the recorded commands, at once on the CPU. All buffers must be mapped.
+  /// Does the work of the recorded commands immediately, on the CPU. All buffers must be mapped.
   void run_on_host(std::span<const Index> which, const gpu::Buffer& positions,
                    const gpu::Buffer& normals) const;
 

@@ -35,7 +35,8 @@ auto numbers_of(std::span<Matrix> matrices) {
                            matrices.size() * Matrix::SizeAtCompileTime);
 }
 
-// Returns the target's edges, in double precision. The kernel gets no target positions.
+// Returns the edges of the target, computed in double precision. They replace the target's
+// positions in the kernel.
 std::vector<Eigen::Vector3d> target_edges(const RegionRings& rings, const RingBatch& batch,
                                           std::span<const Eigen::Vector3d> positions) {
   std::vector<Eigen::Vector3d> edges;

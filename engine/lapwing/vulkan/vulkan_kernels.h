@@ -13,23 +13,23 @@ class VulkanState;
 
 /// The precision of the kernels. Those of drawn surfaces always use float32.
 enum class Precision {
-  automatic,  ///< float64 if the device has it
+  automatic,  ///< float64 if the device supports it
   float32,
-  float64,  ///< throws GpuError if the device does not have it
+  float64,  ///< throws GpuError if the device does not support it
 };
 
 struct VulkanOptions {
-  /// Minimizes with shaders on a software device, too (DeviceInfo::frames).
+  /// If true, shaders minimize the energy even on a software device (DeviceInfo::frames).
   bool frames_on_device = false;
 };
 
 /// The kernels as Vulkan compute shaders. Not thread-safe.
 class VulkanKernels final : public Kernels {
  public:
-  /// Opens the best device that fits `options`. Throws GpuError if no device fits. The message
+  /// Opens the best device for `options`. Throws GpuError if no device is suitable. The message
   /// lists the devices that were tried and the packages to install.
   explicit VulkanKernels(const VulkanOptions& options = {});
-  /// Uses a context that others, such as a window, use too.
+  /// Uses a context that other objects, such as a window, may also use.
   VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
                 bool frames_on_device = false);
   ~VulkanKernels() override;

@@ -16,8 +16,8 @@ constexpr std::uint32_t kStiffness = 1;
 constexpr std::uint32_t kStretch = 2;
 constexpr std::size_t kStretchNumbers = 6;
 
-// Returns the end of the longest range from `first` of at most `most` entries, but one row at
-// least.
+// Returns the end of the longest range of rows that begins at `first` and has at most `most`
+// entries. The range has at least one row.
 std::size_t end_of_range(const RegionRings& rings, std::size_t first, std::size_t most) {
   std::size_t last = first + 1;
   while (last < rings.row_count() && rings.starts[last + 1] - rings.starts[first] <= most) ++last;

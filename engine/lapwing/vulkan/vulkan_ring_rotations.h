@@ -11,13 +11,13 @@
 
 namespace lapwing {
 
-/// RingRotations on the device, in the precision of its kernels. The rings stay there; an iteration
-/// transfers only displacements, energies and gradient. If the edges exceed the largest buffer, the
-/// rows are split into ranges with separate buffers.
+/// RingRotations on the device, in the precision of its kernels. The rings are uploaded once; an
+/// iteration transfers only displacements, energies and the gradient. If the edges exceed the
+/// largest buffer, the rows are split into ranges with separate buffers.
 class VulkanRingRotations final : public RingRotations {
  public:
-  /// One buffer has at most `most_entries` of the rings; the device's limit if 0. Throws GpuError
-  /// if the rings do not fit in the device's memory.
+  /// A buffer contains at most `most_entries` ring entries; 0: the limit of the device. Throws
+  /// GpuError if the rings do not fit in the device's memory.
   VulkanRingRotations(std::shared_ptr<VulkanState> state, const RegionRings& rings,
                       std::size_t most_entries = 0);
 
@@ -44,7 +44,7 @@ class VulkanRingRotations final : public RingRotations {
     gpu::Buffer weights;
     gpu::Buffer reverse_weights;
     gpu::Buffer stiffness;
-    gpu::Buffer unknowns;  ///< of each row, or kNoIndex
+    gpu::Buffer unknowns;  ///< unknown of each row, or kNoIndex
   };
   void add_range(const RegionRings& rings, std::size_t first, std::size_t last,
                  std::span<const Index> unknown_of_row, std::uint32_t flags);
@@ -54,11 +54,11 @@ class VulkanRingRotations final : public RingRotations {
   std::shared_ptr<VulkanState> state_;
   std::size_t row_count_;
   std::vector<Range> ranges_;
-  std::vector<Eigen::Matrix3d> rest_stretch_;  ///< per row; empty for the identity
+  std::vector<Eigen::Matrix3d> rest_stretch_;  ///< per row; empty: all S_i are the identity
   gpu::Buffer row_weights_;
-  gpu::Buffer stretch_;  ///< per row: S_i - I; of one row while it is the identity
+  gpu::Buffer stretch_;  ///< S_i - I of each row; only one row if all S_i are the identity
   gpu::Buffer displacement_;
-  gpu::Buffer turns_;  ///< R_i as quaternions
+  gpu::Buffer turns_;  ///< R_i of each row as a quaternion
   gpu::Buffer residuals_;
   gpu::Buffer energies_;
   gpu::Buffer result_;

@@ -94,8 +94,8 @@ void VulkanState::upload_places(const gpu::Buffer& buffer,
   }
   std::vector<float> parts(vectors.size() * 6);
   for (std::size_t v = 0; v < vectors.size(); ++v) {
-    // Number by number: for whole vectors, g++ 12 drops the rounding to float and back, and with it
-    // the low part.
+    // Each component is converted separately: for whole vectors, g++ 12 omits the rounding to
+    // float, and the low part would be 0.
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const double exact = vectors[v][axis];
       const auto high = static_cast<float>(exact);

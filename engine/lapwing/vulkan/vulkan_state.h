@@ -13,8 +13,8 @@
 
 namespace lapwing {
 
-/// VulkanKernels shares this state with its ring rotations. It contains the compiled kernels, and
-/// transfers numbers in the kernels' precision (shaders/precision.glsl).
+/// The state that VulkanKernels shares with its ring rotations. It contains the compiled kernels,
+/// and transfers numbers in the precision of the kernels (shaders/precision.glsl).
 class VulkanState {
  public:
   VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
@@ -24,14 +24,14 @@ class VulkanState {
   void upload_reals(const gpu::Buffer& buffer, std::span<const double> numbers);
   void download_reals(const gpu::Buffer& buffer, std::span<double> numbers);
 
-  /// Vectors whose differences kernels need (shaders/place.glsl): 3 doubles, or 3 floats and the
-  /// rounding error of each.
+  /// Size and upload of vectors of which kernels need differences (shaders/place.glsl). Each is
+  /// stored as 3 doubles, or as 3 floats and their 3 rounding errors.
   static std::size_t place_bytes(std::size_t count) { return count * 3 * sizeof(double); }
   void upload_places(const gpu::Buffer& buffer, std::span<const Eigen::Vector3d> vectors);
 
   std::shared_ptr<gpu::Context> context;
   bool float64;
-  bool frames;  ///< as DeviceInfo::frames
+  bool frames;  ///< DeviceInfo::frames
   gpu::Transfer transfer;
   gpu::Kernel assemble_rsi;
   gpu::Kernel assemble_tangent;

@@ -30,7 +30,7 @@ Adjacency one_group(const Topology& topology) {
   return group;
 }
 
-// Returns the ROI and the loose parts, which move along but are not unknowns.
+// Returns the ROI and the loose parts, which follow the surface but are not unknowns.
 std::vector<Index> moving_vertices(const EditRegion& region) {
   std::vector<Index> moving = region.roi;
   for (const LoosePart& part : region.loose) {

@@ -27,7 +27,7 @@ struct CarryShare {
   double share = 0.0;
 };
 
-/// The shares of several points, in compressed rows. The shares of a row sum to 1.
+/// The shares of several points, in compressed rows. The shares of each point sum to 1.
 struct CarryShares {
   std::vector<std::size_t> starts{0};
   std::vector<CarryShare> values;
@@ -46,13 +46,13 @@ struct CarryShares {
 /// far edge of the band.
 class SurfaceContacts {
  public:
-  /// `rest` and `topology` must outlive the object. O(n log n). Throws InputError for a mesh
+  /// `rest` and `topology` must outlive the object. Takes O(n log n). Throws InputError for a mesh
   /// without triangles.
   SurfaceContacts(std::span<const Eigen::Vector3d> rest, const Topology& topology);
 
-  /// Sets `shares` to those of one finite point, in ascending order of vertices. Takes O(log n)
-  /// near the surface. `hint` speeds up the search. Pass kNoIndex in the first call, and later the
-  /// value that the last call for a nearby point has set.
+  /// Sets `shares` to the shares of one finite point, in ascending order of vertices. Takes O(log
+  /// n) near the surface. `hint` speeds up the search. Pass kNoIndex in the first call, and later
+  /// the value that the last call for a nearby point has set.
   void find(const Eigen::Vector3d& point, Index& hint, std::vector<CarryShare>& shares) const;
 
   /// Returns the shares of all points, computed on all CPU cores. Returns nothing if there are more
@@ -65,7 +65,7 @@ class SurfaceContacts {
  private:
   std::span<const Eigen::Vector3d> rest_;
   const Topology& topology_;
-  std::vector<double> areas_;  ///< of the triangles, times two
+  std::vector<double> areas_;  ///< twice the area of each triangle
   double widest_band_ = 0.0;
   ClosestPoint surface_;
 };
@@ -74,20 +74,20 @@ class SurfaceContacts {
 /// and S be the weighted means of rest position, new position, rotation (VertexMotion) and rest
 /// stretch over the contacts of a point p. Then
 ///     p' = x' + R S (p - x).
-/// Points on the surface stay on it, and p' is continuous in p. Points whose contacts did not move
-/// stay exactly where they are.
+/// Points on the surface remain on it, and p' is continuous in p. Points whose contacts did not
+/// move do not move either, exactly.
 class AttachmentDeformer {
  public:
-  /// `rest` are the positions before `deformed`; both must outlive the object. O(n log n). Throws
-  /// InputError for a mesh without triangles.
+  /// `rest` are the positions before the deformation; `rest` and `deformed` must outlive the
+  /// object. Takes O(n log n). Throws InputError for a mesh without triangles.
   AttachmentDeformer(std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
   /// Uses `contacts`, which several deformations of one surface can share, for example in a drag.
   AttachmentDeformer(std::shared_ptr<const SurfaceContacts> contacts, const Deformed& deformed);
 
   /// Moves `points`, using all CPU cores. Positions must be finite.
   CarriedPoints carry(std::span<const Eigen::Vector3d> points) const;
-  /// Gives bitwise identical results from the known shares of the points. Takes time linear in the
-  /// number of shares.
+  /// Like `carry` above, for known shares of the points; results are bitwise identical. Takes time
+  /// linear in the number of shares.
   CarriedPoints carry(std::span<const Eigen::Vector3d> points, const CarryShares& shares) const;
 
  private:
@@ -100,13 +100,13 @@ class AttachmentDeformer {
   VertexMotion motion_;
 };
 
-/// Moves points with a single deformation, e.g. carry_points(hat.positions, head.positions,
+/// Moves points with a single deformation, for example carry_points(hat.positions, head.positions,
 /// deformed).
 CarriedPoints carry_points(std::span<const Eigen::Vector3d> points,
                            std::span<const Eigen::Vector3d> rest, const Deformed& deformed);
 
-/// Wide enough that points over a fold are not torn apart, narrow enough that a point follows the
-/// surface under it.
+/// Band widths of SurfaceContacts. Wider bands keep points over a fold together; with narrower
+/// bands, a point follows the surface directly below it.
 inline constexpr double kCarryBand = 0.5;
 inline constexpr double kWidestCarryBand = 0.02;
 

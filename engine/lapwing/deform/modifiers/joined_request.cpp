@@ -14,8 +14,8 @@ std::size_t joined_edges_in(const VertexSet& roi, const JoinedSurface& joined) {
       joined.edges, [&](const auto& ends) { return inside[ends[0]] && inside[ends[1]]; }));
 }
 
-// Returns the mesh's index of each triangle of the joined surface, which lacks the triangles that
-// became degenerate.
+// Returns the index in the mesh for each triangle of the joined surface. The joined surface does
+// not contain the triangles that joining makes degenerate.
 std::vector<Index> triangles_of_mesh(const JoinedSurface& joined, const Topology& topology) {
   std::vector<Index> numbers;
   for (Index t = 0; t < topology.triangles.size(); ++t) {

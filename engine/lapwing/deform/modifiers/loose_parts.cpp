@@ -15,11 +15,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Weight of a part's anchors, against 1 for the surface. The surface only determines what the
-// anchors leave free.
+// Total weight of a part's anchors; that of the contacts is 1. Contacts thus only determine the
+// motion that anchors do not determine.
 constexpr double kAnchorWeight = 1e4;
-// Weight of the identity rotation, relative to the spread of the guides. It matters for guides on a
-// line.
+// Weight of the identity rotation, relative to the spread of the guides. It only matters if the
+// guides are collinear.
 constexpr double kStillness = 1e-9;
 
 double size_of(const VertexSet& vertices, std::span<const Vector3d> positions) {
@@ -139,7 +139,7 @@ void LooseParts::carry(std::span<const Vector3d> prescribed, std::span<const dou
     }
     const bool still = std::all_of(displacements.begin(), displacements.end(),
                                    [](const Vector3d& d) { return d.isZero(0.0); });
-    Matrix3d turn = Matrix3d::Zero();  // minus the identity
+    Matrix3d turn = Matrix3d::Zero();  // scaled rotation minus the identity
     if (!still || scale != 1.0) {
       H += kStillness * spread * Matrix3d::Identity();
       turn = scale * nearest_rotation(H) - Matrix3d::Identity();

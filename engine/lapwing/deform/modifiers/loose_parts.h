@@ -18,21 +18,23 @@ namespace lapwing {
 /// the part that are in the belt or in handles have a much larger weight.
 class LooseParts {
  public:
-  LooseParts() = default;  ///< no parts
-  /// Finds the contacts, O(m log m) in the triangles. `region` and `rest` must outlive the object.
+  LooseParts() = default;  ///< no loose parts
+  /// Finds the contacts, in O(m log m) for m triangles. `region` and `rest` must outlive the
+  /// object.
   LooseParts(const EditRegion& region, std::span<const Eigen::Vector3d> rest,
              const Topology& topology);
 
   bool empty() const { return parts_.empty(); }
 
-  /// Sets the displacements `u` of the loose parts, per vertex of the mesh, so that they follow the
-  /// surface. `prescribed` holds the displacements of their anchors. `scales` holds the mean scale
-  /// of S_i per vertex of the mesh; it is empty if all scales are 1. The displacements of parts
+  /// Sets the displacements of the loose parts in `u`, so that they follow the surface. All lists
+  /// are per vertex of the mesh. `prescribed` contains the displacements of anchors. `scales`
+  /// contains the mean scale of each S_i; it is empty if all scales are 1. Displacements of parts
   /// that do not move are exactly 0.
   void carry(std::span<const Eigen::Vector3d> prescribed, std::span<const double> scales,
              std::span<Eigen::Vector3d> u) const;
 
-  /// The same to first order, for the columns of a response. `growth` is the scale minus 1.
+  /// Like `carry`, but to first order, for the columns of a linear response. `growth` is the scale
+  /// minus 1.
   void carry_linear(std::span<const Eigen::Vector3d> prescribed, std::span<const double> growth,
                     std::span<Eigen::Vector3d> u) const;
 

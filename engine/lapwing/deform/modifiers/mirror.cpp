@@ -21,7 +21,7 @@ struct Effort {
   std::size_t samples;
   int rounds;
 };
-// First for all starting planes, then for the best ones.
+// kCoarse applies to all starting planes, kFine to the kBest best planes.
 constexpr Effort kCoarse{300, 12};
 constexpr Effort kFine{2000, 60};
 constexpr std::size_t kBest = 3;
@@ -41,7 +41,7 @@ ClosestPoint surface_of(const Mesh& mesh, const std::string& where) {
   return {triangles, mesh.positions, group};
 }
 
-// `normalized` fails for lengths of 1e-200 or 1e200.
+// Eigen's `normalized` fails for lengths such as 1e-200 or 1e200.
 Vector3d unit_normal(const MirrorPlane& plane) {
   return plane.normal.stableNormalized();
 }
@@ -66,8 +66,8 @@ Vector3d mean_of(std::span<const Vector3d> points) {
   return sum / static_cast<double>(points.size());
 }
 
-// Returns the points of the surface closest to the images of the samples, and sets the mean squared
-// distance. `hints`, one per sample, come from the last search.
+// For the mirror image of each sample, returns the closest point of the surface. Sets the mean
+// squared distance. `hints`, one per sample, come from the last search.
 std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
                                         std::span<const Vector3d> samples, const MirrorPlane& plane,
                                         std::span<Index> hints, double& mean_square) {
@@ -88,8 +88,9 @@ std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
   return nearest;
 }
 
-// Returns the plane that mirrors the p closest to the q. It passes through the mean of all points,
-// and its normal n minimizes sum (n.p) (n.q), with p and q relative to that mean.
+// Returns the plane for which the mirror images of the points p are closest to the points q. It
+// passes through the mean of all points, and its normal n minimizes sum (n.p) (n.q), with p and q
+// relative to that mean.
 MirrorPlane best_plane(std::span<const Vector3d> p, std::span<const Vector3d> q) {
   const Vector3d center = 0.5 * (mean_of(p) + mean_of(q));
   Matrix3d B = Matrix3d::Zero();
@@ -181,8 +182,8 @@ FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where) {
   for (const Vector3d& normal : first_normals(samples, center)) {
     found.push_back(refined(surface, few, {center, normal}, kCoarse.rounds));
   }
-  // Of equally good planes the first one wins, so that shapes with many planes get a coordinate
-  // plane.
+  // Among equally good planes, the first one is selected. A shape with many planes of symmetry thus
+  // gets a coordinate plane.
   const double rounding = 1e-20 * diagonal * diagonal;
   std::stable_sort(found.begin(), found.end(), [&](const FoundMirror& a, const FoundMirror& b) {
     return std::max(a.asymmetry, rounding) < std::max(b.asymmetry, rounding);

@@ -14,7 +14,7 @@ namespace lapwing {
 
 struct MirrorPlane {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< not 0; of any length
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< any length except 0
   bool operator==(const MirrorPlane&) const = default;
 };
 
@@ -23,18 +23,18 @@ struct AutomaticMirror {
   bool operator==(const AutomaticMirror&) const = default;
 };
 
-/// A mirror as the user wrote it.
+/// A mirror plane as the user specified it.
 struct MirrorSpec {
   std::variant<AutomaticMirror, MirrorPlane> plane = {};
   std::string where = "mirror";  ///< as in RegionSpec; ignored by ==
   bool operator==(const MirrorSpec& other) const { return plane == other.plane; }
 };
 
-/// Throws InputError, naming `where`, if a number is not finite or the normal is 0.
+/// Throws InputError if a number is not finite or the normal is 0. The message begins with `where`.
 void require_plane(const MirrorPlane& plane, const std::string& where);
 
-/// Throws InputError, naming `where`, for a plane that does not pass through the bounds of the
-/// mesh, and what `require_plane` throws.
+/// Throws InputError if the plane does not intersect the bounding box of the mesh. The message
+/// begins with `where`. Also throws the errors of `require_plane`.
 void require_through(const MirrorPlane& plane, const Mesh& mesh, const std::string& where);
 
 /// Returns the map of points to their mirror images.
@@ -42,14 +42,15 @@ Eigen::Affine3d reflection(const MirrorPlane& plane);
 
 struct FoundMirror {
   MirrorPlane plane;
-  /// Root mean square distance of the mirrored vertices from the surface, over the diagonal of its
-  /// bounds; 0 for a symmetric shape.
+  /// Root mean square distance of the mirrored vertices from the surface, divided by the diagonal
+  /// of its bounding box; 0 for a symmetric shape.
   double asymmetry = 0.0;
 };
 
-/// Finds the plane in which the surface is most symmetric, by iterated closest points (ICP) from 26
-/// planes through its centroid. Takes about a second for any mesh, since it uses at most 2,000
-/// vertices. Throws InputError, naming `where`, if no triangle of the mesh has any extent.
+/// Finds the plane in which the surface is most symmetric, by iterative closest points (ICP)
+/// starting from 26 planes through the centroid. Takes about a second for any mesh, because it uses
+/// at most 2,000 vertices. Throws InputError if the mesh has no triangles or all their vertices
+/// coincide. The message begins with `where`.
 FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where);
 
 /// Returns FoundMirror::asymmetry of a mesh for `plane`.

@@ -15,10 +15,10 @@ using Eigen::Affine3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Share of the diagonal. If the asymmetry is larger, a note asks to check the plane.
+// Fraction of the diagonal. If the asymmetry is larger, a note asks the user to check the plane.
 constexpr double kLargeAsymmetry = 0.02;
-// Share of the diagonal. A point closer to the plane counts as lying in it, and a mesh closer to
-// its image as symmetric.
+// Fraction of the diagonal. Points closer to the plane count as points of the plane, and a mesh
+// closer to its image counts as symmetric.
 constexpr double kRounding = 1e-9;
 
 Matrix3d mirror_matrix(const MirrorPlane& plane) {
@@ -60,7 +60,8 @@ class Mirroring {
   }
 
   std::vector<double> mirrored_field(const std::vector<double>& field) const {
-    if (field.size() != images_.size()) return field;  // empty, or an error reported elsewhere
+    // An empty field stays empty. A wrong size is reported elsewhere.
+    if (field.size() != images_.size()) return field;
     std::vector<double> mirrored;
     for (const Index image : images_) mirrored.push_back(field[image]);
     return mirrored;
@@ -74,7 +75,7 @@ class Mirroring {
     return falloff;
   }
 
-  // Returns the vertices that a handle holds with its full weight.
+  // Returns the vertices with the full weight of a handle.
   VertexSet full(const VertexSet& set, const Falloff& falloff) const {
     if (falloff.field.size() != images_.size()) return set;
     VertexSet full;
@@ -83,7 +84,8 @@ class Mirroring {
     return full;
   }
 
-  // Returns the index of the image for each handle, added ones included.
+  // Adds the images of the handles. Returns the index of the image for each handle, including the
+  // added handles.
   std::vector<std::size_t> add_handles(DeformRequest& both) const {
     std::vector<MovedHandle> images;
     std::vector<std::size_t> numbers(both.handles.size());
@@ -162,9 +164,9 @@ class Mirroring {
     both.targets.rows.insert(both.targets.rows.end(), images.begin(), images.end());
   }
 
-  // Geodesic distances depend on the order of the vertices if several paths are equally short, so
-  // they differ between the sides. Replaces a belt by fraction, falloffs and fields by symmetric
-  // lists and fields.
+  // Replaces a belt given as a fraction, falloffs and fields by symmetric lists and fields.
+  // Geodesic distances are not exactly symmetric: if several paths have the same length, they
+  // depend on the order of the vertices.
   void make_regions_symmetric(DeformRequest& both,
                               const std::vector<std::size_t>& handle_images) const {
     const EditRegion region = resolve_edit_region(both, mesh_);
@@ -191,8 +193,9 @@ class Mirroring {
     }
   }
 
-  // Returns the entries on which both vertices of a pair agree, with the mean of their weights. A
-  // vertex that is its own image follows only handles that are too.
+  // Returns the entries for which a vertex and its image have corresponding handles, with the mean
+  // of both weights. A vertex that is its own image can only follow handles that are their own
+  // images.
   std::vector<FalloffVertex> symmetric(const std::vector<FalloffVertex>& graded,
                                        const std::vector<std::size_t>& handle_images) const {
     std::vector<const FalloffVertex*> of_vertex(images_.size(), nullptr);
@@ -201,7 +204,7 @@ class Mirroring {
     for (const FalloffVertex& g : graded) {
       const Index image = images_[g.vertex];
       if (images_[image] != g.vertex) {
-        agreed.push_back(g);  // A mesh that is only nearly symmetric has vertices without a pair.
+        agreed.push_back(g);  // The mesh is not exactly symmetric, and the vertex has no partner.
         continue;
       }
       const FalloffVertex* other = of_vertex[image];
@@ -247,7 +250,8 @@ std::string in_words(const FoundMirror& found, bool automatic) {
 
 namespace {
 
-// Returns the mirror image of scales along the axes. For most planes that is not along the axes.
+// Returns the mirror image of scale factors along the coordinate axes. Throws InputError if the
+// image does not scale along these axes, as for most planes.
 Vector3d mirrored_scale(const Vector3d& scale, const MirrorPlane& plane) {
   const Matrix3d F = mirror_matrix(plane);
   const Matrix3d image = F * scale.asDiagonal() * F;

@@ -14,7 +14,8 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-// 0.3 degrees in parts of 0.1 must give three parts, although the quotient is rounded up.
+// Subtracted before the quotient is rounded up, so that rounding errors do not add a substep: 0.3
+// degrees in steps of 0.1 are three substeps.
 constexpr double kRoundingOfQuotient = 1e-9;
 
 bool is_free(const MovedHandle& handle) {
@@ -103,7 +104,8 @@ Certificate certify(const ResolvedRequest& bound, std::span<const Vector3d> star
                     std::span<const Vector3d> end, std::span<const Certificate> parts,
                     std::span<const Eigen::Matrix3d> stretch) {
   Certificate certificate;
-  // The final position of a free handle is not known, but each part has measured its error.
+  // The final position of a free handle is not prescribed, but each substep has measured its handle
+  // error.
   const bool any_free = std::ranges::any_of(bound.request.handles, is_free);
   for (const Certificate& part : parts) {
     certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);

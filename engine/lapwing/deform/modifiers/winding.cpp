@@ -13,19 +13,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Down to this detail length, a smaller one keeps more winding and costs few details.
+// Above this detail length, a smaller detail length preserves more winding and loses little detail.
 constexpr double kSmallDetailLength = 0.045;
 
-// Returns whole degrees: equal parts below the limit, one part more at exact multiples of it, and
-// at most half of the current parts.
+// Returns the suggested size of substeps in whole degrees. Substeps are equal, smaller than
+// kLargestSettledTurnDegrees, and at most half as large as the current ones.
 double suggested_commit_every(const DeformRequest& request, double degrees) {
   const double below_limit = degrees / (std::floor(degrees / kLargestSettledTurnDegrees) + 1.0);
   const double half_part = 0.5 * degrees / static_cast<double>(commit_count(request));
   return std::ceil(std::min(below_limit, half_part));
 }
 
-// Returns a shortest edge path from a vertex that stays to `vertex` through the region; empty if
-// there is none.
+// Returns a shortest edge path through the region from a vertex that does not move to `vertex`.
+// Returns an empty path if there is none.
 std::vector<Index> path_from_still(const EditRegion& region, const Topology& topology,
                                    Index vertex) {
   std::vector<char> moves = vertex_mask(topology.vertex_count(), region.roi);
@@ -76,8 +76,8 @@ std::optional<double> winding_degrees(const ResolvedRequest& bound, const Larges
   double wound = 0.0;
   for (const Index v : path) {
     const Eigen::Quaterniond q(fit_rotation(v, bound.topology.rings[v], start, end));
-    // Only the turn about the given axis: near whole turns a small tilt can change the axis
-    // arbitrarily.
+    // Measures only the turn about the given axis: near a whole turn, a small tilt can change the
+    // axis arbitrarily.
     const double turn = 2.0 * std::atan2(q.vec().dot(largest.turn.axis), q.w());
     wound += std::remainder(turn - wound, 2.0 * std::numbers::pi);
   }

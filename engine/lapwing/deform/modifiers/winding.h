@@ -11,7 +11,7 @@ namespace lapwing {
 /// is the surface before the request and `end` the surface after it. The rotation is accumulated
 /// along a shortest edge path from a vertex that does not move to the handle. It equals the
 /// handle's turn up to a multiple of 360 degrees. Returns nothing if no path exists. Also returns
-/// nothing for turns up to 90 degrees, whose direction is unambiguous.
+/// nothing if the turn is at most 90 degrees, because its direction is unambiguous.
 std::optional<double> winding_degrees(const ResolvedRequest& bound, const LargestTurn& largest,
                                       std::span<const Eigen::Vector3d> start,
                                       std::span<const Eigen::Vector3d> end);

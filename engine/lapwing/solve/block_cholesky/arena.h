@@ -7,16 +7,17 @@
 
 namespace lapwing::cholesky {
 
-/// A block of memory that only grows, aligned for vectors, on huge pages if the system has them
-/// (touching 4 KiB pages one by one takes longer than the factorization in them). Its contents are
-/// undefined after `reserve` has grown it. Large blocks are not cleared, so that the thread that
-/// needs a page touches it first. Freed blocks are kept for later ones, up to kMostSpareBytes in
-/// the whole program.
+/// A block of memory that only grows. It is aligned for vector instructions, and uses huge pages if
+/// the system supports them: first accesses to 4 KiB pages take longer in total than the
+/// factorization. Its contents are undefined after `reserve` has grown it. Large blocks are not
+/// cleared, so that each page is first touched by a thread that uses it. Freed blocks are cached
+/// for reuse, up to kMostSpareBytes in the whole program.
 class ArenaBlock {
  public:
   /// Throws std::bad_alloc; the block is then empty.
   void reserve(std::size_t wanted_bytes);
-  /// Lets the system clear all pages now instead of at their first use. Throws Cancelled.
+  /// Writes to all pages, so that the system clears them now instead of at their first use.
+  /// Overwrites the contents. Throws Cancelled.
   void touch();
   std::byte* data() const { return data_.get(); }
   std::size_t bytes() const { return data_ ? data_.get_deleter().bytes : 0; }
@@ -33,10 +34,10 @@ class ArenaBlock {
   std::unique_ptr<std::byte[], Release> data_;
 };
 
-/// Returns the bytes that a block of `bytes` takes from the system.
+/// Returns the number of bytes that ArenaBlock::reserve(bytes) allocates from the system.
 std::size_t arena_block_bytes(std::size_t bytes);
 
-/// Returns the bytes that an arena of `count` numbers takes from the system.
+/// Returns the number of bytes that Arena::reserve(count) allocates from the system.
 template <typename Real>
 std::size_t arena_bytes(std::size_t count) {
   if (count > std::numeric_limits<std::size_t>::max() / sizeof(Real)) throw std::bad_alloc();
@@ -47,7 +48,7 @@ std::size_t arena_bytes(std::size_t count) {
 template <typename Real>
 class Arena {
  public:
-  /// Makes room for `count` numbers. Throws std::bad_alloc; the arena is then empty.
+  /// Reserves memory for `count` numbers. Throws std::bad_alloc; the arena is then empty.
   void reserve(std::size_t count) { block_.reserve(arena_bytes<Real>(count)); }
   void touch() { block_.touch(); }
   Real* data() const { return reinterpret_cast<Real*>(block_.data()); }
@@ -57,9 +58,9 @@ class Arena {
   ArenaBlock block_;
 };
 
-/// Most memory that freed arenas keep for later ones, in the whole program.
+/// Largest total size of freed blocks that are cached for reuse, in the whole program.
 inline constexpr std::size_t kMostSpareBytes = std::size_t{256} << 20;
-/// Returns that memory to the system.
+/// Returns the cached blocks to the system.
 void free_spare_memory();
 
 }  // namespace lapwing::cholesky

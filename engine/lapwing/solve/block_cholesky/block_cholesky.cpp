@@ -22,7 +22,7 @@ struct BlockCholesky::Analysis final : SolverAnalysis {
   const BlockPattern* pattern = nullptr;
 };
 
-// The numeric work in one precision.
+// The numeric factorization and the solves, independent of the number type.
 class BlockCholesky::Factorization {
  public:
   virtual ~Factorization() = default;
@@ -59,7 +59,8 @@ std::size_t table_bytes(const Symbolic& symbolic) {
          bytes_of(symbolic.pieces) + bytes_of(symbolic.entries);
 }
 
-// Returns the blocks of the connected component of `front`: the pivots of its tree.
+// Returns the blocks of the connected component that contains `front`: the pivots of all fronts of
+// its tree.
 std::vector<int> component_of(const Symbolic& symbolic, int front) {
   std::vector<int> root(symbolic.fronts.size());
   for (int f = symbolic.front_count() - 1; f >= 0; --f) {
@@ -145,7 +146,7 @@ BlockCholesky::BlockCholesky(const BlockCholeskyOptions& options)
 
 BlockCholesky::~BlockCholesky() = default;
 
-// Calls `step`. If memory runs out, throws a SolverError that says how much is needed.
+// Calls `step`. Replaces std::bad_alloc by a SolverError that states the required memory.
 template <typename Step>
 void BlockCholesky::guard(Step step) {
   try {
@@ -294,10 +295,10 @@ void BlockCholesky::take_memory() {
   }
 }
 
-// Throws if the factor does not fit into memory. Systems in 3 x 3 blocks are exempt: they are the
-// large ones, and their callers check before and can do without.
+// Throws if the factor does not fit into memory. Does not check systems in 3 x 3 blocks: their
+// callers check the memory themselves and can use the n x n system instead.
 void BlockCholesky::require_memory_for_factor() const {
-  constexpr std::size_t kWorthAsking = 64'000'000;  // smaller amounts are not worth a check
+  constexpr std::size_t kWorthAsking = 64'000'000;  // smaller amounts are not checked
   const Symbolic& symbolic = analysis_->symbolic;
   const std::size_t bytes = statistics_.peak_bytes - table_bytes(symbolic);
   if (symbolic.block_size == 3 || bytes < kWorthAsking) return;

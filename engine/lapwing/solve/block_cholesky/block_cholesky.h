@@ -16,48 +16,48 @@ namespace cholesky {
 struct KernelTables;
 }
 
-/// Options of BlockCholesky.
 struct BlockCholeskyOptions {
-  unsigned threads = 0;  ///< 0 for all processors that this process may run on
-  /// Results of different sets differ in the last bits.
+  unsigned threads = 0;  ///< 0: all CPU cores that this process may use
+  /// Results of different instruction sets differ by rounding errors.
   InstructionSet instruction_set = InstructionSet::automatic;
-  std::size_t memory_limit_bytes = 0;  ///< `analyze` throws if more is needed; 0: no limit
+  std::size_t memory_limit_bytes = 0;  ///< `analyze` throws if more memory is needed; 0: no limit
   FactorPrecision precision = FactorPrecision::float64;
 };
 
 /// Multifrontal Cholesky factorization of matrices in 1 x 1 or 3 x 3 blocks, on several threads.
-/// Symbolic work is done on blocks and serves either precision. Numeric work is done in dense
-/// fronts, with kernels for the processor's vector instructions. The same input gives the same bits
-/// on every run and for every number of threads.
+/// The symbolic phase works on blocks and is shared by both precisions. The numeric phase works on
+/// dense fronts, with kernels for the CPU's vector instructions. Results are bitwise identical for
+/// every run and every number of threads.
 ///
-/// If `factor` or `refactorize_diagonal` throws (NotPositiveDefinite, Cancelled), the analysis
-/// stays valid and `factor` may be called again.
+/// If `factorize` or `refactorize_diagonal` throws (NotPositiveDefinite, Cancelled), the analysis
+/// remains valid, and `factorize` may be called again.
 class BlockCholesky final : public BlockSolver {
  public:
-  /// Throws SolverError if the processor lacks the instruction set.
+  /// Throws SolverError if the CPU does not support the instruction set.
   explicit BlockCholesky(const BlockCholeskyOptions& options = {});
   ~BlockCholesky() override;
 
   std::string_view name() const override { return "Lapwing block Cholesky"; }
 
-  /// Throws SolverError if `order` is not a permutation, or if more than the memory limit is
-  /// needed. Takes little memory itself before that is known.
+  /// Throws SolverError if `order` is not a permutation, or if the factorization needs more than
+  /// the memory limit. Uses little memory itself until this check has passed.
   void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) override;
 
   std::shared_ptr<const SolverAnalysis> analysis() const override;
 
-  /// Throws SolverError also if more than the memory limit is needed.
+  /// Throws SolverError also if the factorization needs more than the memory limit.
   void analyze_as(std::shared_ptr<const SolverAnalysis> analysis) override;
 
   /// Throws SolverError if there is no analysis or not enough memory.
   void prepare_memory() override;
 
-  /// Throws SolverError with the block if a number is not finite, NotPositiveDefinite with block
-  /// and component if a pivot is refused, and Cancelled. Allocates all memory in the first call,
-  /// unless `prepare_memory` has done so.
+  /// Throws SolverError if an entry is not finite, and NotPositiveDefinite if a pivot is rejected;
+  /// the message names the block. Throws Cancelled. The first call allocates all memory, unless
+  /// `prepare_memory` has done so.
   void factorize(const BlockMatrix& matrix) override;
 
-  /// Redoes only the subtrees that hold changed blocks and the fronts above them.
+  /// Recomputes only the tasks (groups of subtrees) that contain changed blocks, and the fronts
+  /// above them.
   void refactorize_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) override;
 
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override;

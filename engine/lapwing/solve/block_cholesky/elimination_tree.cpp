@@ -32,7 +32,7 @@ std::vector<int> inverse_of(const std::vector<int>& order) {
   return inverse;
 }
 
-// The earlier columns that each column is coupled with.
+// For each column, the columns that are coupled with it and eliminated before it.
 struct EarlierColumns {
   std::vector<int> starts;
   std::vector<int> columns;
@@ -56,7 +56,8 @@ EarlierColumns earlier_columns(const EliminationGraph& graph) {
 std::vector<int> parents_of(const EliminationGraph& graph) {
   const EarlierColumns earlier = earlier_columns(graph);
   std::vector<int> parent(graph.places.size(), -1);
-  std::vector<int> ancestor(graph.places.size(), -1);  // towards the root of the tree built so far
+  // An ancestor in the tree built so far, often its root.
+  std::vector<int> ancestor(graph.places.size(), -1);
   CancelCheck check;
   for (int j = 0; j < graph.size(); ++j) {
     check();
@@ -100,7 +101,7 @@ std::vector<int> postorder_of(const std::vector<int>& parent) {
   return postorder;
 }
 
-// Returns the root of the set of `node`, and compresses the path to it.
+// Returns the root of the disjoint set that contains `node`, and compresses the path to the root.
 int find_root(std::vector<int>& ancestor, int node) {
   int root = node;
   while (root != ancestor[root]) root = ancestor[root];
@@ -108,9 +109,9 @@ int find_root(std::vector<int>& ancestor, int node) {
   return root;
 }
 
-// Row i of the factor is a subtree of the elimination tree. Each of its leaves adds 1, and the
-// least common ancestor of two consecutive leaves subtracts 1. A count is the sum over a node's
-// descendants.
+// The nonzero columns in row i of the factor form a subtree of the elimination tree. Each leaf of
+// the subtree adds 1, and the least common ancestor of two consecutive leaves subtracts 1. The
+// count of a column is the sum over the column and its descendants.
 std::vector<int> column_counts(const EliminationGraph& graph, const EliminationTree& tree,
                                const std::vector<int>& node_of_column) {
   const int n = graph.size();

@@ -1,7 +1,7 @@
 // The factorization's inner loops. kernels_*.cpp include this file inside an unnamed namespace,
 // after they define Real (the number type), kLanes (numbers per vector register), kTileStrips and
-// kTileColumns (the tile of the result that the registers hold). It calls nothing with external
-// linkage (see front_layout.h).
+// kTileColumns (the size of the result's tile in registers). The file calls no function with
+// external linkage (see front_layout.h).
 
 using View = FrontView<Real>;
 
@@ -19,7 +19,7 @@ constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
 #define LAPWING_UNROLL _Pragma("GCC unroll 12")
 #endif
 
-// Loads from an unaligned address. Every compiler understands the copy and drops it.
+// Loads from an unaligned address. Compilers replace the copy by a single load.
 LAPWING_INLINE Vector unaligned_at(const Real* p) {
   Vector vector;
   __builtin_memcpy(&vector, p, sizeof vector);
@@ -33,13 +33,13 @@ LAPWING_INLINE const Vector& vector_at(const Real* p) {
 LAPWING_INLINE int smaller(int a, int b) { return a < b ? a : b; }
 LAPWING_INLINE int larger(int a, int b) { return a > b ? a : b; }
 
-// M strips by N columns of the result, in registers.
+// A tile of the result in registers: M strips by N columns.
 template <int M, int N>
 struct Tile {
   Vector c[M][N][kParts];
 };
 
-// Only `columns` of the N columns are in memory. The others start at 0 and are not written.
+// Only the first `columns` of the N columns are loaded and stored; the others start at 0.
 template <int M, int N, bool kAll>
 LAPWING_INLINE void load(Tile<M, N>& tile, Real* const* from, int columns) {
   LAPWING_UNROLL for (int m = 0; m < M; ++m) {
@@ -66,7 +66,8 @@ LAPWING_INLINE void store(const Tile<M, N>& tile, Real* const* to, int columns) 
   }
 }
 
-// tile -= A B' over `count` columns of the strips a[m] and of the lanes b[0..N) of a strip.
+// tile -= A B'. The rows of A are the strips a[m], the rows of B are the lanes b[0..N) of a strip;
+// both have `count` columns.
 template <int M, int N>
 LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const Real* const* a,
                                       const Real* b) {
@@ -89,7 +90,7 @@ LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const Real* c
 }
 
 // Computes the columns [column, column + columns) of the factor in M strips. `pivots` is the pivot
-// strip that holds the diagonal of these columns, from lane `lane` on.
+// strip that contains the diagonal of these columns, starting at lane `lane`.
 template <int M, bool kAll>
 LAPWING_INLINE void solve_tile(Real* const* strips, const Real* pivots, int column, int lane,
                                int columns) {
@@ -150,7 +151,7 @@ void solve_rows(const View& front, int first, int last, int first_column, int la
 }
 
 // Factorizes one diagonal tile of `width` columns. The inverse of the diagonal replaces the
-// diagonal. Returns the first refused pivot or -1.
+// diagonal. Returns the first rejected pivot, or -1.
 int factor_tile(Real* tile, int width, const Real* floor) {
   for (int j = 0; j < width; ++j) {
     Real* column = tile + kStrip * j;
@@ -194,7 +195,8 @@ int factor_pivots(const View& front, int first, int last, const Real* floor) {
   return -1;
 }
 
-// Writes -A B' for M strips and the strip `b` to the strips `target`, from column `column` on.
+// Writes -A B' to the strips `target`, starting at column `column`. The rows of A are the M strips
+// `a`, the rows of B are the strip `b`.
 template <int M>
 LAPWING_INLINE void product(int pivots, const Real* const* a, const Real* b,
                             Real* const* target, int column) {
@@ -250,8 +252,8 @@ LAPWING_INLINE void add_lanes(Real* target, const Real* source, int shift, const
   }
 }
 
-// Adds the lower-triangle part of `piece` in the child's columns [first, last). `strip` is where
-// column 0 of the parent's strip would be.
+// Adds the part of `piece` in the lower triangle and in the child's columns [first, last). `strip`
+// is the address that column 0 of the parent's strip would have.
 LAPWING_INLINE void add_piece(const ChildUpdate<Real>& child, const Piece& piece, Real* strip,
                               int first, int last) {
   const int row = kStrip * piece.source;
@@ -286,7 +288,7 @@ void add_to_panel(const ChildUpdate<Real>& child, const View& front) {
 void add_to_update(const ChildUpdate<Real>& child, const View& front, Real* matrix) {
   const std::ptrdiff_t pivot_columns = static_cast<std::ptrdiff_t>(kStrip) * front.pivot_strips;
   for (const Piece* piece = child.pieces_begin; piece != child.pieces_end; ++piece) {
-    // Positions count the padded pivot rows, which the update matrix does not have.
+    // Positions include the parent's padded pivot rows, which the update matrix does not contain.
     Real* strip = matrix + triangle_offset(piece->target - front.pivot_strips) -
                     kStrip * pivot_columns;
     add_piece(child, *piece, strip, child.pivot_columns, child.updates);

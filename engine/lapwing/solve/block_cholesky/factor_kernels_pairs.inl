@@ -1,7 +1,8 @@
-// The factorization's inner loops for registers that hold a column of two strips. An operation
-// computes twice as many numbers, but the halves must be combined, because the strips lie apart in
-// memory. Included after factor_kernels.inl, whose solve_strips and update_strips compute a
-// remaining single strip. Every number is computed by the same operations as there.
+// The factorization's inner loops for registers that hold a column of two strips. Each operation
+// computes twice as many numbers, but the two halves of a register must be loaded separately,
+// because the strips are not adjacent in memory. Include this file after factor_kernels.inl, whose
+// solve_strips and update_strips compute a remaining single strip. Both files compute each number
+// by the same operations.
 
 struct StripPairs {
   static constexpr int kPairs = 3;  // per tile: 24 registers for the result, 3 for rows, 1 factor
@@ -20,13 +21,14 @@ struct StripPairs {
     vector_at(to) = __builtin_shufflevector(pair, pair, 8, 9, 10, 11, 12, 13, 14, 15);
   }
 
-  // P pairs of strips by 8 columns of the result, in registers.
+  // A tile of the result in registers: P pairs of strips by 8 columns.
   template <int P>
   struct PairTile {
     PairVector c[P][kColumns];
   };
 
-  // tile -= A B' over `count` columns of the strips a[0..2 P) and of the strip b.
+  // tile -= A B'. The rows of A are the strips a[0..2 P), the rows of B are the strip b; both have
+  // `count` columns.
   template <int P>
   LAPWING_INLINE void subtract_pairs(PairTile<P>& tile, int count, const Real* const* a,
                                      const Real* b) {
@@ -42,7 +44,7 @@ struct StripPairs {
     }
   }
 
-  // Computes the factor's columns of pivot strip `s` in the strips strips[0..2 P).
+  // Computes the entries of the factor in strips[0..2 P) and in the columns of pivot strip `s`.
   template <int P>
   LAPWING_INLINE void solve_pairs_in(const View& front, Real* const* strips, int s) {
     const Real* pivots = strip_at(front, s);
@@ -90,8 +92,9 @@ struct StripPairs {
     if (s < last) solve_strips<1>(front, s, first_column, last_column);
   }
 
-  // Writes -A B' for P pairs and the strip `b` to the strips `target`, from column `column` on. If
-  // `is_short`, the first of them has no such columns and is skipped.
+  // Writes -A B' to the strips `target`, starting at column `column`. The rows of A are P pairs of
+  // strips, the rows of B are the strip `b`. If `is_short` is true, the first target strip ends
+  // before `column` and is skipped.
   template <int P, bool is_short>
   LAPWING_INLINE void product_of_pairs(int pivots, const Real* const* a, const Real* b,
                                        Real* const* target, int column) {
@@ -105,8 +108,8 @@ struct StripPairs {
     }
   }
 
-  // Computes the columns at the diagonal of P pairs of strips, where one strip after the other
-  // ends.
+  // Computes the columns at the diagonal of P pairs of strips. Each strip ends 8 columns after the
+  // previous one.
   template <int P>
   LAPWING_INLINE void last_products(int pivots, const Real* const* a, Real* const* target,
                                     int first) {

@@ -69,12 +69,13 @@ class StructureBuilder {
     symbolic_.factor_size = panel;
   }
 
-  // Finds the update rows of a front: those of its columns and its children beyond its pivots.
+  // Finds the update rows of a front: the rows of its columns and of its children, except its own
+  // pivots.
   void find_rows(int f) {
     const Front& front = symbolic_.fronts[f];
     const int end = front.first_block + front.pivot_blocks;
     int* next = found_.data();
-    // Branch-free, because half of the branches would be predicted wrongly.
+    // Branch-free, because half of the branches would be mispredicted.
     const auto add = [&](int row) {
       *next = row;
       next += static_cast<int>(row >= end) & static_cast<int>(mark_[row] != f);
@@ -150,7 +151,8 @@ class StructureBuilder {
       *next++ = {pattern_.starts[column], pivot, pivot};
       for (int e = graph_.starts[columns_[j]]; e < graph_.starts[columns_[j] + 1]; ++e) {
         const int later = number_[graph_.later[e]];
-        // The pattern stores a block below the diagonal, in the column of the smaller number.
+        // The pattern stores each block below the diagonal, that is, in the column with the smaller
+        // number.
         const bool is_column = column < symbolic_.order[later];
         next->source = static_cast<std::size_t>(graph_.blocks[e]);
         next->row = is_column ? place_[later] : pivot;
@@ -165,11 +167,11 @@ class StructureBuilder {
   const BlockPattern& pattern_;
   const EliminationGraph& graph_;
   Symbolic& symbolic_;
-  std::vector<int> columns_;  // column of the graph, by number in the factor
-  std::vector<int> number_;   // the inverse
-  std::vector<int> found_;    // rows of the current front, with room for one more
+  std::vector<int> columns_;  // graph column of each factor column
+  std::vector<int> number_;   // factor column of each graph column
+  std::vector<int> found_;    // rows of the current front, and one spare element
   std::size_t placed_ = 0;    // number of entries placed so far
-  std::vector<int> mark_;     // last front that listed the block as a row
+  std::vector<int> mark_;     // last front whose rows include the block
   std::vector<int> place_;    // padded row of the block in the current front
 };
 

@@ -8,13 +8,13 @@
 
 namespace lapwing::cholesky {
 
-/// Numbers of right-hand sides that a solve can take at once, ascending.
+/// Numbers of right-hand sides for which solve kernels exist, ascending.
 inline constexpr int kSolveWidths[] = {1, 4, 8, 12};
 inline constexpr int kWidestSolve = 12;
 
-/// Triangular solves with one front for a fixed number R of right-hand sides. Vectors hold R
-/// numbers per row. y has a row for each padded pivot row, w for each padded update row. Padding is
-/// 0.
+/// Triangular solves with one front for a fixed number R of right-hand sides. Vectors store R
+/// numbers per row. `y` has one row per padded pivot row, `w` one per padded update row. Padding
+/// rows are 0.
 template <typename Real>
 struct SolveKernels {
   /// y = L11^-1 y.
@@ -25,25 +25,25 @@ struct SolveKernels {
   /// y -= L21' w, for the pivots [first, last).
   void (*backward_updates)(const FrontView<Real>& front, const Real* w, Real* y, int first,
                            int last);
-  /// y = L11^-T y. `scratch` has 8 numbers for each pivot.
+  /// y = L11^-T y. `scratch` has space for 8 numbers per pivot.
   void (*backward_pivots)(const FrontView<Real>& front, Real* y, Real* scratch);
 };
 
-/// The integer type of the size of Real, for masks.
+/// The integer type with the size of Real, used for masks.
 template <typename Real>
 using Lane = std::conditional_t<sizeof(Real) == sizeof(long long), long long, int>;
 
 /// The inner loops, compiled once per instruction set and number type from factor_kernels.inl and
-/// solve_kernels.inl. The front alone fixes the order of operations on every number: how strips are
-/// divided between calls does not change a bit.
+/// solve_kernels.inl. The order of operations on each entry depends only on the front. Results are
+/// therefore bitwise identical however the strips are divided between calls.
 template <typename Real>
 struct KernelTable {
-  /// Factorizes the pivot strips [first, last) of a panel whose columns before them are done (in
-  /// these strips too). A pivot must be finite and above its `floor` (one number per pivot of the
-  /// front). Returns the first pivot that is not, or -1.
+  /// Factorizes the pivot strips [first, last) of a panel. All columns before strip `first` must
+  /// already be computed, also within these strips. Returns the first pivot that is not finite or
+  /// not greater than its entry of `floor` (one number per pivot of the front), or -1.
   int (*factor_pivots)(const FrontView<Real>& front, int first, int last, const Real* floor);
-  /// Computes the factor's rows of strips [first, last), which lie below pivot strip
-  /// last_column - 1, in the columns of pivot strips [first_column, last_column).
+  /// Computes the entries of the factor in the rows of strips [first, last) and the columns of
+  /// pivot strips [first_column, last_column). The rows must be below these pivot strips.
   void (*solve_rows)(const FrontView<Real>& front, int first, int last, int first_column,
                      int last_column);
   /// Writes strips [first, last) of the update matrix -L21 L21'.
@@ -52,17 +52,16 @@ struct KernelTable {
   void (*add_to_panel)(const ChildUpdate<Real>& child, const FrontView<Real>& front);
   /// Adds a child's pieces to the update matrix.
   void (*add_to_update)(const ChildUpdate<Real>& child, const FrontView<Real>& front, Real* matrix);
-  SolveKernels<Real> solve[4];  ///< for each of kSolveWidths
+  SolveKernels<Real> solve[4];  ///< one for each entry of kSolveWidths
 };
 
-/// The kernels of one instruction set.
 struct KernelTables {
   KernelTable<double> doubles;
   KernelTable<float> floats;
 };
 
-/// Returns the kernels of an instruction set; for `automatic`, of the fastest one of this
-/// processor. Throws SolverError if the processor or this build lacks the set.
+/// Returns the kernels of an instruction set; for `automatic`, those of the fastest set that the
+/// CPU supports. Throws SolverError if the CPU or this build does not support the set.
 const KernelTables& kernels_for(InstructionSet set);
 
 }  // namespace lapwing::cholesky

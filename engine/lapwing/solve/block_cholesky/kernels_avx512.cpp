@@ -1,5 +1,5 @@
-// AVX-512: 32 registers of 8 doubles. With floats, a register holds a column of one strip (8) or of
-// two strips (16).
+// AVX-512: 32 registers of 8 doubles. A register of floats contains a column of one strip (8
+// floats) or of two strips (16 floats).
 
 #include "lapwing/solve/block_cholesky/kernels.h"
 

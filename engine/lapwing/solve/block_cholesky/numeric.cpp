@@ -9,22 +9,23 @@ namespace lapwing::cholesky {
 namespace {
 
 constexpr double kReportEveryMs = 2.0;
-// Strips of an update matrix, a multiple of the widest kernels' tile. One thread takes about 20 ms
-// for them in the largest fronts of a million unknowns.
+// Number of strips of an update matrix that one thread computes between two polls: a multiple of
+// the widest kernels' tile. In the largest fronts of a million unknowns, they take about 20 ms.
 constexpr int kStripsBetweenPolls = 24;
 // Pivot strips in a block. One thread factorizes a block while the others compute the rows below
-// the block before.
+// the previous block.
 constexpr int kBlockStrips = 6;
-// Strips in a chunk: one tile of the widest kernels.
+// Number of strips in a chunk: one tile of the widest kernels.
 template <typename Real>
 constexpr int kChunkStrips = sizeof(Real) == sizeof(double) ? 3 : 6;
-// A pivot d_j up to this share of a_jj is refused (FactorPrecision). With the diagonal scaled to 1,
-// d_j / a_jj is at least the inverse of the condition number. So every matrix passes whose
-// condition number is less than the inverse of this share. A singular matrix leaves rounding errors
-// instead of a zero pivot. In double precision they are below this share for millions of unknowns.
+// A pivot d_j of at most this fraction of a_jj is rejected (FactorPrecision). If the diagonal is
+// scaled to 1, d_j / a_jj is at least the inverse of the condition number. Every matrix with a
+// condition number below the inverse of this tolerance therefore passes. The zero pivot of a
+// singular matrix is computed with rounding errors, which stay below this tolerance for millions of
+// unknowns in double precision.
 template <typename Real>
 constexpr Real kPivotTolerance = Real(sizeof(Real) == sizeof(double) ? 1e-13 : 1e-6);
-// Number of matrix blocks that are prefetched ahead.
+// How many matrix blocks ahead of the current one are prefetched.
 constexpr std::size_t kPrefetch = 8;
 
 int blocks_of(const Front& front) {
@@ -35,15 +36,15 @@ int chunks_of(int strips) {
   return (strips + kChunkStrips<Real> - 1) / kChunkStrips<Real>;
 }
 
-// Returns the first pivot strip of block `block`; for the block after the last, the number of pivot
-// strips.
+// Returns the first pivot strip of block `block`. For the block after the last, returns the number
+// of pivot strips.
 int block_start(const Front& front, int block) {
   return std::min(block * kBlockStrips, front.pivot_strips);
 }
 
-// Phases of a top front: assemble, factorize the first block of pivots, compute the rows below each
-// block (a phase per block), compute the update matrix. In a phase of rows, chunk 0 computes those
-// of the next block and factorizes it.
+// Phases of a top front: assemble; factorize the first block of pivots; compute the rows below each
+// block (one phase per block); compute the update matrix. In a phase that computes rows, chunk 0
+// computes the rows of the next block and factorizes that block.
 enum Phase { kAssemble = 0, kFirstPivots = 1, kFirstRows = 2 };
 
 }  // namespace
@@ -163,7 +164,8 @@ void Numeric<Real>::run_top_chunk(int f, int phase, int chunk) {
   const Front& front = symbolic_.fronts[f];
   if (phase == kAssemble) {
     const int chunks = chunk_count(symbolic_.node_of_front(f), phase);
-    // A refused front is still assembled, so that the first bad number does not depend on timing.
+    // A refused front is still assembled completely, so that the reported entry does not depend on
+    // timing.
     if (!abandoned(f - 1)) {
       assemble(f, front.strips() * chunk / chunks, front.strips() * (chunk + 1) / chunks, 0);
     }
@@ -188,7 +190,7 @@ void Numeric<Real>::run_top_chunk(int f, int phase, int chunk) {
                           column, next);
     }
   } else {
-    // Starts with the longest strips.
+    // Chunk 0 computes the longest strips.
     const int first = kChunkStrips<Real> * (chunks_of<Real>(front.update_strips) - 1 - chunk);
     update(f, first, std::min(first + kChunkStrips<Real>, front.update_strips), 0);
   }
@@ -222,7 +224,7 @@ void Numeric<Real>::add_matrix(int f, int first_strip, int last_strip) {
   const double* values = matrix_->values.data();
   for (std::size_t e = front.entries_begin; e < front.entries_end; ++e) {
     const MatrixEntry& entry = symbolic_.entries[e];
-    // The matrix is in the caller's order, so the next block is seldom in a cache.
+    // The matrix is stored in the caller's order, so the next block is seldom in a cache.
     const MatrixEntry& ahead = symbolic_.entries[std::min(e + kPrefetch, front.entries_end - 1)];
     __builtin_prefetch(values + ahead.source * (kBlock * kBlock));
     const bool transposed = entry.row < entry.column;
@@ -230,7 +232,7 @@ void Numeric<Real>::add_matrix(int f, int first_strip, int last_strip) {
     const int block_column = std::min(entry.row, entry.column);
     if (block_row >= last_row || block_row + kBlock <= first_row) continue;
     const double* block = values + entry.source * (kBlock * kBlock);
-    double not_finite = 0.0;  // becomes NaN if a number is not finite
+    double not_finite = 0.0;  // NaN if an entry is not finite
     for (int k = 0; k < kBlock * kBlock; ++k) not_finite += block[k] * 0.0;
     if (not_finite != 0.0) refuse({Refusal::Reason::not_finite, f, entry.source});
     const int row_stride = transposed ? kBlock : 1;
@@ -308,7 +310,7 @@ void Numeric<Real>::refuse(const Refusal& refusal) {
 
 template <typename Real>
 void Numeric<Real>::node_done(int node) {
-  if (node < symbolic_.task_count()) return;  // tasks count front by front
+  if (node < symbolic_.task_count()) return;  // run_task counts the fronts of a task
   const Front& front = symbolic_.fronts[symbolic_.first_top() + node - symbolic_.task_count()];
   flops_done_.fetch_add(front.flops, std::memory_order_relaxed);
 }

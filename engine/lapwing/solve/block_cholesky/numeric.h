@@ -14,30 +14,30 @@
 
 namespace lapwing::cholesky {
 
-/// Where and why a factorization stopped.
+/// The reason and location of the failure of a factorization.
 struct Refusal {
   enum class Reason { none, pivot, not_finite } reason = Reason::none;
   int front = std::numeric_limits<int>::max();
-  /// For a pivot, its scalar column in the front; else the number of the block in the pattern.
+  /// If `reason` is `pivot`, the scalar column in the front; otherwise the number of the block in
+  /// the pattern.
   std::size_t where = 0;
 };
 
-/// The numeric factorization in doubles or floats. Owns the factor and the update matrices that
-/// outlive their fronts.
+/// The numeric factorization in doubles or floats. Owns the factor and the cached update matrices.
 template <typename Real>
 class Numeric final : private NodeWork {
  public:
   Numeric(const Symbolic& symbolic, const KernelTable<Real>& kernels, WorkerPool& pool);
 
-  /// Calls Arena::touch for all memory that `factor` needs.
+  /// Calls Arena::touch for all memory that `factorize` needs.
   void touch();
 
-  /// Returns the bytes that `factor` takes with `threads` threads.
+  /// Returns the number of bytes that `factorize` needs with `threads` threads.
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
 
   /// Factorizes `matrix`. `skipped` marks the nodes of the upward graph whose results of the last
-  /// call are still valid. Returns the refusal of the earliest front, the same for every number of
-  /// threads. Throws Cancelled, and what `progress` throws.
+  /// call are still valid. Returns the refusal in the earliest front; it does not depend on the
+  /// number of threads. Throws Cancelled, and the exceptions of `progress`.
   Refusal factorize(const BlockMatrix& matrix, const Progress& progress,
                     const std::vector<char>& skipped);
 
@@ -71,16 +71,17 @@ class Numeric final : private NodeWork {
   Arena<Real> factor_;
   Arena<Real> kept_;
   std::vector<Arena<Real>> stacks_;  // one per thread
-  std::vector<Real> floors_;         // a pivot must be larger; by scalar column
+  std::vector<Real> floors_;         // lower bound of each pivot, by scalar column
 
   const BlockMatrix* matrix_ = nullptr;
-  // Fronts from this one on need not be computed: it was refused, or the call was interrupted.
+  // Fronts with this or a higher number need not be computed, because this front was refused or the
+  // call was interrupted.
   std::atomic<int> stop_at_{0};
   std::mutex refusal_mutex_;
   Refusal refusal_;
 
   const Progress* progress_ = nullptr;
-  std::exception_ptr interruption_;  // Cancelled, or what the callback threw
+  std::exception_ptr interruption_;  // Cancelled, or the exception of the callback
   std::atomic<double> flops_done_{0};
   double flops_total_ = 0;
   Stopwatch since_report_;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kChunkBits = 24;
 constexpr std::uint64_t kChunkMask = (std::uint64_t{1} << kChunkBits) - 1;
-// Number of looks for work before a waiting thread yields. They take less time than a yield.
+// How often a waiting thread searches for a chunk before it yields. These searches take less time
+// than a yield.
 constexpr int kLooksBeforeYield = 200;
 
 std::uint64_t make_ticket(int phase, int chunks) {

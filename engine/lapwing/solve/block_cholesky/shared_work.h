@@ -10,8 +10,9 @@
 
 namespace lapwing::cholesky {
 
-/// The work at the nodes of a WorkGraph. A node has phases, and a phase has chunks that any threads
-/// may run at the same time. A phase begins when all chunks of the previous one are done.
+/// The work at the nodes of a WorkGraph. The work of a node is divided into phases, and each phase
+/// into chunks that several threads may run at the same time. A phase begins when all chunks of the
+/// previous phase are done.
 class NodeWork {
  public:
   virtual ~NodeWork() = default;
@@ -19,14 +20,14 @@ class NodeWork {
   /// Returns the number of chunks of a phase, at least 1 in phase 0. Returns 0 if the node is done.
   virtual int chunk_count(int node, int phase) const = 0;
   virtual void run_chunk(int node, int phase, int chunk, int thread) = 0;
-  /// Called once a node is done, before the nodes that wait for it begin.
+  /// Called when a node is done, before its successors begin.
   virtual void node_done(int /*node*/) {}
-  /// Called on the thread that called `run`, between chunks and while it waits.
+  /// Called between chunks and while waiting, only on the thread that called SharedWork::run.
   virtual void poll() {}
 };
 
-/// Work that stops if `check_cancelled` throws. `run_chunk` must check `is_stopped` now and then,
-/// and the caller of SharedWork::run must call `rethrow` afterwards.
+/// Work that stops if `check_cancelled` throws. `run_chunk` must check `is_stopped` regularly, and
+/// the caller of SharedWork::run must then call `rethrow`.
 class CancellableWork : public NodeWork {
  public:
   void poll() override;
@@ -38,21 +39,22 @@ class CancellableWork : public NodeWork {
   std::atomic<bool> stopped_ = false;
 };
 
-/// Runs all nodes of a graph on a pool, each after its predecessors. A thread takes chunks of its
-/// last node, then of the earliest node that has any, never a fixed share. So a thread that loses
-/// its processor for a while delays only one chunk.
+/// Runs all nodes of a graph on a pool, each after its predecessors. A thread takes one chunk at a
+/// time, first from the node of its last chunk, then from the first node that has any left. A
+/// thread that the system suspends therefore delays only one chunk.
 class SharedWork {
  public:
   explicit SharedWork(const WorkGraph& graph) : graph_(graph), nodes_(graph.size()) {}
 
-  /// Runs all nodes except those that `skipped` marks as already done; empty for none.
+  /// Runs all nodes except those marked in `skipped`, which count as done. If `skipped` is empty,
+  /// runs all nodes.
   void run(WorkerPool& pool, NodeWork& work, const std::vector<char>& skipped);
 
  private:
-  // `ticket` packs the phase, its number of chunks and the next chunk to hand out.
+  // `ticket` packs the phase, its number of chunks, and the next chunk to be claimed.
   struct alignas(64) Node {
     std::atomic<std::uint64_t> ticket{0};
-    std::atomic<int> unfinished{0};  // chunks of this phase
+    std::atomic<int> unfinished{0};  // unfinished chunks of the current phase
     std::atomic<int> waiting_for{0};
   };
   struct Chunk {

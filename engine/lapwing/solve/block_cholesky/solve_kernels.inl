@@ -1,15 +1,16 @@
-// The triangular solves' inner loops. Included after factor_kernels.inl.
+// The triangular solves' inner loops. Include this file after factor_kernels.inl.
 
-// ---- One right-hand side: registers run along the rows of a strip.
+// ---- One right-hand side: a register contains consecutive rows of a strip.
 
-// Number of independent sums, so that the processor need not wait for the last addition.
+// Number of independent partial sums; with a single sum, each addition would wait for the one
+// before.
 constexpr int kChains = kParts == 1 ? 4 : 2;
 
 struct StripSum {
   Vector part[kParts];
 };
 
-// Returns the 8 numbers at `from`, minus the strip times y over `count` columns.
+// Returns the 8 numbers at `from` minus the product of the strip's first `count` columns and y.
 LAPWING_INLINE StripSum subtract_strip(const Real* strip, int count, const Real* y,
                                        const Real* from) {
   Vector sums[kChains][kParts] = {};
@@ -72,7 +73,8 @@ LAPWING_INLINE Real sum_of_strip(const Real* v) {
 }
 
 void backward_updates_1(const View& front, const Real* w, Real* y, int first, int last) {
-  constexpr int kColumns = 64;  // sums fit into the L1 cache, loads run along a page
+  constexpr int kColumns = 64;  // the sums fit into the L1 cache, and 64 columns of doubles fill
+                                // one page
   alignas(64) Real sums[kColumns * kStrip];
   for (int begin = first; begin < last; begin += kColumns) {
     const int columns = smaller(kColumns, last - begin);
@@ -118,7 +120,7 @@ void backward_pivots_1(const View& front, Real* y, Real* scratch) {
   }
 }
 
-// ---- Several right-hand sides: registers run along the right-hand sides of a row.
+// ---- Several right-hand sides: a register contains the right-hand sides of one row.
 
 constexpr int kRowLanes = kLanes < 4 ? kLanes : 4;
 typedef Real RowVector __attribute__((vector_size(sizeof(Real) * kRowLanes), may_alias));
@@ -128,7 +130,7 @@ LAPWING_INLINE const RowVector& row_vector_at(const Real* p) {
   return *reinterpret_cast<const RowVector*>(p);
 }
 
-// Returns how many rows of sums fit into the registers, beside a row to multiply by.
+// Returns how many rows of sums fit into the registers together with one row of factors.
 constexpr int rows_at_once(int row_registers) {
   int rows = kStrip;
   while (rows > 2 && (rows + 1) * row_registers >= kRegisters) rows /= 2;
@@ -141,7 +143,7 @@ struct Rows {
   static constexpr int kRowRegisters = kWidth / kRowLanes;  // registers per row
   static constexpr int kSolveRows = rows_at_once(kRowRegisters);
 
-  // target rows -= strip times y over `count` columns.
+  // Subtracts the product of the strip's first `count` columns and y from the rows `target`.
   LAPWING_INLINE void subtract(const Real* strip, int count, const Real* y, Real* target) {
     for (int lane = 0; lane < kStrip; lane += kSolveRows) {
       RowVector sum[kSolveRows][kRowRegisters];
@@ -168,7 +170,7 @@ struct Rows {
     }
   }
 
-  // y rows [first, last) -= the transposed strip times its 8 rows of x.
+  // Subtracts the product of the transposed strip and 8 rows of x from the rows [first, last) of y.
   LAPWING_INLINE void subtract_transposed(const Real* strip, const Real* x, Real* y,
                                           int first, int last) {
     for (int lane = 0; lane < kStrip; lane += kSolveRows) {
@@ -194,7 +196,7 @@ struct Rows {
     }
   }
 
-  // Solves with a diagonal tile of `width` pivots, for one register of right-hand sides.
+  // Solves a diagonal tile of `width` pivots for one register of right-hand sides.
   LAPWING_INLINE void forward_tile(const Real* tile, int width, Real* rows) {
     RowVector row[kStrip];
     LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
@@ -263,7 +265,7 @@ struct Rows {
   }
 };
 
-// `four` are the kernels for four right-hand sides.
+// `four` contains the kernels for four right-hand sides.
 constexpr KernelTable<Real> kernel_table(const SolveKernels<Real>& four) {
   return {factor_pivots,
           solve_rows,

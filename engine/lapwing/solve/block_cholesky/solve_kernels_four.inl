@@ -1,14 +1,15 @@
-// The triangular solves' inner loops for four right-hand sides, if a register holds a column of a
-// strip. Registers run along the strip, so that each number of the factor is loaded once. Included
-// after solve_kernels.inl.
+// The triangular solves' inner loops for four right-hand sides, for registers that contain a column
+// of a strip. Each number of the factor is then loaded only once. Include this file after
+// solve_kernels.inl.
 
 struct FourColumns {
   static constexpr int kWidth = 4;
   static constexpr int kPairs = kStrip / 2;  // registers for the rows of a strip, two rows in each
   static constexpr int kStripRows = kWidth * kStrip;
-  static constexpr int kBlockStrips = 32;  // 8 KB of update rows, transposed once for all pivots
+  static constexpr int kBlockStrips = 32;  // 8 KB of update rows, which are transposed once for all
+                                           // pivots
 
-  // The 8 rows of a strip, transposed: register r holds right-hand side r of all rows.
+  // The transposed 8 rows of a strip: register r contains right-hand side r of all rows.
   struct Turned {
     Vector side[kWidth];
   };
@@ -18,7 +19,7 @@ struct FourColumns {
     __builtin_memcpy(p, &left, sizeof left);
   }
 
-  // Entry l of the result is number lane[l] of a followed by b.
+  // Entry l of the result is entry lane[l] of the concatenation of a and b.
   template <int... lane>
   LAPWING_INLINE Vector shuffled(Vector a, Vector b) {
     return __builtin_shufflevector(a, b, lane...);
@@ -35,7 +36,7 @@ struct FourColumns {
             shuffled<0, 1, 2, 3, 8, 9, 10, 11>(c, d), shuffled<4, 5, 6, 7, 12, 13, 14, 15>(c, d)};
   }
 
-  // rows -= `turned`, transposed back.
+  // Transposes `turned` back and subtracts it from `rows`.
   LAPWING_INLINE void subtract_turned(const Turned& turned, Real* rows) {
     const auto& s = turned.side;
     const Vector a = shuffled<0, 8, 1, 9, 2, 10, 3, 11>(s[0], s[1]);
@@ -60,7 +61,8 @@ struct FourColumns {
     return RowVector{c[0], c[1], c[2], c[3]} + RowVector{c[4], c[5], c[6], c[7]};
   }
 
-  // rows of M neighbouring strips -= the strips times y over `count` columns.
+  // Subtracts the product of M adjacent strips (their first `count` columns) and y from the rows of
+  // these strips.
   template <int M>
   LAPWING_INLINE void subtract(const Real* strip, int count, const Real* y, Real* rows) {
     Turned sum[M] = {};
@@ -76,8 +78,8 @@ struct FourColumns {
     LAPWING_UNROLL for (int m = 0; m < M; ++m) subtract_turned(sum[m], rows + kStripRows * m);
   }
 
-  // Strips that are consecutive in memory. The first is `stride` numbers long, and each is `growth`
-  // longer than the one before.
+  // Strips that are consecutive in memory. The first strip has `stride` numbers, and each has
+  // `growth` numbers more than the previous one.
   struct Strips {
     const Real* first;
     std::size_t stride;
@@ -85,7 +87,8 @@ struct FourColumns {
     int count;
   };
 
-  // N rows of y -= N columns of the transposed strips times the transposed rows at `x`.
+  // Subtracts the product of N rows of the transposed strips and the transposed rows at `x` from N
+  // rows of y.
   template <int N>
   LAPWING_INLINE void subtract_columns(const Strips& strips, const Real* x, Real* y) {
     Turned sum[N] = {};

@@ -8,7 +8,7 @@
 namespace lapwing::cholesky {
 namespace {
 
-// Supernodes during the merging. The `owner` of a merged one is the supernode it became part of.
+// Supernodes during merging. The `owner` of a merged supernode is the supernode that absorbed it.
 struct Merging {
   std::vector<int> starts;  // fundamental supernode s is columns [starts[s], starts[s+1])
   std::vector<int> parent;
@@ -20,7 +20,8 @@ struct Merging {
   int size() const { return static_cast<int>(parent.size()); }
 };
 
-// Column j continues the supernode of j - 1 if j - 1 is its only child and has the same rows.
+// Column j belongs to the supernode of column j - 1 if j - 1 is its only child and both have the
+// same rows.
 Merging fundamental_supernodes(const EliminationTree& tree) {
   const int n = static_cast<int>(tree.parent.size());
   std::vector<int> child_counts(n, 0);
@@ -51,8 +52,9 @@ Merging fundamental_supernodes(const EliminationTree& tree) {
   return nodes;
 }
 
-// Tries each child once, those with the most rows (fewest new zeros) first, and the children of a
-// merged child after it. The single pass keeps the time linear for a node with very many children.
+// Tries to merge each child once. Children with the most rows come first because they add the
+// fewest zeros; the children of a merged child follow. A single pass takes linear time even if a
+// node has very many children.
 void merge_children(Merging& nodes, int block_size) {
   const auto cost = [&](int pivots, int updates) {
     return front_cost(static_cast<double>(block_size) * pivots,
@@ -125,8 +127,9 @@ double front_flops(double pivots, double updates) {
 double front_cost(double pivots, double updates) {
   constexpr double kPerFront = 600.0;  // ns
   constexpr double kFlopsPerNs = 38.0;
-  constexpr double kPerPanelEntry = 0.25;   // ns: cleared, filled, read by the solves
-  constexpr double kPerUpdateEntry = 0.55;  // ns: added into the parent
+  // In ns; each panel entry is cleared, filled, and read by the solves.
+  constexpr double kPerPanelEntry = 0.25;
+  constexpr double kPerUpdateEntry = 0.55;  // ns; entries are added to the parent
   return kPerFront + front_flops(pivots, updates) / kFlopsPerNs +
          kPerPanelEntry * pivots * (pivots / 2 + updates) + kPerUpdateEntry * updates * updates / 2;
 }

@@ -12,19 +12,20 @@
 namespace lapwing::cholesky {
 namespace {
 
-// The heaviest subtrees are cut until each is at most this share of the whole. Sixteen threads can
-// then share them, and a local change leaves most of them alone. They are still few enough that the
-// fronts above them, whose update matrices are kept, stay cheap.
+// The most expensive subtrees are split until each costs at most this fraction of the whole
+// factorization. Sixteen threads can then share the subtrees, and a local change affects few of
+// them. With smaller subtrees, the fronts above the cut, whose update matrices are cached, would be
+// too many.
 constexpr double kLargestTaskShare = 1.0 / 48;
-// Smallest task that is worth a thread, in ns.
+// Subtrees with at most this cost, in ns, are never split.
 constexpr double kSmallestTask = 100'000;
 
-// The supernodes above the cut, and the roots of the subtrees below it, heaviest first.
+// The supernodes above the cut, and the roots of the subtrees below it, most expensive first.
 struct Cut {
   std::vector<char> is_top;
   std::vector<int> roots;
-  std::vector<double> weight;  // time of the whole subtree, by supernode
-  double limit = 0;            // no subtree below the cut is heavier, if it can be cut
+  std::vector<double> weight;  // estimated time of each supernode's subtree
+  double limit = 0;            // largest weight of a subtree that is not split
 };
 
 Cut cut_forest(const Supernodes& nodes) {
@@ -55,7 +56,7 @@ Cut cut_forest(const Supernodes& nodes) {
   return cut;
 }
 
-// Numbers the fronts, that is, the supernodes in the order in which they are computed.
+// Creates a front for each supernode and numbers the fronts in the order of computation.
 class FrontNumbering {
  public:
   FrontNumbering(const Supernodes& nodes, const Cut& cut, Symbolic& symbolic)
@@ -68,7 +69,8 @@ class FrontNumbering {
     for (const int root : cut_.roots) {
       visit_subtree(root, false);
       kept_.push_back(root);
-      // Light subtrees share a task, so that ten thousand isolated vertices are not as many tasks.
+      // Cheap subtrees share a task; otherwise ten thousand isolated vertices would be ten thousand
+      // tasks.
       task_weight += cut_.weight[root];
       if (task_weight > cut_.limit / 8) {
         symbolic_.task_starts.push_back(static_cast<int>(sequence_.size()));
@@ -85,7 +87,7 @@ class FrontNumbering {
   }
 
  private:
-  // Appends the subtree of `root` in postorder; if `top`, only its top part.
+  // Appends the subtree of `root` in postorder. If `top` is true, omits the part below the cut.
   void visit_subtree(int root, bool top) {
     std::vector<std::pair<int, std::size_t>> path{{root, 0}};
     while (!path.empty()) {
@@ -141,9 +143,9 @@ class FrontNumbering {
   std::vector<int> kept_;
 };
 
-// Assigns memory to what each front passes to its parent: kept results side by side, the others on
-// two stacks by the parity of their depth. When a front is done, the results of its children are on
-// top of the other stack.
+// Assigns memory for the data that each front passes to its parent. Cached data are stored one
+// after the other; all other data are on two stacks, selected by the parity of the front's depth.
+// When a front is done, the data of its children are on top of the other stack.
 template <typename SizeOf>
 FrontMemoryPlan plan_hand_over(Symbolic& symbolic, std::size_t Front::*place, SizeOf size_of) {
   FrontMemoryPlan plan;
@@ -170,7 +172,7 @@ FrontMemoryPlan plan_hand_over(Symbolic& symbolic, std::size_t Front::*place, Si
   return plan;
 }
 
-// Nodes are the tasks, then the top fronts.
+// The nodes are the tasks, followed by the top fronts.
 void build_work_graphs(Symbolic& symbolic) {
   const int nodes = symbolic.task_count() + symbolic.front_count() - symbolic.first_top();
   symbolic.upward.predecessor_counts.assign(nodes, 0);

@@ -11,19 +11,21 @@
 namespace lapwing::cholesky {
 namespace {
 
-// Smallest part of the factor that is worth a chunk, in numbers.
+// Smallest part of the factor that a chunk processes, as a count of numbers.
 constexpr std::size_t kSmallestChunk = 8192;
 
-// Whether a right-hand side may be too large or too small for Real.
+// Whether right-hand sides are scaled, because their values may be out of the range of Real.
 template <typename Real>
 constexpr bool kIsScaled = sizeof(Real) < sizeof(double);
 
-// Returns the power of two that scales the largest number of a right-hand side to about 1.
+// Returns the power of two that scales the largest absolute value of a right-hand side to between 1
+// and 2.
 double scale_of(std::span<const double> column) {
   double largest = 0.0;
   for (const double number : column) largest = std::max(largest, std::abs(number));
   if (!(largest >= std::numeric_limits<double>::min()) || !std::isfinite(largest)) return 1.0;
-  return std::ldexp(1.0, -std::min(std::ilogb(largest), 1000));  // a denormal would be flushed to 0
+  // A denormal scale would be flushed to 0.
+  return std::ldexp(1.0, -std::min(std::ilogb(largest), 1000));
 }
 
 struct Sizes {
@@ -45,7 +47,7 @@ std::size_t padded_updates(const Front& front) {
   return static_cast<std::size_t>(kStrip) * front.update_strips;
 }
 
-// Calls `body` with the width as a constant, so that rows are moved in registers, not by calls.
+// Calls `body` with the width as a compile-time constant, so that rows are copied in registers.
 template <typename Body>
 void with_width(int width, const Body& body) {
   static_assert(std::size(kSolveWidths) == 4);
@@ -70,7 +72,7 @@ std::size_t most(const Symbolic& symbolic, Padded padded) {
 
 }  // namespace
 
-// L Y = B, children before parents.
+// Solves L Y = B; children come before parents.
 template <typename Real>
 class TriangularSolve<Real>::Forward final : public CancellableWork {
  public:
@@ -147,7 +149,7 @@ class TriangularSolve<Real>::Forward final : public CancellableWork {
   const TriangularSolve& s_;
 };
 
-// L' X = Y, parents before children.
+// Solves L' X = Y; parents come before children.
 template <typename Real>
 class TriangularSolve<Real>::Backward final : public CancellableWork {
  public:
@@ -301,8 +303,8 @@ Real* TriangularSolve<Real>::own_rows(const Front& front) const {
          static_cast<std::size_t>(front.first_block) * symbolic_.block_size * width_;
 }
 
-// Calls body(row, place, size) for each pivot block, with its first row in the front, its first row
-// in B and X, and its number of rows, which is a constant if it is 1.
+// Calls body(row, place, size) for each pivot block. `row` is its first row in the front, `place`
+// its first row in B and X, and `size` its number of rows (a compile-time constant if it is 1).
 template <typename Real>
 template <typename Body>
 void TriangularSolve<Real>::for_pivot_blocks(const Front& front, const Body& body) const {

@@ -11,20 +11,21 @@
 namespace lapwing::cholesky {
 
 /// Forward and backward substitution with a factor, front by front. As in the factorization, a
-/// front passes what it subtracts from its update rows to its parent, so that no two threads write
-/// the same number. Right-hand sides and solutions are doubles in either precision.
+/// front passes its contribution to the update rows to its parent, so two threads never write the
+/// same number. Right-hand sides and solutions are doubles in both precisions.
 template <typename Real>
 class TriangularSolve {
  public:
   TriangularSolve(const Symbolic& symbolic, const Numeric<Real>& numeric,
                   const KernelTable<Real>& kernels, WorkerPool& pool);
 
-  /// Returns the bytes that solves of the greatest width take with `threads` threads.
+  /// Returns the number of bytes that `solve` needs with `threads` threads and kWidestSolve
+  /// right-hand sides at once.
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
 
-  /// Solves A X = B for `columns` right-hand sides stored one after the other. B and X may be the
-  /// same memory. Block b of the matrix is block places[b] of B and X, or block b if `places` is
-  /// empty.
+  /// Solves A X = B for `columns` right-hand sides, which are stored one after the other. B and X
+  /// may be the same memory. Block b of the matrix corresponds to block places[b] of B and X, or to
+  /// block b if `places` is empty.
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
              std::span<const Index> places);
 
@@ -38,7 +39,7 @@ class TriangularSolve {
     double* X = nullptr;
     int count = 0;
     std::span<const Index> places;
-    std::array<double, kWidestSolve> scales = {};  // factor of each column; for floats
+    std::array<double, kWidestSolve> scales = {};  // scale of each column, used for floats
   };
 
   void solve_columns(Columns columns);
@@ -57,14 +58,14 @@ class TriangularSolve {
   WorkerPool& pool_;
   SharedWork upward_;
   SharedWork downward_;
-  std::size_t most_pivots_ = 0;  // padded, largest of all fronts
+  std::size_t most_pivots_ = 0;  // largest padded number of pivots of a front
   std::size_t most_updates_ = 0;
   int width_ = 0;  // right-hand sides per row
   const SolveKernels<Real>* solve_ = nullptr;
   Columns columns_;
-  Arena<Real> solution_;             // all rows, in the factor's order
-  Arena<Real> kept_;                 // update rows of the fronts that keep them
-  std::vector<Arena<Real>> stacks_;  // update rows of the others; one per thread
+  Arena<Real> solution_;             // all rows, in elimination order
+  Arena<Real> kept_;                 // update rows of the fronts with keeps_update
+  std::vector<Arena<Real>> stacks_;  // update rows of all other fronts; one stack per thread
   std::vector<Arena<Real>>
       scratch_;  // pivot rows, update rows, and 8 numbers per pivot; one per thread
 };

@@ -10,9 +10,9 @@
 namespace lapwing::dissection {
 namespace {
 
-// Size of the graph on which several cuts are tried, in nodes.
+// Number of nodes of the graph on which several cuts are tried.
 constexpr int kSearched = 4000;
-// Size of the graph that is swept, in nodes.
+// Number of nodes of the graph that is cut by sweeps.
 constexpr int kCoarsest = 60;
 
 class CutEdges {
@@ -69,7 +69,7 @@ class CutEdges {
   int value_ = 0;
 };
 
-// Improves the cut of `graph` into `sides` by one pass of moves, and returns it.
+// Improves the cut of `graph` into `sides` by one pass of moves, and returns the improved cut.
 EdgeCut improved_cut(const WeightedGraph& graph, Sides sides) {
   constexpr int kPatience = 20;
   CutEdges cut(graph, sides);
@@ -79,10 +79,11 @@ EdgeCut improved_cut(const WeightedGraph& graph, Sides sides) {
   return {score, std::move(sides)};
 }
 
-// Number of nodes far apart that sweeps start from.
+// Number of start nodes of the sweeps, which are far apart.
 constexpr std::size_t kTips = 4;
 
-// Returns the number of edges from `from` to each node, or the graph's size if there is no path.
+// Returns the number of edges on a shortest path from `from` to each node, or the graph's size if
+// there is no path.
 std::vector<int> distances_from(const WeightedGraph& graph, int from) {
   std::vector<int> distance(graph.weights.size(), graph.size());
   std::vector<int> queue{from};
@@ -121,8 +122,8 @@ std::vector<std::vector<int>> distances_from_tips(const WeightedGraph& graph) {
   return tips;
 }
 
-// Sorts the nodes by a key, tries every cut between successive nodes, and stores the best cut of
-// all sweeps.
+// Each sweep sorts the nodes by a key and evaluates the cuts between successive nodes. Stores the
+// best cut of all sweeps.
 class Sweeps {
  public:
   explicit Sweeps(const WeightedGraph& graph) : graph_(graph) {
@@ -131,7 +132,7 @@ class Sweeps {
 
   void sweep(const std::vector<int>& key) {
     sort_by(key);
-    // How much each place in the order changes the cut before it.
+    // change_[k] is the change of the cut weight when the node at position k changes sides.
     change_.assign(key.size() + 1, 0);
     for (int v = 0; v < graph_.size(); ++v) {
       for (int e = graph_.starts[v]; e < graph_.starts[v + 1]; ++e) {
@@ -148,7 +149,7 @@ class Sweeps {
       cut += change_[k];
       const int v = order_[k];
       weights.move(graph_.weights[v], graph_.borders[v], 0);
-      // If the next node makes the cut smaller, this one is not worth a score.
+      // If the next node reduces the cut weight, the cut before it is not scored.
       if (change_[k + 1] < 0) continue;
       if (const CutScore score(weights, cut); score < best_score_) {
         best_score_ = score;
@@ -187,10 +188,9 @@ class Sweeps {
   Sides best_;
 };
 
-// Returns a cut of a small graph. Each sweep sorts the nodes by a number and tries to cut between
-// successive nodes. The numbers are the distances from several nodes that are far apart, such as
-// the tips of a body's limbs, and the differences of two such distances. The best cut of all sweeps
-// is then improved.
+// Returns a cut of a small graph. The keys of the sweeps are the distances from several nodes that
+// are far apart, such as the tips of a body's limbs, and the differences of two such distances. The
+// best cut of all sweeps is then improved.
 EdgeCut best_sweep(const WeightedGraph& graph) {
   const auto distances = distances_from_tips(graph);
   Sweeps sweeps(graph);

@@ -7,15 +7,16 @@
 
 namespace lapwing::dissection {
 
-/// Returns the operations to eliminate s unknowns that fill in among themselves and with b later
-/// ones.
+/// Returns the number of operations to eliminate s unknowns whose rows are dense in these s columns
+/// and in b columns eliminated later.
 inline double front_operations(double s, double b) {
   return s * (s * s / 3.0 + s * b + b * b);
 }
 
-/// Returns the same for n unknowns on a surface with a border of b others. Sums over the fronts of
-/// a dissection whose first separator holds `kSeparator` sqrt(n). Each cut halves unknowns and
-/// border, and adds its separator to the borders of both halves.
+/// Returns the estimated number of operations to eliminate n unknowns of a surface patch whose
+/// border has b unknowns, which are eliminated later. This is the sum over the fronts of a nested
+/// dissection. The first separator has kSeparator * sqrt(n) unknowns. Each cut halves the unknowns
+/// and the border, and adds its separator to the borders of both halves.
 inline double patch_operations(double n, double b) {
   constexpr double kSeparator = 3.0;
   const double s = kSeparator * std::sqrt(n);
@@ -25,7 +26,7 @@ inline double patch_operations(double n, double b) {
 /// Sizes of both sides of a cut, in unknowns.
 struct SideWeights {
   int of[2] = {0, 0};
-  int borders[2] = {0, 0};  ///< later unknowns that fill in as each side is eliminated
+  int borders[2] = {0, 0};  ///< number of later unknowns that are coupled with each side
 
   int total() const { return of[0] + of[1]; }
   void add(int weight, int border, int to) {
@@ -37,21 +38,22 @@ struct SideWeights {
     add(weight, border, 1 - from);
   }
   int heavier() const { return std::max(of[0], of[1]); }
-  /// Returns the largest weight of a side. Beyond it, the cost of a cut is estimated badly.
+  /// Returns the largest allowed weight of a side. The estimated cost of less balanced cuts is
+  /// inaccurate.
   int limit() const { return total() - total() / 4; }
-  /// Returns true if a node may leave side `from`: the other side stays within the limit, or the
-  /// sides become more equal.
+  /// Returns true if a node of this weight may leave side `from`: the other side stays within the
+  /// limit, or remains lighter than side `from`.
   bool allows(int weight, int from) const {
     const int to = of[1 - from] + weight;
     return to <= limit() || to < of[from];
   }
 };
 
-/// The quality of a cut; smaller is better. Compares first how far a side exceeds its limit, then
-/// the operations for both sides and the separator.
+/// The quality of a cut; smaller is better. Compares first by how much a side exceeds the limit,
+/// then the estimated operations for both sides and the separator.
 class CutScore {
  public:
-  /// The score of no cut, worse than that of any.
+  /// The score of a missing cut, which is worse than every other score.
   CutScore() : over_(std::numeric_limits<int>::max()) {}
   CutScore(const SideWeights& sides, int separator)
       : over_(std::max(0, sides.heavier() - sides.limit())) {

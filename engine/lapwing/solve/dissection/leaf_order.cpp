@@ -10,7 +10,7 @@
 namespace lapwing::dissection {
 namespace {
 
-// A set of nodes of a leaf and its surroundings.
+// A set of nodes of a leaf and its surroundings, as bits.
 class NodeSet {
  public:
   static constexpr int kMost = 256;
@@ -21,7 +21,8 @@ class NodeSet {
     for (std::size_t w = 0; w < words_.size(); ++w) words_[w] |= other.words_[w];
   }
   int size() const {
-    // Counts all words at once: without a popcount instruction, std::popcount is a call.
+    // Sums the bit counts of all words together, because std::popcount is a function call on CPUs
+    // without a popcount instruction.
     constexpr std::uint64_t kPairs = 0x5555555555555555;
     constexpr std::uint64_t kFours = 0x3333333333333333;
     constexpr std::uint64_t kBytes = 0x0f0f0f0f0f0f0f0f;
@@ -48,7 +49,8 @@ class NodeSet {
   std::array<std::uint64_t, kMost / 64> words_{};
 };
 
-// Largest leaf that is ordered with NodeSets. Surrounding unknowns that do not fit in are ignored.
+// Largest leaf that is ordered with NodeSets. Surrounding unknowns beyond NodeSet::kMost nodes are
+// ignored.
 constexpr std::size_t kMostExact = 160;
 
 template <typename Visit>
@@ -60,7 +62,7 @@ void for_coupled(const CouplingGraph& graph, int v, Visit visit) {
   }
 }
 
-// Orders a leaf that could not be cut any smaller, such as a fan of thousands of triangles.
+// Orders a large leaf for which no good separator exists, such as a fan of thousands of triangles.
 std::vector<int> large_leaf(const CouplingGraph& graph, std::span<const int> unknowns,
                             const std::vector<int>& place) {
   BlockGraph coupled;

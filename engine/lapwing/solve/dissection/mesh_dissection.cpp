@@ -26,11 +26,12 @@ constexpr int kLeaf = 90;
 constexpr int kSmallestShared = 500;
 // Number of attempts at a cut that are refined to the nodes.
 constexpr std::size_t kFinalists = 3;
-// Passes that smooth each of them, and then the best one.
+// Number of smoothing passes for each of these attempts, and then for the best one.
 constexpr int kFirstPasses = 1;
 constexpr int kPasses = 3;
 
-// Returns how many cuts to try. The first separators are few and make the largest fronts.
+// Returns how many cuts to try: more for larger sets, because few separators cause the largest
+// fronts.
 std::size_t attempts(int unknowns) {
   return static_cast<std::size_t>(std::clamp(unknowns / 200, 1, 8));
 }
@@ -118,7 +119,7 @@ class Dissection final {
     }
   }
 
-  // Returns the best of several separators. All threads may share in the search.
+  // Returns the best of several separators. Idle threads help with the search.
   ThickSeparator best_separator(const Part& part) {
     const WeightedGraph coarse = contract_nodes(part.graph, part.groups);
     const Bisection bisection(coarse);
@@ -143,8 +144,9 @@ class Dissection final {
     return std::move(best);
   }
 
-  // Puts the separator in its place in the order, and returns both sides with their places. If no
-  // separator cuts the set well, orders the set as a leaf and returns no sides.
+  // Writes the separator to the end of the part's range in the order, and returns both sides with
+  // their ranges. If the best separator has half of the unknowns or more, orders the part as a leaf
+  // and returns no sides.
   std::vector<Part> cut(const Part& part, LeafOrder& leaf) {
     const ThickSeparator separator = best_separator(part);
     std::vector<Part> sides;
@@ -178,7 +180,7 @@ class Dissection final {
   std::vector<int> order_;
   std::mutex mutex_;
   std::vector<Part> waiting_;
-  std::atomic<int> unfinished_ = 0;  // taken or waiting
+  std::atomic<int> unfinished_ = 0;  // number of parts that are waiting or being ordered
   std::atomic<bool> stopped_ = false;
   std::exception_ptr error_;
 };

@@ -11,9 +11,9 @@
 
 namespace lapwing::dissection {
 
-/// A priority queue of nodes by the gain of moving them; of equal gains, the later node comes
-/// first. If a gain changes, the node is added again, so the caller must compare the gain taken
-/// with the current one.
+/// A priority queue of nodes by the gain of moving them. Among equal gains, the node with the
+/// higher number comes first. If a gain changes, the node is added again. The caller of `take` must
+/// therefore compare the returned gain with the node's current gain.
 class MoveQueue {
  public:
   struct Move {
@@ -47,15 +47,15 @@ class MoveQueue {
 /// after the best state of the pass are undone. `Cut` has
 ///
 ///     int size(), weight(v), border(v), side(v)
-///     int separator()                             its weight, or a number that grows with it
+///     int separator()                             the separator's weight, or a monotonic function
 ///     bool on_border(v)                           only nodes on the border are moved
-///     int gain(v)                                 by how much a move of v makes the cut lighter
+///     int gain(v)                                 decrease of the separator's weight if v moves
 ///     void move(v)
 ///     void for_affected(v, f)                     f(u) for all nodes u that a move of v affects
 template <typename Cut>
 class Improvement {
  public:
-  /// A pass ends after `patience` moves without a better state.
+  /// A pass ends after `patience` moves without an improvement.
   Improvement(Cut& cut, int patience) : cut_(cut), patience_(patience) {
     for (int v = 0; v < cut.size(); ++v) {
       sides_.add(cut.weight(v), cut.border(v), cut.side(v));
@@ -115,7 +115,7 @@ class Improvement {
   Cut& cut_;
   SideWeights sides_;
   int patience_;
-  std::vector<int> gains_;  // gain with which each node was last added
+  std::vector<int> gains_;  // gain of each node when it was last added to the queue
   std::vector<char> locked_;
   std::vector<int> moved_;
   MoveQueue queue_;

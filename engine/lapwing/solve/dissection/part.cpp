@@ -6,7 +6,7 @@
 namespace lapwing::dissection {
 namespace {
 
-// Most nodes in a group. The first cuts treat a group as one node.
+// Largest number of nodes in a group. The first cuts treat a group as one node.
 constexpr int kNodesInGroup = 6;
 
 class PartBuilder {
@@ -22,8 +22,7 @@ class PartBuilder {
     part_.graph.neighbours.reserve(edges);
   }
 
-  // Adds a node. The nodes of a group are added one after the other, with the same `group`; another
-  // value starts a new group.
+  // Adds a node. Successive nodes with the same value of `group` form a group.
   void add(int node, int weight, int border, int group) {
     Groups& groups = part_.groups;
     if (std::exchange(last_group_, group) != group) groups.starts.push_back(groups.starts.back());
@@ -35,8 +34,9 @@ class PartBuilder {
     part_.unknowns += weight;
   }
 
-  // Adds the edges of `node` in its graph of origin that lead to a node with a number here. Nodes
-  // come in the order of their numbers.
+  // Adds the edges of `node` in the graph `starts`, `neighbours` whose other end belongs to this
+  // part. number[u] is the index of node u in this part, or -1. Must be called for all nodes in the
+  // order of their indices.
   void connect(const std::vector<int>& starts, const std::vector<int>& neighbours, int node,
                const std::vector<int>& number) {
     WeightedGraph& graph = part_.graph;
@@ -90,8 +90,8 @@ Part side_of(const Part& part, const ThickSeparator& separator, int side) {
     }
     if (!is_needed) continue;
     number[v] = builder.part().graph.size();
-    // A separator is two nodes thick. The farther ones are not in this part, so the others count
-    // twice.
+    // A separator is two nodes thick. Its far layer is not in this part, so the nodes of the near
+    // layer count twice.
     const int border = left ? 0 : std::max(2 * graph.weights[v], graph.borders[v]);
     builder.add(v, left ? 1 : 0, border, part.groups.of_node[v]);
   }

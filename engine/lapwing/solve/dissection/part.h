@@ -8,20 +8,20 @@
 
 namespace lapwing::dissection {
 
-/// A set of nodes to be ordered. Unknowns weigh 1, nodes that only couple weigh 0, and edges have
-/// no weights.
+/// A set of nodes to be ordered. Unknowns have weight 1, nodes that only couple unknowns have
+/// weight 0. Edges have no weights.
 struct Part {
   WeightedGraph graph;
   Groups groups;           ///< nodes are numbered group by group
-  std::vector<int> nodes;  ///< number of each node in the whole graph
-  int first = 0;           ///< place of its first unknown in the order
+  std::vector<int> nodes;  ///< index of each node in the whole graph
+  int first = 0;           ///< start of the part's range in the order
   int unknowns = 0;
 };
 
 Part whole_part(const CouplingGraph& graph);
 
-/// Returns the part on `side` outside the separator, and the nodes that couple it. Leaves `first`
-/// unset.
+/// Returns the unknowns on `side` outside the separator, and the adjacent nodes that couple them.
+/// Does not set `first`.
 Part side_of(const Part& part, const ThickSeparator& separator, int side);
 
 }  // namespace lapwing::dissection

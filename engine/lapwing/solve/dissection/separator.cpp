@@ -48,7 +48,7 @@ void ThickSeparator::move(int v) {
 }
 
 CutScore ThickSeparator::smooth(int most_passes) {
-  // A long separator has larger bumps, which take more moves to smooth.
+  // A long separator has larger bumps, and smoothing them takes more moves.
   const int patience = std::max(30, value_ / 3);
   Improvement improvement(*this, patience);
   improvement.run(most_passes);

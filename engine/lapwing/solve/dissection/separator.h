@@ -8,13 +8,13 @@
 
 namespace lapwing::dissection {
 
-/// The separator of a cut if nodes two edges apart are coupled: both ends of all cut edges. Other
-/// nodes on different sides are at least three edges apart.
+/// The separator of a cut in a graph where nodes two edges apart are coupled: both ends of all cut
+/// edges. Without these, nodes on different sides are at least three edges apart.
 class ThickSeparator {
  public:
-  /// An empty separator, to be assigned to.
+  /// Creates an empty separator, which can only be assigned to.
   ThickSeparator() = default;
-  /// `graph` must outlive it.
+  /// `graph` must outlive the separator.
   ThickSeparator(const WeightedGraph& graph, Sides sides);
 
   int size() const { return graph_->size(); }
@@ -24,7 +24,7 @@ class ThickSeparator {
   int value() const { return value_; }
   bool contains(int v) const { return across_[v] > 0; }
 
-  /// Moves nodes to the other side if that makes a better cut, and returns its score.
+  /// Improves the cut by moving nodes to the other side, and returns its score.
   CutScore smooth(int most_passes);
 
   int separator() const { return value_; }
@@ -52,7 +52,7 @@ class ThickSeparator {
 
   const WeightedGraph* graph_ = nullptr;
   Sides sides_;
-  std::vector<int> across_;  // number of each node's neighbours on the other side
+  std::vector<int> across_;  // for each node, its number of neighbours on the other side
   int value_ = 0;
   int visits_ = 0;
   std::vector<int> visited_;  // last visit of each node

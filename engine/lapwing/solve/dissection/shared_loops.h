@@ -9,15 +9,15 @@
 
 namespace lapwing::dissection {
 
-/// Loops of several threads. Idle threads may take over some of their rounds.
+/// Loops whose iterations idle threads can help to run.
 class SharedLoops {
  public:
-  /// Calls round(0), ..., round(count - 1), in any order, here and on threads that call `help`.
-  /// Returns when all have returned. The first error on any thread skips the remaining rounds and
-  /// is rethrown here.
+  /// Calls round(0), ..., round(count - 1) in any order, on this thread and on threads that call
+  /// `help`. Returns when all calls have returned. After the first exception on any thread, skips
+  /// the remaining calls and rethrows the exception on this thread.
   void run(std::size_t count, const std::function<void(std::size_t)>& round);
 
-  /// Takes rounds of one loop until it has none left. Returns false if no loop has any.
+  /// Runs iterations of one loop until none is left. Returns false if no loop has iterations left.
   bool help();
 
  private:
@@ -31,11 +31,11 @@ class SharedLoops {
     bool is_open() const { return next < count; }
   };
 
-  // Takes rounds while there are any; `lock` is held before and after.
+  // Runs iterations of `loop` while there are any. `lock` is locked before and after the call.
   void take_rounds(Loop& loop, std::unique_lock<std::mutex>& lock);
 
   std::mutex mutex_;
-  std::condition_variable ended_;  // no round of a loop is running any more
+  std::condition_variable ended_;  // signals that no iteration of a loop is running
   std::vector<Loop*> loops_;
 };
 

@@ -9,9 +9,10 @@ namespace lapwing::dissection {
 namespace {
 
 constexpr int kNone = -1;
-// Larger groups make fewer levels and rougher borders.
+// Target size of a group. Larger groups lead to fewer levels and rougher borders.
 constexpr int kGroup = 4;
-// If all neighbours of a node are in groups, it joins one of them, up to this size.
+// A node whose neighbours are all in groups joins one of these groups. Groups grow to at most this
+// size.
 constexpr int kLargestGroup = 6;
 
 class Grouping {
@@ -38,7 +39,8 @@ class Grouping {
   std::vector<int> weights;
 
  private:
-  // Begins a group of `v` and its free neighbours along the heaviest edges.
+  // Creates a group of `v` and those neighbours without a group that have the heaviest edges to
+  // `v`.
   void begin_group(int v) {
     const int group = static_cast<int>(weights.size());
     group_of_[v] = group;
@@ -59,7 +61,8 @@ class Grouping {
     }
   }
 
-  // Adds `v` to a neighbour's group. Returns false if a neighbour is free or no group has room.
+  // Adds `v` to the group of a neighbour. Returns false if a neighbour has no group, or if all
+  // these groups are full.
   bool join_a_group(int v) {
     int best = kNone;
     int heaviest = 0;
@@ -109,18 +112,20 @@ Groups group_neighbours(const WeightedGraph& graph, int most_weight, std::size_t
 namespace {
 
 // Builds the graph of groups row by row. `visit(g, v, other, e)` is called for every edge e from a
-// node v of group g to another group. It returns what e adds to the edge between the groups.
+// node v of group g to another group. It returns the weight that e adds to the edge between the
+// groups.
 template <typename Visit>
 WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Visit visit) {
   WeightedGraph graph;
   graph.starts.reserve(groups.starts.size());
   graph.weights.reserve(groups.starts.size());
   graph.borders.reserve(groups.starts.size());
-  // Full size from the start, so that the next place is one number and not the ends of two vectors:
-  // a whole order takes 0.9 of the time.
+  // Allocated in full size, so that one index replaces the ends of two vectors. This takes 10% off
+  // the time to find an order.
   std::vector<int> neighbours(fine.neighbours.size());
   std::vector<int> edge_weights(fine.neighbours.size());
-  std::vector<int> place(groups.starts.size(), kNone);  // of each group in the current row
+  // Position of each group's edge in the current row.
+  std::vector<int> place(groups.starts.size(), kNone);
   int end = 0;
   CancelCheck check;
   for (int g = 0; g < groups.size(); ++g) {
@@ -161,8 +166,10 @@ WeightedGraph contract(const WeightedGraph& fine, const Groups& groups) {
 }
 
 WeightedGraph contract_nodes(const WeightedGraph& fine, const Groups& groups) {
-  std::vector<int> counted_for(fine.weights.size(), kNone);  // last group that counted each node
-  std::vector<int> last_node(groups.starts.size(), kNone);   // last node counted for each group
+  // The last group for which each node was counted.
+  std::vector<int> counted_for(fine.weights.size(), kNone);
+  // The last node that was counted for each group.
+  std::vector<int> last_node(groups.starts.size(), kNone);
   return contract_rows(fine, groups, [&](int g, int v, int other, int e) {
     const int u = fine.neighbours[e];
     int weight = 0;
