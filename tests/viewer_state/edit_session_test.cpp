@@ -281,6 +281,35 @@ TEST_F(ASession, RestoredWithoutASaveKeepsNoCopy) {
   EXPECT_LT(largest_distance(positions(), before), 1e-9);
 }
 
+TEST_F(ASession, RestoredAfterUndoCanRedo) {
+  drag(bent());
+  const Positions first = positions();
+  session_->perform(Choose{kHandle, box(2.8, 4.0)});
+  drag(twisted(-10.0));
+  const Positions second = positions();
+  session_->undo();
+  session_->undo();
+  for (const char* time : {"after a crash", "after another"}) {
+    crash_and_restore();
+    EXPECT_EQ(positions(), first) << time;
+    EXPECT_TRUE(session_->history().can_redo()) << time;
+  }
+  session_->redo();
+  session_->redo();
+  EXPECT_EQ(positions(), second);
+  EXPECT_FALSE(session_->history().can_redo());
+}
+
+TEST_F(ASession, RestoredAfterUndoAndAnotherStepHasNothingToRedo) {
+  drag(bent());
+  session_->undo();
+  drag(twisted(20.0));
+  const Positions before = positions();
+  crash_and_restore();
+  EXPECT_EQ(positions(), before);
+  EXPECT_FALSE(session_->history().can_redo());
+}
+
 TEST_F(ASession, RestoredSettlesTheMoveThatWasOnItsWay) {
   session_->perform(MoveHandle{0, bent()});
   crash_and_restore();

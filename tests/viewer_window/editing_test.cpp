@@ -11,7 +11,7 @@ TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
   const Vector2d rim = person_->pixel_of({0.5, 0.0, 4.0});
 
   person_->keys("d i");
-  person_->drag_between({0.5, 0.0, 3.0}, {0.5, 0.0, 4.0});
+  person_->drag_disk({0.5, 0.0, 3.0}, {0.5, 0.0, 4.0});
   ASSERT_TRUE(has_disk_as_roi());
   const double dragged = std::get<GeodesicDisk>(person_->draft()->open.roi.form).radius;
   EXPECT_NEAR(dragged, 1.0, 0.15) << "the radius goes to the cursor";
@@ -74,7 +74,7 @@ TEST_F(Editing, ADotOfTheRimSizesTheDisk) {
   const Vector2d middle = person_->pixel_of({0.5, 0.0, 3.0});
   const Vector2d rim = person_->pixel_of({0.5, 0.0, 4.0});
   person_->keys("d i");
-  person_->drag_between({0.5, 0.0, 3.0}, {0.5, 0.0, 4.0});
+  person_->drag_disk({0.5, 0.0, 3.0}, {0.5, 0.0, 4.0});
   ASSERT_TRUE(has_disk_as_roi());
   const GeodesicDisk before = disk();
   const Index center = std::get<Index>(before.center);
@@ -130,8 +130,8 @@ TEST_F(Editing, ADiskElsewhereRightAfterADragBeginsTheNextEdit) {
   person_->keys("m");
   drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -60.0});
   person_->keys("d");
-  person_->drag_between({0.5, 0.0, 1.5}, {0.5, 0.0, 2.3});
-  person_->drag_between({0.5, 0.0, 1.5}, {0.5, 0.0, 1.8});
+  person_->drag_disk({0.5, 0.0, 1.5}, {0.5, 0.0, 2.3});
+  person_->drag_disk({0.5, 0.0, 1.5}, {0.5, 0.0, 1.8});
   EXPECT_TRUE(person_->eventually_is([](const Draft& d) {
     return d.steps.size() == 1 && is<GeodesicDisk>(d.open.roi) && d.open.handles.size() == 1;
   }));

@@ -165,6 +165,47 @@ TEST_F(Editing, ACoatOfAnOpenedRecipeIsUndoneRedoneAndSaved) {
             run_recipe(read_recipe(opened), kernels)->mesh.positions);
 }
 
+TEST_F(Editing, AScriptedPersonPosesThreeLimbsOfTheArmadilloByGrabs) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  const fs::path armadillo = folder_ / "armadillo.off";
+  fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
+  mesh_ = read_mesh(armadillo);
+  open(armadillo);
+  person_->look_from(View::front, mesh_.positions);
+  const double size = bounds_of(mesh_.positions).diagonal();
+  const auto farthest = [&](const Vector3d& direction) {
+    return *std::ranges::max_element(mesh_.positions, {},
+                                     [&](const Vector3d& p) { return p.dot(direction); });
+  };
+  // Each limb is grabbed near its tip, on its front, and pulled by a fifteenth of the size.
+  const std::vector<std::pair<Vector3d, Vector3d>> pulls{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}},
+                                                         {{-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}},
+                                                         {{0.3, 1.0, 0.0}, {1.0, 0.0, 0.0}}};
+  std::size_t grabbed = 0;
+  for (const auto& [limb, way] : pulls) {
+    const Vector3d tip = farthest(limb) - 0.02 * size * limb.normalized();
+    const Vector2d from = person_->pixel_of(tip);
+    const Vector2d to = person_->pixel_of(tip + size / 15.0 * way);
+    person_->drag({from, 0.5 * (from + to), to});
+    ++grabbed;
+    ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+      return d.steps.size() + 1 == grabbed && d.open.handles.size() == 1 && d.settled;
+    })) << "grab "
+        << grabbed;
+    keep_picture("grab-" + std::to_string(grabbed));
+  }
+  ASSERT_TRUE(saves_as("ctrl+e", folder_ / "pose.json"));
+  ASSERT_TRUE(saves_as("ctrl+shift+s", folder_ / "pose.ply"));
+  expect_quits_silently();
+
+  CpuKernels kernels;
+  const auto replayed = run_recipe(read_recipe(folder_ / "pose.json"), kernels);
+  const Positions saved = read_mesh(folder_ / "pose.ply").positions;
+  EXPECT_LT(test::largest_distance(saved, replayed->mesh.positions), 1e-3 * size);
+  EXPECT_GT(test::largest_distance(saved, mesh_.positions), size / 20.0);
+  EXPECT_LT(test::largest_distance(saved, mesh_.positions), size / 10.0);
+}
+
 TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   LAPWING_NEEDS_MODELS(files, "cgal");
   const fs::path armadillo = folder_ / "armadillo.off";
@@ -180,9 +221,9 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
                         [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
   const double size = bounds_of(mesh_.positions).diagonal();
   const auto at = [&](double share) { return Vector3d(hand - share * size * Vector3d::UnitX()); };
-  person_->drag_between(at(0.02), at(0.16));
+  person_->drag_disk(at(0.02), at(0.16));
   ASSERT_TRUE(has_disk_as_roi());
-  person_->drag_between(at(0.02), at(0.07));
+  person_->drag_disk(at(0.02), at(0.07));
   ASSERT_TRUE(has_handles(1));
 
   drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -40.0});

@@ -147,6 +147,11 @@ void Person::drag(const std::vector<Vector2d>& pixels, const std::string& held) 
   desktop_.xdotool(gesture);
 }
 
+void Person::drag_disk(const Vector3d& center, const Vector3d& rim) const {
+  keys("d");
+  drag_between(center, rim);
+}
+
 void Person::drag_between(const Vector3d& from, const Vector3d& to) const {
   const Vector2d first = pixel_of(from);
   const Vector2d last = pixel_of(to);

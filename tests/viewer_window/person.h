@@ -58,6 +58,8 @@ class Person {
   void drag(const std::vector<Vector2d>& pixels, const std::string& held = "") const;
   /// Presses the button at one point of the mesh and releases it at another.
   void drag_between(const Vector3d& from, const Vector3d& to) const;
+  /// Takes the disk tool and drags a disk from its centre to its rim.
+  void drag_disk(const Vector3d& center, const Vector3d& rim) const;
   /// Drags without releasing the button. `let_go` releases it.
   void hold(const std::vector<Vector2d>& pixels) const;
   void let_go() const;

@@ -59,7 +59,7 @@ class EditingSessions : public Session<Editing> {
  protected:
   // A disk around a place of the tube that faces the person.
   void drag_disk(double z, double radius) {
-    person_->drag_between({0.5, 0.0, z}, {0.5, 0.0, z + radius});
+    person_->drag_disk({0.5, 0.0, z}, {0.5, 0.0, z + radius});
   }
 
   // Region and handle by disks, as the guide says it.
@@ -249,7 +249,7 @@ TEST_F(RepairSessions, ARepairedBallIsEdited) {
   const Positions ball = read_mesh(repaired).positions;
   const auto crash = [&] { crash_and_restore(View::front, ball); };
   const auto drag_disk = [&](double radius) {
-    person_->drag_between({0.0, 0.0, 1.0}, Vector3d(radius, 0.0, 1.0).normalized());
+    person_->drag_disk({0.0, 0.0, 1.0}, Vector3d(radius, 0.0, 1.0).normalized());
   };
   desktop_->settled_picture();
   person_->look_from(View::front, ball);

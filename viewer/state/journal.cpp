@@ -166,6 +166,37 @@ bool wants_result(const AppState& state) {
   return state.settled && state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
 
+// Follows the drafts of a journal, to find the steps that were undone.
+class DraftSequence {
+ public:
+  void add(const Draft& draft) {
+    const std::size_t hash = hash_of(draft);
+    const auto known = std::ranges::find(hashes_, hash);
+    if (known == hashes_.end()) {
+      // A new step discards the undone steps.
+      hashes_.resize(current_ + 1);
+      hashes_.push_back(hash);
+      last_ = draft;
+      current_ = hashes_.size() - 1;
+    } else {
+      current_ = static_cast<std::size_t>(known - hashes_.begin());
+    }
+  }
+  // Returns the last draft of the sequence, unless it is the current one.
+  std::optional<Draft> undone() const {
+    return current_ + 1 < hashes_.size() ? std::optional(last_) : std::nullopt;
+  }
+
+ private:
+  static std::size_t hash_of(const Draft& draft) {
+    return std::hash<std::string>{}(difference(Draft{}, draft).dump());
+  }
+
+  std::vector<std::size_t> hashes_{hash_of(Draft{})};
+  std::size_t current_ = 0;
+  Draft last_;
+};
+
 int create_locked(const fs::path& folder, fs::path& path) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -212,9 +243,13 @@ Journal::Journal(const fs::path& folder, const MeshStamp& mesh) : file_(-1), mes
 void Journal::record(const AppState& state) {
   Draft draft = draft_of(state);
   if (draft == last_) return;
+  record(std::move(draft));
+  if (wants_result(state)) keep_result(last_, *state.settled);
+}
+
+void Journal::record(Draft draft) {
   append(line_of(difference(last_, draft)));
   last_ = std::move(draft);
-  if (wants_result(state)) keep_result(last_, *state.settled);
 }
 
 // Ignores write errors, because a step without a stored result can be carried out again.
@@ -233,7 +268,11 @@ bool Journal::open_results() {
   return results_.is_open();
 }
 
-void Journal::keep_results_of(const InterruptedEdit& edit) {
+void Journal::continue_from(const InterruptedEdit& edit) {
+  if (edit.undone) {
+    record(*edit.undone);
+    record(edit.draft);
+  }
   if (edit.results.empty()) return;
   std::error_code error;
   fs::copy_file(results_of(edit.journal), results_of(path_), error);
@@ -298,6 +337,7 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
   } catch (const std::exception&) {
     return std::nullopt;
   }
+  DraftSequence sequence;
   for (std::size_t k = 1; k < lines.size(); ++k) {
     try {
       const Json line = Json::parse(lines[k]);
@@ -314,10 +354,12 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
       Draft next = edit.draft;
       carry_out(line, next);
       edit.draft = std::move(next);
+      sequence.add(edit.draft);
     } catch (const std::exception&) {
       break;  // a power failure may have damaged the end; the lines before it are valid
     }
   }
+  edit.undone = sequence.undone();
   try {
     edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
   } catch (const std::exception&) {

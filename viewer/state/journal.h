@@ -46,8 +46,9 @@ class Journal {
   /// IoError. Throws InputError if the name of a file is not UTF-8.
   void record(const AppState& state);
 
-  /// Copies the results of a restored edit. Call this before the first `record`.
-  void keep_results_of(const InterruptedEdit& edit);
+  /// Copies the results and the undone steps of a restored edit. Call this before the first
+  /// `record`. Throws IoError.
+  void continue_from(const InterruptedEdit& edit);
 
   /// Copies the opened mesh file into the journal's folder, because the steps start from this mesh.
   /// Call this before the result overwrites the file. Further calls do nothing. Throws IoError.
@@ -62,6 +63,7 @@ class Journal {
 
  private:
   void append(const std::string& line);
+  void record(Draft draft);
   void keep_result(const Draft& draft, const MovedVertices& result);
   bool open_results();
 
@@ -80,6 +82,7 @@ struct InterruptedEdit {
   MeshStamp mesh;                             ///< the mesh before the steps: `opened` or a copy
   bool mesh_is_unchanged = false;             ///< whether the file at `mesh.path` matches `mesh`
   Draft draft;                                ///< the steps for `restore_after_crash`
+  std::optional<Draft> undone;                ///< the last draft that redo could reach
   KeptResults results;                        ///< positions in the results file
   std::filesystem::file_time_type last_step;  ///< time at which the last step was recorded
 

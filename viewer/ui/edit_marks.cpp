@@ -139,7 +139,8 @@ void EditMarks::draw_pane_names(const DetailTransferTool& desk, const std::strin
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
                      const Vector2d& cursor) {
   Pen pen(view, pixels_per_unit, points_);
-  if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) {
+  const bool pulls = editor.gizmo_tool().orientation() == HandleOrientation::free;
+  if (editor.has_gizmo() || (editor.gizmo_tool().is_dragging() && !pulls)) {
     draw_gizmo(pen, editor, gizmo_, readout_);
   }
   draw_mirror(pen, editor);

@@ -1,7 +1,9 @@
 #include "work/crash_recovery.h"
 
+#include <optional>
 #include <utility>
 
+#include "lapwing/base/errors.h"
 #include "work/settled_result.h"
 
 namespace lapwing::viewer {
@@ -35,6 +37,24 @@ std::shared_ptr<const MovedVertices> result_again(const AppState& state, const M
   return certified_result(state, solver, std::move(solved), contacts, progress);
 }
 
+// Returns a history that contains the undone steps, too. Returns nullopt if these steps fail or if
+// the current draft is not on the way to them.
+std::optional<History> with_undone_steps(const AppState& start, const InterruptedEdit& edit,
+                                         const CarryOut& carry_out) {
+  try {
+    History history = from_draft(start, *edit.undone, carry_out);
+    while (history.can_undo()) {
+      history.undo();
+      if (draft_of(history.state()) == edit.draft) return history;
+    }
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    // The current draft can still be restored.
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 History restore_after_crash(AppState start, const InterruptedEdit& edit, Kernels& kernels,
@@ -44,6 +64,9 @@ History restore_after_crash(AppState start, const InterruptedEdit& edit, Kernels
     const std::optional<MovedVertices> kept = kept_result(edit, state);
     return kept ? result_again(state, *kept, kernels, progress) : run(state);
   };
+  if (edit.undone) {
+    if (auto history = with_undone_steps(start, edit, carry_out)) return std::move(*history);
+  }
   return from_draft(std::move(start), edit.draft, carry_out);
 }
 

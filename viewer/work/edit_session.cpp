@@ -106,7 +106,7 @@ void EditSession::start_journal(const fs::path& journals, const InterruptedEdit*
     journal_.emplace(journals, *file_);
     if (restored == nullptr) return;
     if (restored->has_copy()) journal_->keep_mesh(restored->mesh.path);
-    journal_->keep_results_of(*restored);
+    journal_->continue_from(*restored);
   } catch (const Error& error) {
     // Without a copy of the mesh, the journal could not be restored.
     if (journal_) journal_->close();
