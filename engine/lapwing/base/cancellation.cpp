@@ -18,7 +18,7 @@ thread_local ScopeInForce in_force;
 
 class ScopeInForce::State {
  public:
-  // Until a stage is reported, the stage of the enclosing scope is used.
+  // Before the first stage is reported, the stage of the enclosing scope is used.
   State(Progress progress, const State* around) : progress_(std::move(progress)) {
     if (around != nullptr) note(around->stage_, around->fraction_);
   }
@@ -29,7 +29,7 @@ class ScopeInForce::State {
     asked_ = Clock::now();
   }
 
-  // Takes over the stage of an inner scope, so that progress never goes back.
+  // Copies the stage of an inner scope, so that the reported fraction never decreases.
   void take_over(State& inside) noexcept {
     stage_.swap(inside.stage_);
     fraction_ = inside.fraction_;
@@ -49,7 +49,7 @@ class ScopeInForce::State {
     asked_ = Clock::now();
   }
 
-  // Rethrows the callback's exception, on the thread that called it.
+  // Rethrows the callback's exception on the thread that called the callback.
   void rethrow_if_stopped() const {
     if (stopped_) std::rethrow_exception(failure_);
   }
@@ -65,7 +65,7 @@ class ScopeInForce::State {
   std::string stage_;
   double fraction_ = 0.0;
   Clock::time_point asked_ = Clock::now();
-  bool asking_ = false;  // a callback may itself call a check
+  bool asking_ = false;  // whether the callback is running; it may contain checks
   std::exception_ptr failure_;
   std::atomic<bool> stopped_ = false;
 };

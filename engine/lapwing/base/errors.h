@@ -10,16 +10,16 @@
 
 namespace lapwing {
 
-/// Base of all exceptions of the engine. `what()` names the place (file and line, vertex, JSON
+/// Base of all exceptions of the engine. `what()` names the location (file and line, vertex, JSON
 /// pointer, device) and the next step, in terms of the command line. It is one line of printable
-/// text, even if it quotes names or files (see printable).
+/// text, even if it quotes names or files (see `printable`).
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& what, std::vector<std::uint32_t> vertices = {})
       : std::runtime_error(printable(what)), vertices_(std::move(vertices)) {}
 
-  /// All vertices that the message is about, even if it names only some; empty if it is about none.
-  /// For a transplant or coat they may belong to the other mesh.
+  /// Returns all vertices that cause the error, of which the message may name only some. May be
+  /// empty. In a transplant or coat, they may belong to the other mesh.
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
  private:
@@ -39,7 +39,7 @@ class SolverError : public Error {
   using Error::Error;
 };
 
-/// A Vulkan call failed, or no device fits.
+/// A Vulkan call failed, or no device is suitable.
 class GpuError : public Error {
  public:
   using Error::Error;

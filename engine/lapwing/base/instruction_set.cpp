@@ -12,7 +12,7 @@ std::string_view instruction_set_name(InstructionSet set) {
 
 namespace {
 
-// Other values have no effect.
+// Returns the best set that LAPWING_INSTRUCTION_SET allows; invalid values have no effect.
 InstructionSet best_allowed() {
   const char* const value = std::getenv("LAPWING_INSTRUCTION_SET");
   const std::string_view name = value != nullptr ? value : "";

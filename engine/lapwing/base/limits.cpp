@@ -22,7 +22,7 @@ std::optional<double> number_set(const char* variable) {
                    "\"; set it to a number above 0, or unset it");
 }
 
-// Accepts counts that no integer type holds.
+// Accepts counts that are too large for integer types.
 std::string in_words(double count) {
   return grouped(static_cast<std::size_t>(std::min(count, 1e18)));
 }

@@ -16,7 +16,7 @@ using std::filesystem::path;
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-// Returns the number in a file, or nothing if there is none ("max" is no limit).
+// Returns the number in a file, or nothing if there is none, for example "max" for no limit.
 std::optional<std::size_t> number_in(const path& file_name) {
   std::ifstream file(file_name);
   std::size_t number = 0;
@@ -43,7 +43,7 @@ std::size_t what_is_left(std::size_t limit, std::size_t used) {
 struct GroupFiles {
   const char* limit;
   const char* used;
-  const char* cached;  // in memory.stat
+  const char* cached;  // key in memory.stat
 };
 
 constexpr GroupFiles kVersion1 = {"memory.limit_in_bytes", "memory.usage_in_bytes",
@@ -58,7 +58,7 @@ std::size_t left_in_group(const path& folder, const GroupFiles& files) {
   return what_is_left(*limit, what_is_left(used, cached));
 }
 
-// Returns what is left in the group at `inside` and all groups around it. In a container, the
+// Returns the memory left in the group at `inside` and in all enclosing groups. In a container, the
 // outermost groups may be hidden, and the mounted folder may be the group itself.
 std::size_t left_in_groups(const path& mounted, path inside, const GroupFiles& files) {
   std::size_t left = left_in_group(mounted, files);
@@ -118,7 +118,7 @@ std::size_t available(std::size_t left, const path& root) {
 std::size_t peak_memory_bytes() {
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // in KiB on Linux
 }
 
 std::size_t available_memory_bytes() {

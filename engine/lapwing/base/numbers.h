@@ -10,9 +10,8 @@
 
 namespace lapwing {
 
-/// Allocates like std::allocator, but does not clear elements without a value. The memory of a
-/// large array is then first touched by the threads that fill it. The system provides it page by
-/// page, which takes longer than many computations.
+/// Allocates like std::allocator, but does not initialize elements without a value. The threads
+/// that fill a large array then share the page faults, which take longer than many computations.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
   static_assert(std::is_trivially_default_constructible_v<T>);
@@ -29,7 +28,7 @@ struct UninitializedAllocator : std::allocator<T> {
 };
 
 /// Returns `x`, which must be finite and not negative, rounded to 24 significant bits (seven
-/// digits). For comparisons that must not depend on the last bits.
+/// digits). For comparisons that must not depend on rounding errors.
 inline double rounded_to_seven_digits(double x) {
   constexpr std::uint64_t kDropped = (std::uint64_t{1} << 29) - 1;
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + (kDropped + 1) / 2) & ~kDropped);

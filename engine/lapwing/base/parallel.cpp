@@ -17,7 +17,7 @@ namespace lapwing {
 
 namespace {
 
-// With this, a loop of 2 s on one thread checks for cancellation about every 0.1 s.
+// With this number, a loop of 2 s on one thread checks for cancellation about every 0.1 s.
 constexpr std::size_t kChunksPerThread = 16;
 
 // Returns 0 if the environment variable is not set or invalid.
@@ -51,8 +51,8 @@ void parallel_ranges(std::size_t count, std::size_t grain,
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t threads = std::min<std::size_t>(thread_count(), (count + grain - 1) / grain);
-  // More chunks than threads, taken from a queue. A busy core then delays one chunk, not the whole
-  // share of a thread, and cancellation is checked between chunks.
+  // Use more chunks than threads, so that a busy core delays only one chunk, and so that
+  // cancellation is checked between chunks.
   const std::size_t chunks = kChunksPerThread * threads;
   const std::size_t chunk = std::max(grain, (count + chunks - 1) / chunks);
   if (threads <= 1) {
@@ -89,7 +89,7 @@ void parallel_ranges(std::size_t count, std::size_t grain,
   };
   shared_workers().run(std::cref(work));
   if (failure) {
-    check_cancelled();  // an exception of the callback comes first
+    check_cancelled();  // an exception of the callback has priority
     std::rethrow_exception(failure);
   }
 }

@@ -15,7 +15,7 @@ struct Character {
   bool valid = false;
 };
 
-// RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
+// Decodes one character by RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
 Character decode(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char first = byte(0);
@@ -49,7 +49,7 @@ void append_escape(std::string& out, char kind, int digits, unsigned value) {
   out += escape.data();
 }
 
-// Returns whether the byte `at` begins a character.
+// Returns whether a character starts at byte `at`.
 bool is_boundary(std::string_view text, std::size_t at) {
   return (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
 }

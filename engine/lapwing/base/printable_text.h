@@ -10,10 +10,11 @@ namespace lapwing {
 inline constexpr std::size_t kLongestMessage = 80 * 24;
 
 /// Returns `text` as one line for any terminal, log or JSON document. Bytes that are not UTF-8, and
-/// characters that a terminal or reader could interpret (controls, escapes, line ends, direction
-/// marks), become "\x1B" or "\u202E". Text beyond `longest` bytes is replaced by " ... " in the
-/// middle, since a message begins with its place and ends with the next step. All text from other
-/// programs, file names and file contents is shown through this function.
+/// characters that a terminal or parser could interpret (control characters, escapes, line ends,
+/// direction marks), are replaced by codes such as "\x1B" or "\u202E". If the text exceeds
+/// `longest` bytes, its middle is replaced by " ... ", because a message begins with the location
+/// and ends with the next step. Use it for all text from other programs, file names and file
+/// contents.
 std::string printable(std::string_view text, std::size_t longest = kLongestMessage);
 
 /// Returns `number` with thousands separators, such as "14,290".

@@ -6,7 +6,8 @@
 
 namespace lapwing {
 
-// One colour component (red, green or blue) in linear light and encoded in sRGB (IEC 61966-2-1).
+// Conversions of a colour component (red, green or blue) between linear light and sRGB (IEC
+// 61966-2-1).
 
 /// `encoded` must be in [0, 1].
 inline float linear_of_srgb(float encoded) {

@@ -10,7 +10,7 @@
 
 namespace lapwing {
 
-/// Wall-clock milliseconds since construction or the last `restart`.
+/// Measures wall-clock time since construction or the last `restart`.
 class Stopwatch {
  public:
   double elapsed_ms() const {
@@ -23,7 +23,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Milliseconds by stage name, in the order of the stages. Repeated names add up.
+/// Milliseconds by stage name, in the order of the stages. Times of the same name are added.
 class StageTimings {
  public:
   void add(std::string_view stage, double milliseconds) {

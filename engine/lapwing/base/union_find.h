@@ -7,8 +7,8 @@
 
 namespace lapwing {
 
-/// Disjoint sets of the numbers 0 .. count - 1. The smallest member represents a set, independent
-/// of the order of the unions. Near-linear in practice.
+/// Disjoint sets of the numbers 0 .. count - 1. The representative of a set is its smallest member,
+/// independent of the order of the unions. Near-linear in practice.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parents_(count) {
@@ -24,7 +24,7 @@ class UnionFind {
     return x;
   }
 
-  /// Joins the sets of `a` and `b`. Returns whether they were different.
+  /// Merges the sets of `a` and `b`. Returns whether they were different.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -22,13 +22,13 @@ std::uint64_t number_of(std::uint64_t round) {
   return round / kNextRound;
 }
 
-// A helper joins a round only once.
+// Returns whether a helper may join `round`, each only once.
 bool may_be_joined(std::uint64_t round, std::uint64_t last) {
   return (round & kOpen) != 0 && number_of(round) != last;
 }
 
-// Jobs follow each other closely, and sleeping and waking takes about 50 microseconds, as long as
-// many a job. A waiting thread therefore spins for a while before it sleeps.
+// Sleeping and waking takes about 50 microseconds, as long as many jobs. Because a new job often
+// follows immediately, a waiting thread spins for a while before it sleeps.
 constexpr std::chrono::microseconds kHelperLooks{100};
 constexpr std::chrono::microseconds kCallerLooks{50};
 constexpr int kLooksBetweenClocks = 16;
@@ -50,7 +50,7 @@ void count_forks() {
   static_cast<void>(registered);
 }
 
-// Waits for `holds`, at most for `time`. Returns whether it held.
+// Waits until `holds` returns true, at most for `time`. Returns whether it returned true.
 template <typename Condition>
 bool look_for(std::chrono::microseconds time, const Condition& holds) {
   const Clock::time_point end = Clock::now() + time;
@@ -75,7 +75,7 @@ WorkerPool::WorkerPool(unsigned threads) {
       helpers_.emplace_back([this, t] { help(static_cast<int>(t)); });
     }
   } catch (const std::system_error&) {
-    // Fewer threads do the same work.
+    // The pool works with fewer threads.
   } catch (const std::bad_alloc&) {
   }
 }
@@ -103,7 +103,7 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   }
   job_ = &job;
   round_ += kNextRound + kOpen;
-  // A helper that goes to sleep from here on has seen the round.
+  // A helper that goes to sleep after this line has seen the new round.
   if (sleepers_ > 0) {
     keep_helpers_off(sched_getcpu());
     { const std::scoped_lock lock(sleep_->mutex); }
@@ -120,9 +120,8 @@ bool WorkerPool::is_of_parent() const {
   return forks_ != forks;
 }
 
-// Keeps helpers off the caller's CPU. On systems that report no shared caches, such as many
-// virtual machines, the kernel would put a woken thread there, to wait until the caller has
-// finished.
+// Keeps helpers off the caller's CPU. On systems that report no shared caches, such as many virtual
+// machines, the kernel would schedule a woken thread there, where it would wait for the caller.
 void WorkerPool::keep_helpers_off(int processor) {
   if (processor == kept_off_ || processor < 0 || processor >= CPU_SETSIZE) return;
   kept_off_ = processor;
@@ -134,7 +133,7 @@ void WorkerPool::keep_helpers_off(int processor) {
   }
 }
 
-// Helpers may take long, so the caller checks for cancellation meanwhile.
+// Checks for cancellation while it waits, because helpers may take long.
 void WorkerPool::wait_for_helpers() {
   const auto all_left = [this] { return (round_ & kJoined) == 0; };
   if (look_for(kCallerLooks, all_left)) return;

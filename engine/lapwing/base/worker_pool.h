@@ -12,14 +12,13 @@
 
 namespace lapwing {
 
-/// Threads that wait for work. A job is a function that every thread may call. Any number of
-/// threads, even the caller alone, must complete it, so that the pool never waits for a helper that
-/// wakes late. Thread-safe: the caller works alone if the helpers are busy with the job of another
-/// thread or with an enclosing job. The child of a fork has no helpers, so its threads always work
-/// alone.
+/// Threads that wait for jobs. A job is a function that every thread may call. It must be complete
+/// even if only the caller calls it, so that the pool never waits for a helper that wakes late.
+/// Thread-safe: if the helpers are busy with the job of another thread or with an enclosing job,
+/// the caller works alone. The child of a fork has no helpers, so its threads always work alone.
 class WorkerPool {
  public:
-  /// `threads` includes the caller. Uses fewer if the system provides no more.
+  /// `threads` includes the caller. Uses fewer threads if the system refuses to create more.
   explicit WorkerPool(unsigned threads);
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -27,9 +26,9 @@ class WorkerPool {
 
   int size() const { return static_cast<int>(helpers_.size()) + 1; }
 
-  /// Calls job(0) on the caller and job(1), job(2), ... on helpers as they wake. Returns when all
-  /// calls that began have returned. The job must not throw. Sleeping helpers wake on CPUs other
-  /// than the caller's. Allocates nothing.
+  /// Calls job(0) on the caller and job(1), job(2), ... on helpers when they wake. Returns when all
+  /// started calls have returned. The job must not throw. Sleeping helpers wake on other CPUs than
+  /// the caller. Does not allocate.
   void run(const std::function<void(int thread)>& job);
 
  private:
@@ -42,7 +41,7 @@ class WorkerPool {
 
   std::atomic<bool> taken_ = false;
   const std::function<void(int)>* job_ = nullptr;
-  /// Number of the job, whether helpers may join it, and how many have.
+  /// Bit fields: number of the job, whether helpers may join it, and how many have joined.
   std::atomic<std::uint64_t> round_ = 0;
   std::atomic<bool> quit_ = false;
 
@@ -57,13 +56,13 @@ class WorkerPool {
   std::atomic<bool> caller_sleeps_ = false;
   std::vector<std::thread> helpers_;
 
-  cpu_set_t allowed_;  ///< CPUs available to the program
+  cpu_set_t allowed_;  ///< CPUs that the program may use
   int kept_off_ = -1;  ///< CPU that helpers must not use
   unsigned forks_;     ///< fork count when the pool was created
 };
 
-/// While a SerialScope exists, its thread uses no helpers of any pool. Threads that divide the CPUs
-/// among themselves use it.
+/// While a SerialScope exists, its thread uses no helpers of any pool. For threads that already
+/// divide the CPUs among themselves.
 class SerialScope {
  public:
   SerialScope();
@@ -72,7 +71,7 @@ class SerialScope {
   ~SerialScope();
 };
 
-/// Returns the pool of the whole program, with `thread_count()` threads.
+/// Returns the global pool, with `thread_count()` threads.
 WorkerPool& shared_workers();
 
 }  // namespace lapwing

@@ -30,13 +30,13 @@ std::span<const Job> part_of(std::span<const Job> jobs, const std::optional<Shar
   return jobs.subspan(begin, jobs.size() * shard->number / shard->count - begin);
 }
 
-// Returns an empty path if no job can run.
+// Returns the mesh of the first job that can run, or an empty path.
 fs::path first_mesh(const JobFile& file) {
   for (const Job& job : file.jobs()) {
     try {
       if (job.error.empty()) return file.recipe_of(job).mesh_path();
     } catch (const InputError&) {
-      // This job fails when its turn comes.
+      // This job fails later, when a worker runs it.
     }
   }
   return {};
@@ -53,8 +53,8 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
   return groups;
 }
 
-// Assigns jobs to workers. A worker stays with its group until all jobs of the group are assigned.
-// It then takes a group without assigned jobs if one is left. The class is thread-safe.
+// Assigns jobs to workers. A worker gets jobs of one group until all jobs of the group are
+// assigned. It then gets a group without assigned jobs, if there is one. The class is thread-safe.
 class JobQueue {
  public:
   static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
@@ -64,8 +64,8 @@ class JobQueue {
       : groups_(std::move(groups)), given_(groups_.size(), 0) {}
 
   // Returns the next job for a worker. `group` is the group of the worker's last job, initially
-  // kNoGroup. The call sets it to the group of the returned job. Returns nothing when all jobs are
-  // assigned.
+  // kNoGroup. The call sets `group` to the group of the returned job. Returns nothing if all jobs
+  // are assigned.
   std::optional<std::size_t> next(std::size_t& group) {
     const std::lock_guard lock(mutex_);
     if (group == kNoGroup || left(group) == 0) {
@@ -77,8 +77,8 @@ class JobQueue {
       } else if (begun_.empty()) {
         return std::nullopt;
       } else {
-        // Another worker of a group has to prepare again, which pays off most in the group with the
-        // most jobs left.
+        // A second worker of a group must repeat the preparation, so choose the group with the most
+        // unassigned jobs.
         group = *std::max_element(begun_.begin(), begun_.end(),
                                   [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
       }
@@ -92,11 +92,10 @@ class JobQueue {
   std::mutex mutex_;
   std::vector<std::vector<std::size_t>> groups_;
   std::vector<std::size_t> given_;   //< per group, the number of assigned jobs
-  std::size_t first_untouched_ = 0;  //< every earlier group is started or empty
+  std::size_t first_untouched_ = 0;  //< all groups before this index are started or empty
   std::vector<std::size_t> begun_;   //< started groups that may have unassigned jobs
 };
 
-// A running batch.
 class Batch {
  public:
   Batch(const BatchRequest& request, const BatchMonitor& watch)
@@ -142,7 +141,7 @@ class Batch {
         carry_out(*job, session);
       }
     } catch (const Cancelled&) {
-      // The job in progress stays undone.
+      // The job in progress is discarded.
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();

@@ -18,14 +18,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// With an extension and the suffix of a temporary file, an id fits the 255 bytes of file systems.
+// File names have at most 255 bytes, including an extension and the suffix of a temporary file.
 constexpr std::size_t kLongestId = 200;
 
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-// Erases the moves, on which a preparation does not depend.
+// Removes the moves, because the preparation of a region does not depend on them.
 void erase_moves(Json& json) {
   if (json.is_object()) json.erase("move");
   if (!json.is_structured()) return;
@@ -59,12 +59,11 @@ std::string text_of(std::uint64_t hash) {
   return text;
 }
 
-// The content of a line.
 struct JobFile::Line {
   std::string where;  ///< prefix of messages
   std::string id;
-  fs::path file;  ///< of the recipe; empty if the line contains it
-  Json recipe;    ///< of the line itself
+  fs::path file;  ///< path of the recipe; empty if the line contains the recipe
+  Json recipe;    ///< the recipe, if the line contains it
   Json set = Json::object();
 
   void require_keys(const Json& json) const {

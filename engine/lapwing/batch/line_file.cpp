@@ -25,7 +25,7 @@ LineFile::LineFile(fs::path path)
       // Without O_NONBLOCK, opening a pipe would wait for a reader.
       file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0666)) {
   if (!file_.is_open()) fail(path_, errno);
-  // On file systems without locks, two runs into one folder go unnoticed.
+  // On file systems without locks, two runs that write to the same folder are not detected.
   if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw IoError(path_.string() +
                   ": another run is writing it; wait until it ends, or choose another folder");

@@ -85,7 +85,8 @@ ResultFolder::ResultFolder(fs::path folder, std::span<const Job> jobs, std::opti
   for (const fs::path& other : others) take_over(other);
 }
 
-// Returns whether `line` is a valid result of one of the jobs, and sets `job` to it.
+// Returns whether `line` is a valid result of one of the jobs, and sets `job` to the index of this
+// job.
 bool ResultFolder::counts(std::string_view line, std::size_t& job) const {
   const Json result = Json::parse(line, nullptr, false);
   if (!result.is_object()) return false;
@@ -117,7 +118,7 @@ void ResultFolder::take_over(const fs::path& file) {
   });
 }
 
-// Removes only files of these jobs: other processes may be writing to the folder.
+// Removes only files of jobs in `jobs_`, because other processes may write to the folder.
 void ResultFolder::remove_leftovers() const {
   const std::regex temporary(kTemporary);
   for (const fs::path& leftover : files_like(folder_, kTemporary)) {
@@ -146,7 +147,7 @@ void ResultFolder::add_failure(const std::string& line) {
   failed_->append(line);
 }
 
-// If a job has several lines, the last one counts.
+// If a job has several lines, only the last one is kept.
 void ResultFolder::put_in_order(const fs::path& file, bool is_result) const {
   std::vector<std::string> lines(jobs_.size());
   std::unordered_map<std::size_t, std::size_t> job_at;

@@ -14,22 +14,23 @@
 
 namespace lapwing {
 
-/// One of `count` parts of a batch, as equal as possible; `number` is from 1 to `count`.
+/// Part `number`, from 1 to `count`, of a batch that is divided into `count` parts of nearly equal
+/// size.
 struct Shard {
   std::size_t number = 1;
   std::size_t count = 1;
 };
 
-/// The results of a batch: a line in results.jsonl for each job that is done, and in failed.jsonl
-/// for each that failed. Files of a shard have its number in their names (results-2-of-8.jsonl).
-/// Lines come as the jobs end; `finish` sorts them into the order of the jobs. Threads may add
-/// lines at once.
+/// The results of a batch: one line in results.jsonl for each job that is done, and one line in
+/// failed.jsonl for each job that failed. Files of a shard have its number in their names
+/// (results-2-of-8.jsonl). Lines are added when jobs end; `finish` sorts them by job. Adding lines
+/// is thread-safe.
 class ResultFolder {
  public:
-  /// `jobs` are those of `shard`, if there is one, and must outlive the object. Creates the folder
-  /// if necessary. With `resume`, takes over the results of these jobs from all shards, and removes
-  /// the temporary files of killed runs. Throws IoError. Throws InputError if there are results
-  /// already and `resume` is false.
+  /// `jobs` are the jobs of the batch or of `shard`, and must outlive the object. Creates the
+  /// folder if necessary. With `resume`, collects the results of these jobs from all shards, and
+  /// removes the temporary files of killed runs. Without it, throws InputError if there are
+  /// results. Throws IoError.
   ResultFolder(std::filesystem::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
                bool resume);
 
@@ -38,20 +39,20 @@ class ResultFolder {
   static std::filesystem::path failed_file(const std::filesystem::path& folder,
                                            const std::optional<Shard>& shard);
 
-  /// Throws InputError if `read` is a file that such a folder would contain.
+  /// Throws InputError if the input file `read` would also be an output file in `folder`.
   static void require_no_result(const std::filesystem::path& folder,
                                 const std::filesystem::path& read);
 
   const std::filesystem::path& path() const { return folder_; }
-  /// Returns whether job `job`, from 0, has a result for the same request whose files all exist.
+  /// Returns whether job `job`, an index, has a result for the same request whose files all exist.
   bool is_done(std::size_t job) const { return done_[job] != 0; }
 
   /// Adds the line of a job. Throws IoError.
   void add_result(std::size_t job, const std::string& line);
   void add_failure(const std::string& line);
 
-  /// Sorts the lines; call it after the last job. Without a shard, also removes the files of all
-  /// shards, whose lines it has taken over. Throws IoError and keeps all lines.
+  /// Sorts the lines by job. Call it after the last job. Without a shard, also removes the files of
+  /// all shards, because their lines were copied. If it throws IoError, no lines are lost.
   void finish();
 
  private:
@@ -62,10 +63,10 @@ class ResultFolder {
 
   std::filesystem::path folder_;
   std::span<const Job> jobs_;
-  bool is_whole_;  ///< true without a shard
+  bool is_whole_;  ///< whether there is no shard
   std::filesystem::path results_path_;
   std::filesystem::path failed_path_;
-  std::unordered_map<std::string_view, std::size_t> job_of_;  ///< by id
+  std::unordered_map<std::string_view, std::size_t> job_of_;  ///< id -> index of the job
   std::vector<char> done_;
   std::mutex mutex_;
   std::unique_ptr<LineFile> results_;

@@ -23,7 +23,7 @@ void require_no_input(const fs::path& path, const RunResult& result) {
   }
 }
 
-// Names all carried files after the job, beside its result.
+// Sets the paths of all attachment files, named after the job, and returns their names.
 std::vector<std::string> name_carried(const Job& job, const fs::path& folder, RunResult& result) {
   std::vector<std::string> names;
   for (AttachmentFile& file : result.carried) {
@@ -120,7 +120,7 @@ std::string ResultWriter::write(const Job& job, const Recipe& recipe, RunResult&
   Json line = line_of(job, name, result.report);
   if (!rest_name.empty()) line["rest"] = rest_name;
   if (!carried.empty()) line["carried"] = carried;
-  // File names, and names inside files, need not be UTF-8.
+  // File names and names inside files are not always UTF-8.
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

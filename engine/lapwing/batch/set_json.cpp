@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Decodes a token of a pointer. Returns nothing if a ~ is not followed by 0 or 1.
+// Decodes a token of a JSON pointer. Returns nothing if a ~ is not followed by 0 or 1.
 std::optional<std::string> key_of(std::string_view token) {
   std::string key;
   for (std::size_t k = 0; k < token.size(); ++k) {
@@ -28,7 +28,7 @@ std::optional<std::string> key_of(std::string_view token) {
   return key;
 }
 
-// Returns a list index, which has no leading zeros (RFC 6901).
+// Returns `key` as a list index, or nothing if it is not one (RFC 6901).
 std::optional<std::size_t> list_place(const std::string& key) {
   std::size_t place = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), place);

@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-// Returns null for the target itself, whose connectivity is known.
+// Returns null if `source` is the target itself, to reuse its topology.
 SharedSource shared(const Mesh& source, const Mesh& target) {
   if (&source == &target) return nullptr;
   return std::make_shared<const Mesh>(source);

@@ -16,28 +16,28 @@
 
 namespace lapwing {
 
-/// Determines whether a step may change the triangles of its patch.
+/// Determines whether a coat or mix may change the triangles of its target patch.
 enum class Remeshing {
-  automatic,  ///< if the patch is too coarse for the detail
+  automatic,  ///< only if the patch is too coarse for the detail
   none,
 };
 
-/// How a coat or mix treats its target. Lengths are on the target.
+/// Parameters of a coat or mix that concern the target. Lengths are measured on the target.
 struct CoatParameters {
-  double smooth_target = 0.0;  ///< removes the target's detail below this; 0: none
+  double smooth_target = 0.0;  ///< removes target detail smaller than this; 0 means none
   LaplacianWeights weights = LaplacianWeights::cotangent;
   Domain domain = Domain::disk;  ///< common domain of sources and target
-  /// Default: smooth, as wide as the source's detail size on the target.
+  /// By default, a smooth transition whose width is the source's detail size, scaled to the target.
   std::optional<Transition> transition = {};
   Remeshing remesh = Remeshing::automatic;
   bool operator==(const CoatParameters&) const = default;
 };
 
-/// A source of a coat or mix, and how it is mapped to the target. Lengths are on the source.
+/// A source of a coat or mix, and the parameters of its map. Lengths are measured on the source.
 struct CoatSource {
   RegionSpec patch = {};
-  double detail_size = 0.0;  ///< above 0; smaller features are coating
-  /// As in CorrespondenceOptions; target vertices are those of the mesh before any remeshing.
+  double detail_size = 0.0;  ///< positive; smaller features belong to the coating
+  /// As in CorrespondenceOptions. Target vertices are vertices of the mesh before remeshing.
   std::vector<VertexPair> boundary_pairs = {};
   std::vector<VertexPair> inner_pairs = {};
   CoatOptions sampling = {};
@@ -54,9 +54,9 @@ struct CoatSource {
   }
 };
 
-/// A request to put the fine detail of a patch of one mesh on a patch of another, without the
-/// meshes. `Source` is a CoatSource, or one that also names its file, as in recipes
-/// ({"op": "coat"}).
+/// A request to transfer the fine detail of a patch of one mesh to a patch of another, without the
+/// meshes. `Source` is CoatSource or, in recipes ({"op": "coat"}), a source that also names its
+/// file.
 template <class Source>
 struct CoatOf {
   Source source = {};
@@ -70,23 +70,23 @@ struct CoatOf {
 };
 using CoatRequest = CoatOf<CoatSource>;
 
-/// What is taken from a source and replaced on the target.
+/// The component of a source that replaces the same component of the target.
 enum class TransferMode {
-  coating,  ///< the detail below each source's detail size, which is put on the target
-  shape,    ///< the full Laplacians; frames are free of detail below the detail size
+  coating,  ///< the detail below each source's detail size; added to the target
+  shape,    ///< the full Laplacians; frames do not contain detail below the detail size
 };
 
-/// A request to put two sources on one patch, (1 - w) of the first and w of the second (paper,
-/// section 5.3), without the meshes. `Source` is as in CoatOf ({"op": "mix"}).
+/// A request to transfer (1 - w) times the first and w times the second of two sources to one patch
+/// (paper, section 5.3), without the meshes ({"op": "mix"}). `Source` is as in CoatOf.
 template <class Source>
 struct MixOf {
   RegionSpec target_patch = {};
   std::array<Source, 2> sources = {};
   MixWeight weight = {};
   TransferMode transfer = TransferMode::coating;
-  std::vector<MovedHandle> handles = {};  ///< in the patch; moved by the solve of the mix
-  /// With TransferMode::shape, the target's frames are free of detail below `smooth_target`; 0
-  /// stands for the mean of the sources' detail sizes, scaled to the target.
+  std::vector<MovedHandle> handles = {};  ///< in the patch; moved in the solve of the mix
+  /// With TransferMode::shape, the target's frames do not contain detail below `smooth_target`; 0
+  /// means the mean of the sources' detail sizes, scaled to the target.
   CoatParameters parameters = {};
   std::string where = "mix";  ///< as in RegionSpec; ignored by ==
   bool operator==(const MixOf& other) const {

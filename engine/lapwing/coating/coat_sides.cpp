@@ -119,7 +119,7 @@ std::vector<HeldVertex> TargetSide::held() const {
       held.push_back({v, handle.motion * p - p});
     }
   }
-  // After remeshing, two handles can share a vertex. It belongs to the first.
+  // After remeshing, two handles can share a vertex. The vertex then belongs to the first handle.
   const auto by_vertex = [](const HeldVertex& a, const HeldVertex& b) {
     return a.vertex < b.vertex;
   };

@@ -17,21 +17,19 @@ namespace lapwing {
 /// A source mesh with shared ownership.
 using SharedSource = std::shared_ptr<const Mesh>;
 
-/// One source of a coat or mix: its patch, and what is taken from it. Call the functions in the
-/// order below.
+/// One source of a coat or mix: its patch, coating and map. Call the functions in the order below.
 class SourceSide {
  public:
-  /// Uses `mesh` or, if that is null, the target as it is given. The other arguments must outlive
-  /// the object.
+  /// If `mesh` is null, `target` is the source mesh. The other arguments must outlive the object.
   SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& target);
 
-  /// Takes the detail below `size`, or the whole shape. Throws what `resolve`, `disk_patch`,
-  /// `peel_patch` and `whole_shape` throw.
+  /// Extracts the detail below `size`, or the whole shape. Throws the errors of `resolve`,
+  /// `disk_patch`, `peel_patch` and `whole_shape`.
   void take(TransferMode transfer, double size, LaplacianWeights weights, Kernels& kernels);
   const Coating& coating() const { return coating_; }
   const Mesh& mesh() const { return mesh_; }
 
-  /// Maps the surface without its detail to the domain, so that detail does not influence the map.
+  /// Maps the smooth surface to the domain, so that the detail does not influence the map.
   void lay(const CorrespondenceOptions& pairs);
   const FlattenedPatch& laid() const { return laid_; }
   PlacedPatch placed() const { return {coating_.patch, coating_.smooth}; }
@@ -46,35 +44,37 @@ class SourceSide {
   FlattenedPatch laid_;
 };
 
-/// A handle of the target: its vertices on the current mesh, and its motion.
+/// A handle of the target: its vertices in the current mesh, and its motion.
 struct TargetHandle {
   VertexSet vertices;
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
 };
 
-/// The target of a coat or mix: its patch, on the given mesh or, after `remesh`, on a finer one.
+/// The target of a coat or mix: its patch, on the given mesh or, after `remesh`, on a finer mesh.
 class TargetSide {
  public:
-  /// Finds the patch. `mesh` must outlive the object. Throws what `resolve` and `disk_patch` throw.
+  /// Finds the patch. `mesh` must outlive the object. Throws the errors of `resolve` and
+  /// `disk_patch`.
   TargetSide(const RegionSpec& patch, const Mesh& mesh);
 
-  /// Finds the handles. Throws InputError, naming the handle's region, if it leaves the patch, is
-  /// empty or shares vertices with another, and what `resolve` throws.
+  /// Finds the vertices of the handles. Throws InputError, naming the handle's region, if a handle
+  /// leaves the patch, is empty or overlaps another handle, and the errors of `resolve`.
   void choose_handles(std::span<const MovedHandle> handles);
 
-  /// Fairs the patch by `size`, for coatings and frames; 0: not at all.
+  /// Fairs the patch, removing detail below `size`; 0 means none.
   void smooth(double size, LaplacianWeights weights);
 
-  /// Sets a field, one number per vertex of the mesh, that `remesh` interpolates. May be empty.
+  /// Sets a scalar field, one value per vertex of the mesh, which `remesh` interpolates. May be
+  /// empty.
   void carry(std::vector<double> field) { field_ = std::move(field); }
 
-  /// Remeshes the patch to edges of the length that `length` returns. Call `smooth` again after it.
-  /// Returns a message to the user about what could not be done, mostly empty. Throws what
-  /// `remesh_isotropic` throws.
+  /// Remeshes the patch to the edge lengths that `length` returns. Call `smooth` again afterwards.
+  /// Returns a message to the user if remeshing was incomplete, otherwise an empty string. Throws
+  /// the errors of `remesh_isotropic`.
   std::string remesh(const std::function<double(const Eigen::Vector3d&)>& length,
                      const Progress& progress);
-  /// Returns the current number of a vertex of the given mesh: its own on the patch's border, that
-  /// of the nearest inner vertex inside.
+  /// Returns the current index of vertex `given` of the given mesh. An inner vertex is replaced by
+  /// the nearest inner vertex.
   Index renumbered(Index given, bool on_border) const;
 
   const Mesh& mesh() const { return finer_ ? finer_->remeshed.mesh : given_mesh_; }
@@ -86,16 +86,16 @@ class TargetSide {
   const Positions& smooth_positions() const { return smooth_; }
   std::span<const double> field() const { return field_; }
   PlacedPatch placed() const { return {patch_, laid_}; }
-  /// Positions of the patch's vertices without smoothing, per own number.
+  /// Positions of the patch's vertices without smoothing, by local index.
   std::vector<Eigen::Vector3d> own_positions() const;
   const std::vector<TargetHandle>& handles() const { return handles_; }
-  /// The displacements of the handles' vertices, ascending by vertex.
+  /// Returns the handle vertices with their displacements, ascending by vertex.
   std::vector<HeldVertex> held() const;
 
  private:
   struct Finer {
     RemeshResult remeshed;
-    std::vector<Index> now;  ///< given vertex -> current number; kNoIndex inside the patch
+    std::vector<Index> now;  ///< given vertex -> current index; kNoIndex inside the patch
     VertexSet inner;         ///< inner vertices of the patch
   };
   const RegionSpec& spec_;
@@ -103,7 +103,7 @@ class TargetSide {
   std::unique_ptr<Finer> finer_;
   Patch patch_;
   Positions smooth_;
-  std::vector<Eigen::Vector3d> laid_;  ///< on the smooth surface, per own number
+  std::vector<Eigen::Vector3d> laid_;  ///< on the smooth surface, by local index
   std::vector<double> field_;
   std::vector<TargetHandle> handles_;
 };

@@ -19,7 +19,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// The Laplacians and the displacement of a coating at every row.
+// The Laplacians and the displacement of a coating, one entry per row.
 struct Samples {
   std::vector<Vector3d> xi;
   std::vector<Vector3d> displacement;
@@ -69,7 +69,7 @@ struct Coater::State {
   std::span<const Vector3d> target_rest;  // of the whole mesh
   bool keeps_detail;
   bool whole;
-  // All members below are in the numbers of this part.
+  // All members below use the vertex indices of this submesh.
   Submesh part;
   Positions rest;
   Positions smooth;
@@ -80,15 +80,15 @@ struct Coater::State {
   StageTimings timings;
 
   Constraints constraints;
-  VertexSet free;  // in the mesh's numbers
+  VertexSet free;  // as vertices of the whole mesh
   std::unique_ptr<SystemPattern> pattern;
   std::unique_ptr<LaplacianSystem> system;
   std::vector<double> shares;       // f, per row of the rings
-  std::vector<double> holds;        // W, per unknown in the order of elimination
+  std::vector<double> holds;        // W, per unknown in elimination order
   std::vector<Vector3d> positions;  // of the smooth target, per vertex of the rings
   std::vector<Vector3d> normals;
-  Columns base;     // removes the target's own detail and moves handles; empty if neither is needed
-  Columns coating;  // adds the coating; empty before the first
+  Columns base;     // removes the target's detail and moves handles; may be empty
+  Columns coating;  // adds the coating; empty before the first `take`
   std::vector<LayerScales> scales;
   double residual = 0.0;
 };
@@ -142,7 +142,7 @@ void Coater::State::make_system(const Progress& progress) {
     system =
         std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints, *pattern,
                                           EnergyTerms{options.weights, 0.0}, timings);
-  } catch (const SolverError&) {  // its message names a vertex of the part
+  } catch (const SolverError&) {  // its message uses the vertex indices of the submesh
     throw SolverError("the system of the target patch is singular near vertex " +
                       std::to_string(free.front()) +
                       "; run `lapwing check` to find degenerate triangles");
@@ -154,7 +154,8 @@ void Coater::State::make_frames() {
   const auto by_own = fades(options.transition, patch, part.topology, rest);
   const std::size_t row_count = rings().row_count();
   for (std::size_t r = 0; r < row_count; ++r) {
-    // If the whole target is replaced, its border still fits the surface outside.
+    // If the whole target is replaced, the border rows do not change, so that the border fits the
+    // surface outside.
     const bool stays = whole && r >= unknown_count();
     shares.push_back(stays ? 0.0 : by_own[patch.own_number(rings().vertices[r])]);
   }
@@ -167,7 +168,7 @@ void Coater::State::make_frames() {
   }
 }
 
-// Returns u of (L'L + W) u = L' y + W d, with d per row in `wanted`.
+// Solves (L'L + W) u = L' y + W d for u. `wanted` contains d, one entry per row.
 Columns Coater::State::solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted) {
   const std::size_t n = unknown_count();
   Columns b = transposed(rings(), y, n);
@@ -193,8 +194,8 @@ const HeldVertex* Coater::State::held_at(Index vertex) const {
   return found != held.end() && found->vertex == vertex ? &*found : nullptr;
 }
 
-// Returns, per row, the displacement caused by the handles alone, with no other W. W then holds
-// long waves to this field, so that they follow the handles.
+// Returns, per row, the displacement that the handles alone cause, with W = 0 elsewhere. This field
+// is then the target value of W, so that components with long wavelengths follow the handles.
 std::vector<Vector3d> Coater::State::handle_field() {
   const std::size_t n = unknown_count();
   std::vector<Vector3d> field(rings().row_count(), Vector3d::Zero());
@@ -222,7 +223,7 @@ std::vector<Vector3d> Coater::State::handle_field() {
 // Solves for the surface without coating: removes the target's detail and moves the handles.
 void Coater::State::solve_for_base() {
   if (keeps_detail && held.empty()) return;
-  // 0 outside the patch, as for a coating.
+  // The detail is 0 outside the patch, as for a coating.
   const auto detail = [&](Index own) -> Vector3d {
     const Index v = rings().vertices[own];
     if (!rings().is_row(own)) return Vector3d::Zero();
@@ -260,13 +261,14 @@ Coater::~Coater() = default;
 Coater::Coater(Coater&&) noexcept = default;
 Coater& Coater::operator=(Coater&&) noexcept = default;
 
-// Returns the ratio of lengths on the target patch to those on the coating, from the areas.
+// Returns the ratio of lengths on the target patch to lengths on the coating, computed from the
+// areas.
 double Coater::State::whole_ratio(const Coating& on) const {
   const double here = surface_area(patch.triangles, on_patch<Vector3d>(patch, smooth));
   return std::sqrt(here / surface_area(on.patch.triangles, on.smooth));
 }
 
-// Samples `layer`, rotates it into the target's frames and adds it to `sum`.
+// Samples `layer`, rotates the samples into the target's frames and adds them to `sum`.
 void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum) {
   std::vector<SurfacePoint> points;
   points.reserve(rings().vertices.size());
@@ -286,7 +288,7 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
   LayerScales reached;
   for (Matrix3d& t : T) {
     const double ratio = t.col(0).norm();
-    // The target's ring is a point and can carry no coating.
+    // The target's ring is a single point and cannot represent a coating.
     if (ratio == 0.0) continue;
     if (layer.options.scale) {
       t *= *layer.options.scale / ratio;

@@ -35,8 +35,8 @@ std::vector<Vector3d> patch_curvature(const Patch& patch, const Topology& topolo
   return on_patch<Vector3d>(patch, curvature);
 }
 
-// Returns the coating of `patch`, with the displacement that `displacement_on` returns for its
-// vertices in the part.
+// Returns the coating of `patch`. `displacement_on` returns the displacement, given the patch's
+// vertices in the submesh.
 template <class DisplacementOn>
 Coating coating_of(Patch patch, const SmoothedPart& smoothed, LaplacianWeights weights,
                    Kernels& kernels, const DisplacementOn& displacement_on) {
@@ -54,7 +54,7 @@ Coating coating_of(Patch patch, const SmoothedPart& smoothed, LaplacianWeights w
   return coating;
 }
 
-// The target as it lies on the source, per vertex of the target's mesh; 0 if it lies nowhere.
+// The target as mapped to the source, per vertex of the target's mesh; 0 if a vertex has no image.
 struct LaidTarget {
   LaidTarget(const MappedRings& mapped, const Coating& coating, std::size_t vertex_count)
       : positions(vertex_count, Vector3d::Zero()), displacement(vertex_count, Vector3d::Zero()) {
@@ -64,7 +64,7 @@ struct LaidTarget {
       displacement[v] = mapped.points[own].of(std::span(coating.displacement));
     }
   }
-  Positions positions;  // on the smooth surface
+  Positions positions;  // on the smooth source
   std::vector<Vector3d> displacement;
 };
 
@@ -77,7 +77,7 @@ bool lies_on_source(const MappedRings& mapped, std::size_t row) {
                       [&](Index j) { return mapped.points[j].is_nowhere(); });
 }
 
-// Adds r^2 / 4 c - L' d, with L' of the rings as they lie on the source.
+// Adds r^2 / 4 c - L' d, where L' is the Laplacian of the rings as mapped to the source.
 void add_interpolated(const MappedRings& mapped, const Coating& coating, const Topology& topology,
                       LaplacianWeights scheme, Kernels& kernels, std::vector<Vector3d>& xi) {
   std::vector<Vector3d> curvature(xi.size());

@@ -22,7 +22,8 @@ std::string place_of(const std::string& where, const char* list, std::size_t pai
   return where + "/" + list + "/" + std::to_string(pair);
 }
 
-// Returns the own number of one side of a pair, which must be on the boundary, or else inside.
+// Returns the local index of one vertex of a pair. It must be on the boundary if `boundary` is
+// true, otherwise inside.
 Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& pair, bool boundary,
                  const std::string& place) {
   const Index v = pair[which];
@@ -99,7 +100,8 @@ DomainMap map_of(const PlacedPatch& side, std::size_t which, Domain domain,
   throw InputError(text + ". Remove or correct one of them");
 }
 
-// Returns the places in the domain to which the inner pairs pull the source's vertices.
+// Returns the pulls of the source's vertices to the points of the domain that the inner pairs
+// require.
 std::vector<PointPull> pulls_of(const PlacedPatch& source, const PlacedPatch& target,
                                 const CorrespondenceOptions& options, const std::string& where,
                                 const DomainMap& target_map) {
@@ -124,8 +126,8 @@ Eigen::Vector2d center_of(Domain domain) {
   return domain == Domain::disk ? Eigen::Vector2d::Zero() : Eigen::Vector2d(0.5, 0.5);
 }
 
-// Returns the angle of a rotation of the domain onto itself that brings the pulls nearest to their
-// targets.
+// Returns the angle of the rotation that maps the domain onto itself and moves the pulled vertices
+// closest to their targets.
 double best_turn(const DomainMap& map, std::span<const PointPull> pulls) {
   const Eigen::Vector2d center = center_of(map.domain);
   std::complex<double> sum = 0.0;
@@ -140,7 +142,7 @@ double best_turn(const DomainMap& map, std::span<const PointPull> pulls) {
 }
 
 // Rotates the source's map about the centre of the domain. Its pins become the boundary vertices
-// nearest to the target's.
+// nearest to the target's pins.
 void turn(double angle, const Patch& source, std::span<const Index> target_pins,
           const DomainMap& target, FlattenedPatch& laid) {
   const Eigen::Vector2d center = center_of(target.domain);

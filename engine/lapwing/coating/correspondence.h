@@ -16,10 +16,10 @@ using VertexPair = std::array<Index, 2>;
 
 struct CorrespondenceOptions {
   Domain domain = Domain::disk;
-  /// On the boundaries: one for the disk, four in order around for the square. If empty, pins are
-  /// chosen (`default_pins`), and the source's map is rotated to bring inner pairs close.
+  /// Pairs of boundary vertices: one for the disk, four in loop order for the square. If empty,
+  /// `default_pins` chooses pins, and the source's map is rotated to bring inner pairs close.
   std::vector<VertexPair> boundary_pairs;
-  std::vector<VertexPair> inner_pairs;  ///< inside the patches, any number
+  std::vector<VertexPair> inner_pairs;  ///< any number of pairs inside the patches
   bool operator==(const CorrespondenceOptions&) const = default;
 };
 
@@ -31,37 +31,37 @@ struct PlacedPatch {
 
 /// A map from a target patch to a source patch through a common domain (paper section 5.2).
 struct Correspondence {
-  DomainMap source;  ///< warped so that the inner pairs meet
+  DomainMap source;  ///< warped so that the vertices of inner pairs coincide
   DomainMap target;
-  std::vector<VertexPair> pins;    ///< the boundary pairs that were used, in mesh vertices
+  std::vector<VertexPair> pins;    ///< the boundary pairs that were used, as mesh vertices
   WarpReport warp;                 ///< of the source's map
-  std::size_t flipped_source = 0;  ///< triangles that the maps turned over or flattened
+  std::size_t flipped_source = 0;  ///< number of triangles that the maps flipped or flattened
   std::size_t flipped_target = 0;
-  std::vector<SurfacePoint> points;  ///< per own number of the target, in own numbers of the source
+  /// By local index of the target; with local indices of the source.
+  std::vector<SurfacePoint> points;
 };
 
 enum class MapSide { source, target };
 
-/// A patch mapped to the domain, before any warp.
+/// A patch mapped to the domain, before warping.
 struct FlattenedPatch {
   BoundaryPins pins;
-  bool pins_are_chosen = false;  ///< by default_pins, rather than given
+  bool pins_are_chosen = false;  ///< whether default_pins chose the pins
   DomainMap map;
 };
 
-/// The first half of `correspond`, for one side. Throws what `correspond` throws.
+/// The first half of `correspond`: parameterizes one patch. Throws the errors of `correspond`.
 FlattenedPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
                    const std::string& where);
-/// The second half, which brings both sides together.
+/// The second half of `correspond`: warps and locates.
 Correspondence correspond(const PlacedPatch& source, FlattenedPatch laid_source,
                           const PlacedPatch& target, FlattenedPatch laid_target,
                           const CorrespondenceOptions& options, const std::string& where);
 
 /// Parameterizes both patches, warps the source's map until the inner pairs meet, and locates every
 /// vertex of the target on the source. Throws InputError, naming `where` and the pair, if a vertex
-/// is outside its patch, or off its boundary (on it, for inner pairs); if the number of boundary
-/// pairs does not fit the domain, or they go around the wrong way; and if inner pairs contradict
-/// each other.
+/// is not in its patch, a boundary pair is not on the boundaries, an inner pair is not inside, the
+/// boundary pairs have a wrong number or orientation, or inner pairs contradict each other.
 Correspondence correspond(const PlacedPatch& source, const PlacedPatch& target,
                           const CorrespondenceOptions& options, const std::string& where);
 

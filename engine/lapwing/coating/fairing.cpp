@@ -57,7 +57,7 @@ Fairing::Fairing(std::span<const Vector3d> positions, const Topology& topology,
     : positions_(positions),
       unknowns_(free_vertices(region, topology), topology.vertex_count()),
       solver_(make_solver()) {
-  // Symmetric, s_ij = s_ji, so that D is self-adjoint for the masses.
+  // s_ij = s_ji, so that D is self-adjoint with respect to the masses.
   const std::vector<double> s = weights == LaplacianWeights::cotangent
                                     ? edge_weights(topology, positions)
                                     : std::vector<double>(topology.rings.values.size(), 1.0);
@@ -77,7 +77,8 @@ Positions Fairing::smooth(std::span<const Vector3d> other, double length, const 
   for (double& value : rows.values) value *= t;
   solver_->factorize(pattern_->normal().normal_matrix(rows, masses_));
 
-  // Solves for the displacement, whose right-hand side is small: (M + t^2 D'MD) u = -t^2 D'MD v.
+  // Solve for the displacement u, because its right-hand side is small: (M + t^2 D'MD) u = -t^2
+  // D'MD v.
   const std::size_t n = free().size();
   std::vector<double> curvature(3 * n);
   multiply(rows, other, curvature);
@@ -96,7 +97,7 @@ Positions Fairing::smooth(std::span<const Vector3d> other, double length, const 
 
 VertexSet grown(const VertexSet& region, double distance, const Topology& topology,
                 std::span<const Vector3d> positions) {
-  // Paths out of the region start at its border and do not pass through its inside.
+  // The shortest path from the region to an outer vertex starts at the border of the region.
   const std::vector<char> inside = vertex_mask(topology.vertex_count(), region);
   VertexSet border;
   for (const Index v : region) {

@@ -21,17 +21,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Larger patches take too long. A user who wants more vertices can remesh first.
+// Largest remeshed patch; larger ones take too long. For more vertices, users can remesh before
+// coating.
 constexpr double kMostVertices = 400'000;
 
-// Returns whether both need the same map of the target.
+// Returns whether both options lead to the same map of the target.
 bool same_on_target(const CorrespondenceOptions& a, const CorrespondenceOptions& b) {
   return std::equal(a.boundary_pairs.begin(), a.boundary_pairs.end(), b.boundary_pairs.begin(),
                     b.boundary_pairs.end(),
                     [](const VertexPair& p, const VertexPair& q) { return p[1] == q[1]; });
 }
 
-// Checks what a deform step's certificate checks: a wrong file is worse than none.
+// Throws SolverError if the result is not finite or the residual is too large, so that no invalid
+// result is saved.
 void require_valid(const Patch& patch, const Positions& positions, double relative_residual,
                    const std::string& where) {
   for (const Index v : patch.vertices) {
@@ -79,7 +81,7 @@ LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
   note_wide_transition();
 }
 
-// Prepares sources and target in parallel; only the sources use the device.
+// Prepares sources and target in parallel. Only the sources use the device.
 void LayeredCoat::make_sides(const Progress& progress) {
   const auto take_sources = [&] {
     for (Layer& layer : layers_) {
@@ -115,7 +117,7 @@ void LayeredCoat::make_sides(const Progress& progress) {
   });
 }
 
-// Maps the target without its detail, so that detail does not influence the map.
+// Maps the smooth target, so that the detail does not influence the map.
 void LayeredCoat::lay_target() {
   target_->smooth(target_size(), request_.parameters.weights);
   for (Layer& layer : layers_) {
@@ -168,7 +170,7 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
     const std::string note = target_->remesh(shortest, progress);
     if (!note.empty()) warnings_.push_back(note);
     for (Layer& layer : layers_) {
-      // Pins chosen again on other triangles could be at other places.
+      // Keep the pins; choosing them again on the new triangles could return other positions.
       layer.pairs.boundary_pairs = layer.map.pins;
       for (auto& [source, target] : layer.pairs.boundary_pairs) {
         target = target_->renumbered(target, true);
@@ -183,12 +185,12 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
   make_coater();
 }
 
-// Returns the length by which the target is smoothed; 0: not at all.
+// Returns the size below which the target's detail is removed; 0 means none.
 double LayeredCoat::target_size() const {
   if (request_.transfer == TransferMode::coating || request_.parameters.smooth_target > 0.0) {
     return request_.parameters.smooth_target;
   }
-  // All frames should contain the same frequencies.
+  // The target's frames should have the same frequencies as those of the sources.
   const double area = surface_area(target_->patch().triangles, target_->own_positions());
   double sum = 0.0;
   for (const Layer& layer : layers_) {
@@ -199,14 +201,15 @@ double LayeredCoat::target_size() const {
   return sum / static_cast<double>(layers_.size());
 }
 
-// Returns the ratio of lengths on the target patch to those on the source.
+// Returns the ratio of lengths on the target patch to lengths on the source.
 double LayeredCoat::ratio(const Layer& layer) const {
   const Coating& coating = layer.source.coating();
   return std::sqrt(surface_area(target_->patch().triangles, target_->placed().positions) /
                    surface_area(coating.patch.triangles, coating.smooth));
 }
 
-// Returns the mean of two sources' lengths, weighted by their mean shares.
+// Returns the mean of a length of the first and of the second source, weighted by the mean mix
+// weight.
 double LayeredCoat::of_both(double first, double second) const {
   const double w =
       std::accumulate(weights_.begin(), weights_.end(), 0.0) / static_cast<double>(weights_.size());
@@ -234,7 +237,7 @@ CoaterOptions LayeredCoat::coater_options() const {
   return options;
 }
 
-// May run beside another thread, which reports the progress.
+// Reports no progress, because another thread may report it at the same time.
 void LayeredCoat::make_coater() {
   coater_.reset();
   const std::vector<HeldVertex> held = target_->held();
@@ -276,7 +279,8 @@ Positions LayeredCoat::positions(double amplitude) const {
   return positions;
 }
 
-// Up to a hundredth of the patch is the tip of something, where the limit is not visible.
+// Warns if the scale is limited at more than 1 % of the vertices. A smaller part, such as a tip, is
+// not visible.
 void LayeredCoat::note_held_scales() {
   const std::size_t count = target_->patch().vertices.size();
   for (std::size_t k = 0; k < layers_.size(); ++k) {
@@ -316,7 +320,7 @@ void LayeredCoat::note_inward_sides() {
   }
 }
 
-// Tells the user why little of the coating is visible.
+// Adds a warning if the wide transition hides most of the coating.
 void LayeredCoat::note_wide_transition() {
   constexpr double kMostOfIt = 0.9;
   const double share = coater_->largest_share();

@@ -14,20 +14,20 @@
 
 namespace lapwing {
 
-/// How one source was put on the target of a coat or mix.
+/// Report about one source of a coat or mix.
 struct CoatSourceReport {
-  std::size_t vertices = 0;        ///< of the source patch
-  std::vector<VertexPair> pins;    ///< the boundary pairs, given or chosen
-  std::size_t flipped_source = 0;  ///< triangles that a map turned over or flattened
+  std::size_t vertices = 0;        ///< number of vertices of the source patch
+  std::vector<VertexPair> pins;    ///< the boundary pairs that were used
+  std::size_t flipped_source = 0;  ///< number of triangles that a map flipped or flattened
   std::size_t flipped_target = 0;
-  int warp_steps = 0;  ///< to meet the inner pairs
+  int warp_steps = 0;  ///< steps of the warp that makes inner pairs coincide
   int constrained_steps = 0;
-  double mean_scale = 1.0;  ///< size of the coating on the target over that on the source
+  double mean_scale = 1.0;  ///< scale factor of the coating from the source to the target
 };
 
-/// What a coat or mix did.
+/// Report of a coat or mix.
 struct CoatReport {
-  std::vector<CoatSourceReport> sources;      ///< one, or two for a mix
+  std::vector<CoatSourceReport> sources;      ///< one entry for a coat, two for a mix
   std::size_t vertices_before_remeshing = 0;  ///< of the target patch; 0 if it was not remeshed
   double transition_width = 0.0;
   double relative_residual = 0.0;
@@ -42,7 +42,7 @@ struct LayeredRequest {
   CoatParameters parameters;
   std::string where;  ///< as in RegionSpec
   TransferMode transfer = TransferMode::coating;
-  std::optional<MixWeight> weight = {};  ///< of the second source; none if there is one only
+  std::optional<MixWeight> weight = {};  ///< weight of the second source, if there are two
   std::vector<MovedHandle> handles = {};
 };
 
@@ -65,28 +65,29 @@ LayeredRequest layered(const MixOf<Source>& mix) {
           .handles = mix.handles};
 }
 
-/// A coat or mix in which all but the amplitude is computed: the sources are peeled, the target is
-/// smoothed and remeshed if too coarse, the patches are mapped to each other, and the system is
-/// factored and solved.
+/// A coat or mix that is computed except for the amplitude. The sources are peeled, the target is
+/// smoothed and, if too coarse, remeshed, the patches are mapped to each other, and the system is
+/// factorized and solved.
 class LayeredCoat {
  public:
-  /// `sources` are the meshes of the request's sources; null is the target itself. `mesh` and
-  /// `kernels` must outlive the object. Stages "peel", "map", "remesh", and those of `Coater`.
-  /// Throws InputError if the request does not fit the meshes, SolverError, and Cancelled.
+  /// `sources` are the meshes of the request's sources; null means the target `mesh`. `mesh` and
+  /// `kernels` must outlive the object. Reports the stages "peel", "map", "remesh", and those of
+  /// `Coater`. Throws InputError if the request does not fit the meshes, SolverError, and
+  /// Cancelled.
   LayeredCoat(LayeredRequest request, const Mesh& mesh, const std::vector<SharedSource>& sources,
               Kernels& kernels, const Progress& progress = {});
   LayeredCoat(const LayeredCoat&) = delete;
 
-  /// Returns the positions of `mesh()` with `amplitude` times the layers. One addition per vertex
-  /// of the patch. Throws SolverError if positions are not finite or the residual is too large.
+  /// Returns the positions of `mesh()` with `amplitude` times the layers, by one addition per
+  /// vertex. Throws SolverError if positions are not finite or the residual is too large.
   Positions positions(double amplitude) const;
 
   /// Peels source `k` again with another detail size, by one fairing of the source and one
-  /// back-substitution. Maps, transition and the target's system stay those of the first size, so
-  /// that the result can differ a little from a new object's.
+  /// back-substitution. Maps, transition and the target's system are not recomputed, so the result
+  /// can differ slightly from that of a new object.
   void set_detail_size(std::size_t k, double size, const Progress& progress = {});
 
-  /// The target before any coating: the given mesh, or one with a finer patch.
+  /// The target before coating: the given mesh, or a mesh with a finer patch.
   const Mesh& mesh() const { return target_->mesh(); }
   /// Null unless the target was remeshed.
   const RemeshResult* remeshed() const { return target_->remeshed(); }
@@ -96,23 +97,22 @@ class LayeredCoat {
   const Patch& target_patch() const { return target_->patch(); }
   /// The map between the target patch and source patch `k`.
   const Correspondence& map(std::size_t k) const { return layers_[k].map; }
-  /// w at each vertex of the target patch; empty for one source.
+  /// Returns the mix weight w at each vertex of the target patch; empty for one source.
   const std::vector<double>& weights() const { return weights_; }
   const std::vector<TargetHandle>& handles() const { return target_->handles(); }
 
-  /// Number of unknowns: the patch's vertices that are not on its border.
+  /// Returns the number of unknowns, the inner vertices of the patch.
   std::size_t free_count() const { return coater_->free().size(); }
-  /// Times of all stages so far.
   StageTimings timings() const;
-  /// Returns the report, with the figures of `result`, which `positions` returned.
+  /// Returns the report for `result`, which must be a result of `positions`.
   CoatReport report(const Positions& result) const;
-  /// Messages to the user, in the order of the work.
+  /// Messages to the user, in the order of the stages.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   struct Layer {
     SourceSide source;
-    CorrespondenceOptions pairs;  ///< target vertices in numbers of the current mesh
+    CorrespondenceOptions pairs;  ///< target vertices as indices of the current mesh
     double amplitude = 1.0;
     FlattenedPatch laid_target = {};
     Correspondence map = {};

@@ -15,7 +15,7 @@ std::vector<double> distances_to(const RegionSpec& spec, const Mesh& mesh) {
     throw InputError(spec.where + ": the region has no vertices; name at least one");
   }
   auto distances = geodesic_distances(mesh.topology(), mesh.positions, region);
-  // Unreachable vertices get a finite distance, since an infinity cannot be interpolated.
+  // Unreachable vertices get a finite distance, because infinity cannot be interpolated.
   double farthest = 0.0;
   for (const double d : distances) farthest = std::isfinite(d) ? std::max(farthest, d) : farthest;
   const double beyond = farthest + bounds_of(mesh.positions).diagonal();
@@ -36,7 +36,7 @@ void require_weights(const std::vector<double>& field, const Mesh& mesh, const s
   }
 }
 
-// One overload per form.
+// Computes the weights; one overload per form.
 struct Weigher {
   const Transition::Profile profile;
   const std::span<const double> field;

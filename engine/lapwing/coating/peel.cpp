@@ -29,7 +29,7 @@ void set_vectors(Mesh& mesh, std::span<const Vector3d> vectors) {
   }
 }
 
-// Returns the displacements along the outward normals of the smooth surface.
+// Returns the components of the displacements along the normals of the smooth surface.
 std::vector<double> coating_heights(const Mesh& mesh, const Peeled& peeled) {
   const Topology& topology = mesh.topology();
   std::vector<Vector3d> normals(mesh.vertex_count(), Vector3d::Zero());

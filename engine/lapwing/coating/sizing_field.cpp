@@ -19,7 +19,7 @@ Adjacency all_in_one(std::size_t count) {
   return groups;
 }
 
-// Calls `add` for the edges of each triangle, so that an inner edge counts twice.
+// Calls `add` for the edges of each triangle, twice for an inner edge.
 template <class Add>
 void for_each_edge(std::span<const Triangle> triangles, const Add& add) {
   for (const Triangle& t : triangles) {
@@ -27,7 +27,8 @@ void for_each_edge(std::span<const Triangle> triangles, const Add& add) {
   }
 }
 
-// Whether the point is a source vertex. A surface coated with itself then keeps its triangles.
+// Returns whether the point is at a source vertex. This keeps the triangles of a surface that is
+// coated with itself.
 bool on_vertex(const SurfacePoint& point) {
   constexpr double kNearlyAll = 0.99;
   return *std::max_element(point.weights.begin(), point.weights.end()) > kNearlyAll;
@@ -54,7 +55,7 @@ std::vector<double> mean_edges(std::span<const Triangle> triangles,
   return lengths;
 }
 
-// Returns, per vertex of the target, the ratio of lengths on the target to those on the source.
+// Returns, per vertex of the target, the ratio of lengths on the target to lengths on the source.
 std::vector<double> local_ratios(const Patch& target, std::span<const Vector3d> positions,
                                  std::span<const SurfacePoint> points,
                                  std::span<const Vector3d> source) {
@@ -117,7 +118,7 @@ SizingField::SizingField(const Coating& coating, const Patch& target,
     const double twice_area =
         (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
     const double length = (lengths_[a] + lengths_[b] + lengths_[c]) / 3.0;
-    // Equilateral triangles, two per vertex.
+    // Assume equilateral triangles, two per vertex.
     if (length > 0.0) vertex_estimate_ += twice_area / (std::sqrt(3.0) * length * length);
   }
 }

@@ -101,8 +101,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Squared lengths below this fraction of the largest count as zero. The fit of the one-rings cuts
-// off its eigenvalues at the same fraction.
+// Squared lengths below this fraction of the largest are considered zero. The fit of rotations to
+// one-rings uses the same fraction for eigenvalues.
 constexpr double kZeroShare = 1e-12;
 
 // The report under construction and its limit on listed places.
@@ -111,7 +111,6 @@ struct Findings {
   std::size_t most_listed;
 };
 
-// Appends the defect unless nothing was found.
 void add(const Findings& findings, DefectKind kind, std::span<const Index> found) {
   if (found.empty()) return;
   const std::size_t width = describe(kind).element == Element::edge ? 2 : 1;
@@ -120,7 +119,7 @@ void add(const Findings& findings, DefectKind kind, std::span<const Index> found
   findings.report.defects.push_back({kind, count, {listed.begin(), listed.end()}});
 }
 
-// Returns the ends of the listed edges, one after another.
+// Returns the ends of the listed edges, concatenated.
 std::vector<Index> ends_of(const Edges& edges, std::span<const Index> list) {
   std::vector<Index> ends;
   ends.reserve(2 * list.size());
@@ -172,7 +171,7 @@ RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& p
   Vector3d center = Vector3d::Zero();
   for (const Index j : ring) center += positions[j] - positions[i];
   center /= static_cast<double>(ring.size() + 1);
-  // The only line that could hold all members runs from the mean to the member farthest from it.
+  // If all points are on a line, it contains the mean and the point farthest from it.
   double size = center.squaredNorm();
   Vector3d farthest = -center;
   for (const Index j : ring) {

@@ -9,7 +9,7 @@
 
 namespace lapwing {
 
-/// Kinds of defects, and of facts worth knowing before an edit, in the order of the report.
+/// Kinds of defects, and of facts that are useful before an edit, in the order of the report.
 enum class DefectKind {
   no_faces,
   non_finite_vertex,
@@ -33,41 +33,41 @@ enum class DefectKind {
 inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::self_intersection) + 1;
 
 enum class Severity {
-  info,     ///< nothing is wrong
-  warning,  ///< editing works; the effect is worth knowing
-  error,    ///< cannot be edited there
+  info,     ///< not a defect
+  warning,  ///< editing works, but the defect has an effect
+  error,    ///< the mesh cannot be edited at the defect
 };
 
-/// Elements that a defect's list of indices refers to.
+/// Type of the elements in a defect's list of indices.
 enum class Element {
   none,
   vertex,
   face,
-  edge,       ///< two vertices for each edge
-  component,  ///< one vertex for each component, its smallest
+  edge,       ///< two vertices per edge
+  component,  ///< the smallest vertex of each component
 };
 
-/// A kind of defect in words for the user.
+/// Texts about a kind of defect.
 struct DefectInfo {
   std::string_view key;        ///< for reports: "unwelded_seam"
   std::string_view name;       ///< plural: "unwelded seam edges"
-  std::string_view meaning;    ///< what it is and what it does to an edit
-  std::string_view next_step;  ///< what to do about it; empty if nothing needs doing
+  std::string_view meaning;    ///< what the defect is, and its effect on an edit
+  std::string_view next_step;  ///< recommended action; may be empty
   Severity severity = Severity::info;
   Element element = Element::none;
-  bool fixable = false;  ///< whether `fix` repairs all of them
+  bool fixable = false;  ///< whether `fix` repairs all defects of this kind
 };
 
 const DefectInfo& describe(DefectKind kind);
 
-/// Default limit on the places that a defect lists.
+/// Default maximum number of elements that a defect lists.
 inline constexpr std::size_t kMaxListed = 8;
 
-/// One kind of defect and its places. `describe(kind)` explains it.
+/// All defects of one kind. `describe(kind)` explains the kind.
 struct Defect {
   DefectKind kind = DefectKind::no_faces;
   std::size_t count = 0;     ///< number of elements
-  std::vector<Index> first;  ///< the first elements, ascending; an edge is two numbers
+  std::vector<Index> first;  ///< the first elements, ascending; an edge is two entries
 };
 
 /// The result of `check`. Defects are in the order of DefectKind, each kind at most once.
@@ -83,13 +83,13 @@ struct CheckReport {
   bool is_fixable() const;
 };
 
-/// Examines `mesh`. Each defect lists its first `most_listed` places. Positions are compared
-/// exactly. A face counts as having no area, and a ring as lying on a line, below 1e-12 of its
-/// squared size. Near-linear in the size of the mesh. Accepts any mesh with valid vertex indices.
+/// Examines `mesh`. Each defect lists at most `most_listed` elements. Positions are compared
+/// exactly. The tolerance for zero-area faces and collinear rings is 1e-12 of the squared size.
+/// Near-linear in the size of the mesh. Accepts any mesh with valid vertex indices.
 CheckReport check(const Mesh& mesh, std::size_t most_listed = kMaxListed);
 
-/// Adds the faces that intersect or touch others to the report on `mesh`. `check` omits them
-/// because they take several times as long. Throws what `self_intersections` throws.
+/// Adds the faces that intersect or touch others to the report about `mesh`. `check` omits them,
+/// because they take several times as long. Throws the errors of `self_intersections`.
 void add_self_intersections(const Mesh& mesh, CheckReport& report);
 
 }  // namespace lapwing

@@ -21,7 +21,7 @@ std::vector<Index> vertices_of(const Mesh& mesh, std::span<const Index> corners)
   return vertices;
 }
 
-// Returns the corners of face f without those that repeat the vertex of the corner before.
+// Returns the corners of face f without corners that have the same vertex as the previous corner.
 std::vector<Index> without_successive_repeats(const Mesh& mesh, std::size_t f) {
   const std::vector<Index>& vertex_of = mesh.face_vertices();
   std::vector<Index> corners;
@@ -40,7 +40,7 @@ void add_face(FaceSources& sources, std::size_t face, std::span<const Index> cor
   sources.starts.push_back(static_cast<Index>(sources.corners.size()));
 }
 
-// Adds the triangles of the polygon that are not degenerate.
+// Adds the non-degenerate triangles of the polygon.
 void add_triangles(const Mesh& mesh, std::size_t face, std::span<const Index> corners,
                    FaceSources& sources) {
   Positions positions;
@@ -94,7 +94,8 @@ MendedFaces mend_faces(const Mesh& mesh) {
 
 namespace {
 
-// Sums a hash of each vertex (the finalizer of SplitMix64), so that their order does not matter.
+// Sums a hash of each vertex (the finalizer of SplitMix64), so that the result does not depend on
+// the order.
 std::uint64_t hash_of_vertices(std::span<const Index> face) {
   std::uint64_t sum = face.size();
   for (const Index v : face) {
@@ -126,7 +127,7 @@ std::vector<Index> find_repeated_faces(const Mesh& mesh) {
   }
   std::ranges::sort(hashes);
   std::vector<Index> repeated;
-  std::vector<std::vector<Index>> distinct;  // the vertex sets of the current hash
+  std::vector<std::vector<Index>> distinct;  // the different vertex sets with the current hash
   for (std::size_t i = 0; i < hashes.size(); ++i) {
     cancel_check();
     const bool first_of_hash = i == 0 || hashes[i].first != hashes[i - 1].first;

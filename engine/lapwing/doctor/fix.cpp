@@ -36,7 +36,7 @@ constexpr std::array<RepairInfo, kRepairKindCount> kRepairs{{
 
 using Counts = std::array<std::size_t, kRepairKindCount>;
 
-// The mesh under repair and the record of what was done to it.
+// The mesh being repaired, and the record of its repairs.
 class Repairs {
  public:
   explicit Repairs(const Mesh& mesh) : mesh_(mesh), vertex_sources_(mesh.vertex_count()) {
@@ -143,7 +143,7 @@ void Repairs::remove_loose_vertices() {
 void Repairs::split_bow_ties() {
   const Fans fans = find_fans(mesh_, build_edges(mesh_));
   if (fans.bow_tie_vertices.empty()) return;
-  // The first fan found at a vertex keeps it; every later one gets a copy.
+  // The first fan of a vertex keeps the vertex; every other fan gets a copy.
   std::vector<Index> sources(mesh_.vertex_count());
   std::iota(sources.begin(), sources.end(), Index{0});
   std::vector<Index> vertex_of_fan(mesh_.face_vertices().size(), kNoIndex);
@@ -203,8 +203,8 @@ FixReport fix(Mesh& mesh) {
   validate_attributes(mesh);
   Repairs repairs(mesh);
   repairs.remove_non_finite();
-  // Welding can leave faces that repeat a vertex or each other, and removing those opens new
-  // boundaries. Every round but the last removes a vertex.
+  // Welding can create faces that repeat a vertex or another face, and their removal creates new
+  // boundaries. Every iteration but the last removes a vertex.
   do {
     repairs.mend_degenerate_faces();
     repairs.remove_repeated_faces();

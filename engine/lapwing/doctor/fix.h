@@ -24,10 +24,10 @@ enum class RepairKind {
 };
 inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::turned_parts) + 1;
 
-/// A repair in words for reports.
+/// Texts about a kind of repair.
 struct RepairInfo {
   std::string_view key;   ///< "welded_vertices"
-  std::string_view text;  ///< what was done, as text after the count
+  std::string_view text;  ///< description that follows the count
 };
 const RepairInfo& describe(RepairKind kind);
 
@@ -37,33 +37,32 @@ struct Repair {
   std::size_t count = 0;
 };
 
-/// The result of `fix`. Repairs are in the order of RepairKind, each kind at most once, counts
-/// above 0.
+/// The result of `fix`. Repairs are in the order of RepairKind, each kind at most once, with
+/// positive counts.
 struct FixReport {
   std::vector<Repair> repairs;
-  std::vector<Index> vertex_sources;  ///< the old number of each vertex; the old order, copies last
+  std::vector<Index> vertex_sources;  ///< old index of each vertex; in the old order, copies last
 
   bool changed() const { return !repairs.empty(); }
   /// Returns the number of repairs of this kind; 0 if there were none.
   std::size_t count(RepairKind kind) const;
 };
 
-/// Repairs defects that have one sensible repair, so that `check` finds no fixable defect
-/// afterwards and a second call does nothing:
-///  - removes vertices that are not finite, with their faces, and vertices without a face;
-///  - replaces each face that repeats a vertex by faces that do not, and removes it if there are
-///    none (mend_faces);
+/// Repairs defects that have only one sensible repair. Afterwards, `check` finds no fixable defect,
+/// and a second call does nothing. The function
+///  - removes non-finite vertices with their faces, and vertices without a face;
+///  - replaces each face that repeats a vertex by proper faces, or removes it (mend_faces);
 ///  - removes faces that have the same vertices as an earlier face;
-///  - welds boundary edges at exactly the same place (find_seams), keeping the lower vertex;
-///  - gives each fan of a bow-tie vertex its own vertex;
+///  - welds coincident boundary edges (find_seams), and keeps the vertices of lower index;
+///  - creates a separate vertex for each fan of a bow-tie vertex;
 ///  - flips faces of inconsistent sheets, so that neighbours have the same orientation
 ///    (analyze_orientation);
 ///  - flips closed sheets that are inside out, together with the closed sheets inside them.
-/// Attributes stay with their vertices, faces and corners, so UVs and materials survive; stored
-/// normals are not recomputed. Positions do not change. Any repair resets `mesh.source`.
-/// Non-manifold edges, zero-area faces and one-sided surfaces stay. Near-linear. Throws InputError,
-/// and leaves the mesh unchanged, if an index or attribute list is invalid, or if a mesh with
-/// vertices would be left without faces.
+/// Attributes of the remaining vertices, faces and corners are preserved; stored normals are not
+/// recomputed. Positions do not change. Any repair resets `mesh.source`. Non-manifold edges,
+/// zero-area faces and one-sided surfaces are not repaired. Near-linear. Throws InputError, and
+/// leaves the mesh unchanged, if an index or attribute list is invalid, or if a mesh with vertices
+/// would have no faces afterwards.
 FixReport fix(Mesh& mesh);
 
 }  // namespace lapwing

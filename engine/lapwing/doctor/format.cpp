@@ -15,7 +15,7 @@ constexpr std::size_t kMaxListedComponents = 5;
 constexpr int kLabelWidth = 14;
 constexpr int kSeverityWidth = 9;
 
-// Returns a stream that writes numbers the same way in every locale.
+// Returns a stream whose output does not depend on the locale.
 std::ostringstream plain_stream() {
   std::ostringstream out;
   out.imbue(std::locale::classic());

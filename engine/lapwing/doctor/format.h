@@ -7,17 +7,17 @@
 
 namespace lapwing {
 
-// Text for a terminal: plain ASCII, no colours, each line ends with a newline.
+// Text for a terminal: ASCII without colours; each line ends with a newline.
 
-/// Returns the mesh's size and shape, one quantity per line.
+/// Returns the statistics, one quantity per line.
 std::string format(const MeshStatistics& statistics);
 
-/// Returns one line for each defect with severity, count and first places in aligned columns,
-/// followed by its meaning for editing and the next step. A last line says how many kinds can be
-/// repaired.
+/// Returns, for each defect, one line with severity, count and first elements in aligned columns,
+/// followed by its meaning for editing and the next step. The last line contains the number of
+/// kinds that can be repaired.
 std::string format(const CheckReport& report);
 
-/// Returns one line for each repair with its count.
+/// Returns one line for each kind of repair with its count.
 std::string format(const FixReport& report);
 
 }  // namespace lapwing

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 // Returns whether the ray from `p` along +x crosses the segment, both projected to the xy plane.
-// The result does not depend on the direction of the segment. Two triangles with a common edge thus
-// get the same result for it, and no ray passes between them.
+// The result does not depend on the direction of the segment. Two triangles thus get the same
+// result for their common edge, and no ray passes between them.
 bool passes(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   if ((a.y() > p.y()) == (b.y() > p.y())) return false;
   const Vector3d& low = a.y() < b.y() ? a : b;
@@ -27,7 +27,7 @@ bool passes(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 }
 
 // Returns whether the ray from `p` along +z crosses the triangle. If `p` is inside a closed
-// surface, the ray crosses an odd number of its triangles. Their orientation does not matter.
+// surface, the ray crosses an odd number of its triangles, independent of their orientation.
 bool crosses(const Vector3d& p, const std::array<Vector3d, 3>& triangle) {
   int turns = 0;  // winding number of the triangle around the ray
   for (std::size_t k = 0; k < 3; ++k) {

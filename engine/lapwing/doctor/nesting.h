@@ -7,12 +7,12 @@
 
 namespace lapwing {
 
-/// A closed surface that is consistently oriented, or will be after Orientation::faces_to_flip are
+/// A closed surface that is consistently oriented, at least after Orientation::faces_to_flip are
 /// flipped.
 struct ClosedSheet {
   std::vector<Index> faces;
   double volume = 0.0;    ///< enclosed volume; negative if oriented inward
-  bool may_turn = false;  ///< whether it is consistent, so that it can be flipped whole
+  bool may_turn = false;  ///< whether it is consistent, so that all its faces may be flipped
 };
 
 /// Returns, for each sheet, the sheets that contain it, in ascending order. Sheet A contains sheet

@@ -18,11 +18,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Faces connected through edges with two sides, as the flood found them.
+// Faces that are connected through edges with two sides, in the order of the flood fill.
 struct Sheet {
   std::vector<Index> faces;
   std::vector<Index> inconsistent_edges;
-  std::vector<Index> border;  // sides whose edge does not have exactly two sides
+  std::vector<Index> border;  // sides of edges that do not have exactly two sides
   bool one_sided = false;
 };
 
@@ -34,8 +34,8 @@ class Flood {
   bool seen(Index face) const { return state_[face] != kUnseen; }
   bool flipped(Index face) const { return state_[face] == kFlipped; }
 
-  // Visits every face of the sheet of `seed`, and decides for each whether to flip it so that it
-  // agrees with the face it was reached from.
+  // Visits every face of the sheet of `seed`. Decides whether to flip a face so that it is
+  // consistent with the face from which it was reached.
   Sheet visit(Index seed) {
     Sheet sheet;
     sheet.faces.push_back(seed);
@@ -79,7 +79,7 @@ class Flood {
   std::vector<unsigned char> state_;
 };
 
-// Integrals over a sheet. Faces that the flood marked count as flipped.
+// Integrals over a sheet. Faces that the flood fill marked are treated as flipped.
 struct SheetSize {
   double volume = 0.0;  // enclosed volume; for an open sheet, the volume of its cone to the origin
   double area = 0.0;
@@ -91,8 +91,8 @@ struct SheetSize {
   }
 };
 
-// Returns a point of the sheet, used as the origin of the volume integral. With a distant
-// origin, the terms of the integral would cancel and lose digits.
+// Returns a point of the sheet, used as the origin of the volume integral. With a distant origin,
+// the integral would suffer from cancellation.
 Vector3d origin_of(const Mesh& mesh, const Sheet& sheet) {
   return mesh.positions[mesh.face(sheet.faces[0])[0]];
 }
@@ -114,7 +114,7 @@ SheetSize measure_sheet(const Mesh& mesh, const Sheet& sheet, const Flood& flood
   return size;
 }
 
-// A volume below this fraction of area^1.5 is a rounding error. For a sphere, it is 0.09.
+// A volume below this fraction of area^1.5 is a rounding error. For a sphere, the fraction is 0.09.
 constexpr double kFlat = 1e-9;
 
 bool is_inward(const SheetSize& size) {
@@ -149,9 +149,9 @@ void close_holes(const Mesh& mesh, const Edges& edges, const Sheet& sheet, Sheet
   }
 }
 
-// Returns whether a consistent, open sheet encloses a negative volume after its holes are closed.
-// The ratio |across| / area measures how flat the sheet is. It is 0.5 for a hemisphere, and at
-// least 0.7 for a height field with slopes up to 45 degrees.
+// Returns whether a consistently oriented open sheet encloses a negative volume after its holes are
+// closed. The ratio |across| / area measures the flatness of the sheet. It is 0.5 for a hemisphere,
+// and at least 0.7 for a height field with slopes up to 45 degrees.
 bool is_inward_open(const Mesh& mesh, const Edges& edges, const Sheet& sheet, SheetSize size) {
   constexpr double kMostOpen = 0.6;
   if (!(size.across.norm() <= kMostOpen * size.area)) return false;

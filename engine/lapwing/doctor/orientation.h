@@ -6,27 +6,29 @@
 
 namespace lapwing {
 
-/// Lists the polygons to flip so that the orientation is consistent. Polygons that share an edge
-/// with exactly two sides belong to the same sheet. Two such polygons are consistent if they
-/// traverse the edge in opposite directions.
+/// Lists the polygons to flip so that the orientation is consistent. Two polygons belong to the
+/// same sheet if they are the only polygons at an edge. They are consistent if they traverse this
+/// edge in opposite directions.
 struct Orientation {
-  /// Edges whose two sides run in the same direction, in sheets that flipping faces can repair.
+  /// Edges that two polygons traverse in the same direction, in sheets that flips of faces can
+  /// repair.
   std::vector<Index> inconsistent_edges;
-  /// The same in one-sided sheets (a Moebius strip), where no choice of flips repairs all of them.
+  /// Inconsistent edges of one-sided sheets, such as a Moebius strip. No choice of flips can repair
+  /// all of them.
   std::vector<Index> one_sided_edges;
-  /// Faces to flip so that no inconsistent edge is left. In a closed sheet, these flips make the
-  /// enclosed volume positive. In an open sheet, they are as few as possible. If two choices have
-  /// the same number of flips, the first face of the sheet is not flipped.
+  /// Faces to flip so that no inconsistent edge remains. In a closed sheet, these flips make the
+  /// enclosed volume positive. In an open sheet, their number is minimal. If two choices have the
+  /// same number of flips, the first face of the sheet is not flipped.
   std::vector<Index> faces_to_flip;
 
   /// The smallest vertex of each closed sheet that is inside out. These sheets are oriented inward
-  /// but are not cavities. A cavity is oriented inward and lies inside a solid.
+  /// but are not cavities. A cavity is oriented inward and is inside a solid.
   std::vector<Index> inside_out;
-  /// The faces of the sheets in `inside_out`, and of the sheets inside them that must be flipped
-  /// with them. A solid that is inside out thus keeps its cavities.
+  /// The faces of the sheets in `inside_out`, and of sheets inside these that must be flipped
+  /// together with them, so that cavities remain cavities.
   std::vector<Index> faces_to_turn;
-  /// The smallest vertex of each open sheet that encloses a negative volume if a fan closes every
-  /// hole. Sheets much flatter than a hemisphere have no inner side and are never listed.
+  /// The smallest vertex of each open sheet that encloses a negative volume after a fan closes each
+  /// hole. Sheets that are much flatter than a hemisphere have no inner side and are never listed.
   std::vector<Index> inward_open;
 };
 

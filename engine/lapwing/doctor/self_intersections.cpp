@@ -18,13 +18,14 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<const Vector3d*, 3>;
 
-// Shewchuk's (1997) bounds on the relative error of both determinants, with room for the squares.
+// Bounds on the relative error of the two determinants (Shewchuk 1997), increased to cover terms of
+// second order.
 template <class Real>
 constexpr Real kVolumeError = Real(8) * std::numeric_limits<Real>::epsilon();
 template <class Real>
 constexpr Real kAreaError = Real(4) * std::numeric_limits<Real>::epsilon();
 
-// Returns 1 or -1 if the sign is certain, else 0.
+// Returns the sign of the volume, 1 or -1, if it is certain, otherwise 0.
 template <class Real>
 int volume_sign(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
   using Vector = Eigen::Matrix<Real, 3, 1>;
@@ -44,7 +45,7 @@ int volume_sign(const Vector3d& a, const Vector3d& b, const Vector3d& c, const V
   return sum > 0 ? 1 : -1;
 }
 
-// Returns on which side of the plane of a, b, c the point d lies.
+// Returns the side, 1 or -1, of the plane of a, b, c on which d is, or 0 if this is uncertain.
 int side_of_plane(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
   const int sign = volume_sign<double>(a, b, c, d);
   return sign != 0 ? sign : volume_sign<long double>(a, b, c, d);
@@ -62,7 +63,7 @@ Plane plane_of(const Corners& t) {
   return {(axis + 1) % 3, (axis + 2) % 3};
 }
 
-// Returns on which side of the line from a to b the point c lies.
+// Returns the side, 1 or -1, of the line from a to b on which c is, or 0 if this is uncertain.
 int side_of_line(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Plane& plane) {
   using Real = long double;
   const auto [x, y] = plane;
@@ -77,7 +78,7 @@ bool overlap(double a, double b, double c, double d) {
   return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
 }
 
-// Returns whether two closed segments of one plane meet.
+// Returns whether two closed segments in one plane have a common point.
 bool segments_meet(const Vector3d& p, const Vector3d& q, const Vector3d& a, const Vector3d& b,
                    const Plane& plane) {
   return side_of_line(p, q, a, plane) * side_of_line(p, q, b, plane) <= 0 &&
@@ -90,7 +91,7 @@ bool all_on_one_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// Returns whether a closed segment and a closed triangle meet.
+// Returns whether a closed segment and a closed triangle have a common point.
 bool segment_meets(const Vector3d& p, const Vector3d& q, const Corners& t) {
   const int at_p = side_of_plane(*t[0], *t[1], *t[2], p);
   const int at_q = side_of_plane(*t[0], *t[1], *t[2], q);
@@ -140,7 +141,7 @@ class Finder {
   struct Node {
     Box box;
     std::size_t begin = 0, end = 0;  // range in items_
-    std::size_t second = 0;          // second child, 0 in a leaf; the first is the next node
+    std::size_t second = 0;          // second child, 0 in a leaf; the first child follows
   };
   static constexpr std::size_t kLeaf = 8;
 
@@ -204,8 +205,8 @@ class Finder {
         kMostPairs.variable + " to a larger number");
   }
 
-  // Permutes both triangles so that their shared corners come first, and returns the number of
-  // these.
+  // Permutes both triangles so that their shared corners come first. Returns the number of shared
+  // corners.
   std::size_t line_up(Triangle& a, Triangle& b) const {
     std::size_t shared = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -34,7 +34,7 @@ long count_used_vertices(const Mesh& mesh, const Fans& fans) {
 }
 
 long count_used_faces(const Topology& topology) {
-  // Triangles come in the order of their faces.
+  // Triangles are in the order of their faces.
   long count = 0;
   CancelCheck cancel_check;
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {

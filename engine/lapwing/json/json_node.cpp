@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Describes a value for "got ..." in a message.
+// Returns a description of a value for "got ..." in messages.
 std::string in_words(const Json& json) {
   switch (json.type()) {
     case Json::value_t::null:
@@ -41,7 +41,7 @@ std::string in_words(const Json& json) {
 
 bool is_vertex(const Json& json) {
   if (!json.is_number_integer()) return false;
-  // In documents not read from text, whole numbers may be signed or unsigned.
+  // In documents that were not read from text, whole numbers may have a signed or unsigned type.
   const bool negative = !json.is_number_unsigned() && json.get<std::int64_t>() < 0;
   return !negative && json.get<std::uint64_t>() < kNoIndex;
 }
@@ -207,8 +207,8 @@ double JsonNode::number_from_zero() const {
 
 std::size_t JsonNode::count() const {
   const Json& json = *value_->json;
-  // Some exporters write 12.0.
-  constexpr double kMost = 9007199254740992.0;  // 2^53: doubles hold all whole numbers up to it
+  // Accept 12.0, which some exporters write.
+  constexpr double kMost = 9007199254740992.0;  // 2^53: doubles represent all smaller whole numbers
   const double value = json.is_number() ? json.get<double>() : -1.0;
   if (!(value >= 0.0 && value <= kMost && std::floor(value) == value)) {
     fail_expecting("a whole number from 0");
@@ -225,7 +225,7 @@ std::vector<Index> JsonNode::vertices() const {
   require_list("a list of vertex numbers");
   std::vector<Index> indices;
   indices.reserve(value_->json->size());
-  // Lists of a million are common, so an element only gets a JsonNode to report an error.
+  // Lists may have a million elements, so a JsonNode is only created for an element with an error.
   for (const Json& element : *value_->json) {
     indices.push_back(is_vertex(element)
                           ? element.get<Index>()

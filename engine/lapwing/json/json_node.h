@@ -12,9 +12,9 @@
 
 namespace lapwing {
 
-/// A value in a JSON document that knows its place. Every accessor checks the type, and throws
-/// InputError "NAME: /json/pointer: expected ..., got ..." if it is wrong. Cheap to copy; keeps the
-/// document alive.
+/// A value in a JSON document with its location. Every accessor checks the type, and throws
+/// InputError "NAME: /json/pointer: expected ..., got ..." if it is wrong. Copies are cheap and
+/// share ownership of the document.
 class JsonNode {
  public:
   /// Returns the root of `text`. Throws InputError with line and column if it is not JSON or if an
@@ -24,26 +24,28 @@ class JsonNode {
   struct Document;
   static JsonNode of(Document document, const std::string& name);
 
-  /// Returns document name and JSON pointer, the prefix of messages.
+  /// Returns the prefix of messages: the name of the document and the JSON pointer.
   const std::string& where() const { return where_; }
-  /// The same for the value at `pointer`, relative to this one and without a leading slash.
+  /// Returns the prefix of messages for the value at `pointer`, which is relative to this value and
+  /// has no leading slash.
   std::string where(std::string_view pointer) const;
   [[noreturn]] void fail(const std::string& message) const;
   [[noreturn]] void fail_expecting(const std::string& what) const;
 
-  /// Throws unless this is an object with keys of `known` only. The message suggests the nearest
-  /// key.
+  /// Throws InputError unless this is an object whose keys are all in `known`. The message suggests
+  /// the nearest key.
   void require_keys(const std::vector<std::string_view>& known) const;
-  std::vector<std::string> keys() const;  ///< of this object, sorted
+  std::vector<std::string> keys() const;  ///< keys of this object, sorted
   bool has(std::string_view key) const;
   JsonNode at(std::string_view key) const;
   std::optional<JsonNode> find(std::string_view key) const;
-  /// Returns the only one of `keys` in this object. None or several are errors about `what`.
+  /// Returns the key of this object that is in `keys`. Throws InputError about `what` if there are
+  /// none or several.
   std::string_view only_key_of(const std::vector<std::string_view>& keys,
                                const std::string& what) const;
 
-  /// Returns the index of this string in `names`. Otherwise the error is "unknown WHAT ..." with
-  /// the nearest name.
+  /// Returns the index of this string in `names`. If it is not there, throws InputError "unknown
+  /// WHAT ..." with the nearest name.
   std::size_t one_of(const std::string& what, const std::vector<std::string_view>& names) const;
 
   std::vector<JsonNode> elements() const;

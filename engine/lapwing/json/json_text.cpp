@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-// Returns whether the string `quoted`, with its quotes, equals `key`.
+// Returns whether the JSON string `quoted`, with its quotes, equals `key`.
 bool says(std::string_view quoted, std::string_view key) {
   const std::string_view bare = quoted.substr(1, quoted.size() - 2);
   if (bare.find('\\') == std::string_view::npos) return bare == key;
@@ -107,7 +107,7 @@ std::optional<JsonPlace> JsonText::find_with_key(JsonPlace object, std::string_v
 void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits) {
   const auto place = text.find_with_key(object, key);
   if (!place) return;
-  // Remove the comma after the member, or the one before it if it is the last.
+  // Also remove the comma after the member or, for the last member, the comma before it.
   std::size_t begin = place->begin;
   std::size_t end = place->end;
   const std::size_t next = text.text().find_first_not_of(" \t\r\n", end);

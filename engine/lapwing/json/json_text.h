@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// The place of a value in the text of a JSON document: its first byte, and the one after its last.
+/// The byte range [begin, end) of a value in the text of a JSON document.
 struct JsonPlace {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -18,10 +18,9 @@ struct JsonPlace {
 /// number of the first line of `text`.
 std::string line_and_column(std::string_view text, std::size_t at, std::size_t first_line = 1);
 
-/// Finds values in a text that `parse_json` has accepted, so that a value can be replaced while all
-/// other bytes stay. Each call scans the given object or list at most once. All calls throw
-/// InputError, with line and column, if a value has an unexpected type or a required member or
-/// element is missing.
+/// Finds values in a text that `parse_json` has accepted, to replace them without changing other
+/// bytes. Each call scans the given object or list at most once. All calls throw InputError, with
+/// line and column, if a value has an unexpected type or a required member or element is missing.
 class JsonText {
  public:
   /// Error messages start with `name`. `text` must outlive this object.
@@ -34,9 +33,9 @@ class JsonText {
   JsonPlace at(JsonPlace object, std::string_view key) const;
   /// Returns the location of the value of `key`, or nullopt if `object` does not have the key.
   std::optional<JsonPlace> find(JsonPlace object, std::string_view key) const;
-  /// Returns the same as `find`, but the location includes the key.
+  /// Returns the location of `key` and its value, or nullopt if `object` does not have the key.
   std::optional<JsonPlace> find_with_key(JsonPlace object, std::string_view key) const;
-  /// Returns the places of the values in `list`, in order.
+  /// Returns the locations of the values in `list`, in order.
   std::vector<JsonPlace> elements(JsonPlace list) const;
   /// Returns the location of element `number` of the list with the key `list` in the root object.
   JsonPlace element(std::string_view list, std::size_t number) const;
@@ -57,14 +56,14 @@ class JsonText {
   std::string name_;
 };
 
-/// Replaces ranges of a text and keeps the rest.
+/// A list of replacements of ranges of a text.
 class TextEdits {
  public:
   void replace(JsonPlace place, std::string text) { edits_.push_back({place, std::move(text)}); }
   void insert(std::size_t at, std::string text) { replace({at, at}, std::move(text)); }
 
   bool is_empty() const { return edits_.empty(); }
-  /// Returns `text` with all edits. Insertions at one place keep the order of the calls.
+  /// Returns `text` with all edits. Insertions at the same position are in the order of the calls.
   std::string applied_to(std::string_view text) const;
 
  private:

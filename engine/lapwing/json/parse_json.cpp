@@ -136,14 +136,14 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  // Returns the pointer of the value that is being read.
+  // Returns the JSON pointer of the value being read.
   std::string pointer() const {
     return open_.empty()              ? "/"
            : open_.back()->is_array() ? pointer(std::to_string(open_.back()->size()))
                                       : pointer(keys_.back());
   }
 
-  // Returns the pointer of `last` in the innermost object or list.
+  // Returns the JSON pointer of `last` in the innermost open object or list.
   std::string pointer(std::string_view last) const {
     std::string text;
     for (std::size_t k = 0; k + 1 < open_.size(); ++k) {
@@ -165,7 +165,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   std::size_t read_ = 0;
   Json root_;
   std::vector<Json*> open_;        // open objects and lists, outermost first
-  std::vector<std::string> keys_;  // their last keys; empty for a list
+  std::vector<std::string> keys_;  // last key of each open object; empty for a list
 };
 
 }  // namespace

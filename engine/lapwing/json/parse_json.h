@@ -10,13 +10,14 @@
 
 namespace lapwing {
 
-/// Largest depth of nested lists and objects. It is three times that of the deepest valid region of
-/// a recipe, and small enough for recursive functions.
+/// Largest depth of nested lists and objects. It is three times the depth of the deepest valid
+/// region of a recipe, and small enough for recursive functions.
 inline constexpr std::size_t kDeepestJson = 500;
 
 /// Parses `text`. Throws InputError with line and column if it is not JSON, if a number is too
-/// large for a double, if it is nested deeper than kDeepestJson, or if an object has a key twice.
-/// Messages call the text `name` and count its lines from `first_line`.
+/// large for a double, if values are nested deeper than kDeepestJson, or if an object has a key
+/// twice. `name` is the name of the text in messages, and `first_line` the number of its first
+/// line.
 nlohmann::ordered_json parse_json(std::string_view text, const std::string& name,
                                   std::size_t first_line = 1);
 

@@ -36,11 +36,11 @@ std::string quoted_list(std::span<const std::string_view> names) {
 }
 
 std::string_view nearest(std::string_view name, std::span<const std::string_view> known) {
-  // If half of the letters differ, it is another word and not a typo.
+  // If more than half of the letters differ, the name is probably not a typo.
   std::size_t least = std::max<std::size_t>(name.size() / 2, 1) + 1;
   std::string_view best;
   for (const std::string_view candidate : known) {
-    // A prefix counts like one wrong letter.
+    // A prefix of a known name counts as one wrong letter.
     const bool is_start = !name.empty() && candidate.starts_with(name);
     const std::size_t distance = is_start ? 1 : edit_distance(name, candidate);
     if (distance < least) {

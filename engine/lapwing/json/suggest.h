@@ -7,7 +7,7 @@
 namespace lapwing {
 
 /// Returns the end of a message about a name that is not in `known`: `did you mean "roi"? Known
-/// here: "op", "roi"`. Leaves the question out if no known name is close.
+/// here: "op", "roi"`. If no known name is close, the question is omitted.
 std::string suggest(std::string_view name, std::span<const std::string_view> known);
 
 /// Returns the known name closest to `name`, or an empty string if no known name is close.

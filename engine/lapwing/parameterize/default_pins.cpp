@@ -63,7 +63,7 @@ class PrincipalView {
 
   const Patch& patch_;
   std::span<const Eigen::Vector3d> positions_;
-  std::vector<Sample> samples_;  //< points on the patch, each with the area that it represents
+  std::vector<Sample> samples_;  //< quadrature points on the patch, each with its area
   double area_ = 0.0;
   double radius_ = 0.0;
   Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
@@ -94,7 +94,7 @@ PrincipalView::PrincipalView(const Patch& patch, std::span<const Vector3d> own_p
   choose_sign();
 }
 
-// Six points per triangle that integrate polynomials of degree 4 exactly (Dunavant 1985).
+// Uses six quadrature points per triangle, exact for polynomials of degree 4 (Dunavant 1985).
 void PrincipalView::sample_area() {
   constexpr std::array<std::array<double, 2>, 2> kOrbits{
       {{0.445948490915965, 0.223381589678011}, {0.091576213509771, 0.109951743655322}}};
@@ -124,7 +124,8 @@ void PrincipalView::place_center() {
   for (const Vector3d& p : positions_) radius_ = std::max(radius_, (p - center_).norm());
 }
 
-// Looks along the mean normal or, if the patch nearly closes, along its least extent.
+// Projects along the mean normal or, if the patch is nearly closed, along the direction of its
+// smallest extent.
 void PrincipalView::look_along_normal() {
   Vector3d normal = Vector3d::Zero();
   for (const auto& [a, b, c] : patch_.triangles) {
@@ -151,13 +152,12 @@ void PrincipalView::look_along_normal() {
   axes_[1] = normal_.cross(axes_[0]);
 }
 
-// Turns the axes about the normal.
 void PrincipalView::turn(double angle) {
   const Vector3d first = std::cos(angle) * axes_[0] + std::sin(angle) * axes_[1];
   axes_ = {first, normal_.cross(first)};
 }
 
-// Returns the mean of z^power |z|^(2 rounds) over the patch, z = x + i y, in units of the radius.
+// Returns the mean of z^power |z|^(2 rounds) over the patch, where z = (x + i y) / radius.
 std::complex<double> PrincipalView::moment(int power, int rounds) const {
   std::complex<double> sum = 0.0;
   CancelCheck cancel_check;
@@ -177,21 +177,22 @@ void PrincipalView::turn_to_principal_direction() {
     turn(0.5 * std::arg(second));
     return;
   }
-  // The patch is equally wide all around, like a square, so the axes follow its sides. If the
-  // fourth moment gives no direction either, they stay as they are.
+  // The second moments are isotropic, as for a square, so the fourth moment aligns the axes with
+  // the sides. If it is isotropic as well, the axes do not change.
   const std::complex<double> fourth = moment(4);
   if (std::abs(fourth) <= kSymmetric * size * size) return;
   turn(0.25 * (std::arg(fourth) + std::numbers::pi));
-  // Of the four directions, take the one with the first boundary vertex at the lower left. That
-  // quadrant is rotated a little, so that a vertex in the middle of a side is not at its limit.
+  // Of the four possible orientations, choose the one with the first boundary vertex in the lower
+  // left quadrant. The quadrant is slightly rotated, so that the middle of a side is not on its
+  // border.
   const Vector2d first = (*this)(patch_.loop.front());
   const double quarter = 0.5 * std::numbers::pi;
   const double angle = std::atan2(first.y(), first.x()) + std::numbers::pi - 0.2 * quarter;
   turn(quarter * std::floor(angle / quarter));
 }
 
-// Points the first axis to the heavier tail or, without one, away from the first boundary vertex
-// that is on one side.
+// Orients the first axis by the sign of the third moment. If this is 0, the axis points away from
+// the first boundary vertex that is not in the middle.
 void PrincipalView::choose_sign() {
   double tail = 0.0;
   for (const Sample& s : samples_) {
@@ -208,7 +209,7 @@ void PrincipalView::choose_sign() {
   if (tail < 0.0) axes_ = {-axes_[0], -axes_[1]};
 }
 
-// Returns four vertices of the loop a quarter of its length apart, from place `first` on.
+// Returns four vertices at quarters of the loop's length, starting at position `first` of the loop.
 BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, std::size_t first) {
   const std::size_t n = patch.loop.size();
   const auto at = [&](std::size_t k) { return patch.loop[(first + k) % n]; };
@@ -219,7 +220,7 @@ BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, s
   BoundaryPins pins{at(0)};
   std::size_t k = 0;
   for (std::size_t pin = 1; pin < 4; ++pin) {
-    // Each later pin needs a vertex, too.
+    // Leave one vertex for each later pin.
     const double wanted = 0.25 * static_cast<double>(pin) * passed[n];
     do ++k;
     while (passed[k] < wanted && k + 4 < n + pin);
@@ -228,7 +229,7 @@ BoundaryPins quarters(const Patch& patch, std::span<const Vector3d> positions, s
   return pins;
 }
 
-// Returns the vertices of the loop nearest to the corners of its bounding rectangle.
+// Returns the loop vertices nearest to the corners of the bounding rectangle of the loop.
 BoundaryPins corner_pins(const Patch& patch, const PrincipalView& view) {
   Eigen::AlignedBox2d box;
   for (const Index v : patch.loop) box.extend(view(v));
@@ -247,7 +248,7 @@ std::size_t place_of(const Patch& patch, Index pin) {
                                   patch.loop.begin());
 }
 
-// Returns whether the pins are distinct and in order within one round.
+// Returns whether the pins are distinct and in the order of the loop.
 bool are_in_order(const Patch& patch, const BoundaryPins& pins) {
   const std::size_t n = patch.loop.size();
   const std::size_t first = place_of(patch, pins[0]);

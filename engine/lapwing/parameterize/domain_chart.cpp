@@ -15,10 +15,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Largest distance of a boundary vertex from the circle or rectangle, relative to its size.
+// Largest allowed distance of a boundary vertex from the circle or rectangle, relative to its size.
 constexpr double kTolerance = 1e-6;
 
-// Returns whether each boundary edge lies on one side of the box from -half_size to half_size.
+// Returns whether each boundary edge is on one side of the box around `centre` with these half
+// sizes.
 bool follows_box(std::span<const Index> boundary, std::span<const Vector2d> points,
                  const Vector2d& centre, const Vector2d& half_size) {
   for (std::size_t k = 0; k < boundary.size(); ++k) {
@@ -62,8 +63,9 @@ double lemniscate_sine(double t) {
   return sine * (sum + last);
 }
 
-// Maps the square [-1, 1]^2 by the lemniscate sine, which, after a rotation by an eighth, takes its
-// corners to +-1 and +-i. Real and imaginary part, and 1 - |z|^2, are from the addition theorems.
+// Maps the square [-1, 1]^2 by the lemniscate sine, after a rotation by 45 degrees. The corners are
+// mapped to +-1 and +-i. The real part, the imaginary part and 1 - |z|^2 follow from the addition
+// theorems.
 DomainChart::Place place_in_square(double x, double y) {
   constexpr double kQuarter = 0.25 * std::numbers::pi;
   const double s = lemniscate_sine(kQuarter * (x - y));
@@ -78,7 +80,6 @@ DomainChart::Place place_in_square(double x, double y) {
   return {z / below, sides * (1.0 + A + B - A * B) / below};
 }
 
-// Returns the centre of the circle through three points.
 Vector2d circumcentre(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   Eigen::Matrix2d chords;
   chords.row(0) = b - a;

@@ -8,18 +8,18 @@
 
 namespace lapwing {
 
-/// Maps a domain conformally to the unit disk, its boundary to the circle: a disk by scaling, a
-/// square by the lemniscate sine, the inverse of its Schwarz-Christoffel map. An axis-aligned
-/// rectangle is first scaled to a square. Keeps the symmetries of the domain up to rounding.
+/// A conformal map of a domain to the unit disk: scaling for a disk, and the lemniscate sine, the
+/// inverse of the Schwarz-Christoffel map, for a square. An axis-aligned rectangle is first scaled
+/// to a square. The map has the symmetries of the domain up to rounding errors.
 class DomainChart {
  public:
-  /// Throws InputError if the boundary vertices lie neither on a circle nor on an axis-aligned
+  /// Throws InputError if the boundary vertices are neither on a circle nor on an axis-aligned
   /// rectangle.
   DomainChart(std::span<const Index> boundary, std::span<const Eigen::Vector2d> points);
 
   struct Place {
     Eigen::Vector2d z;     ///< in the closed unit disk
-    double clearance = 0;  ///< 1 - |z|^2, without cancellation at the sides of a square
+    double clearance = 0;  ///< 1 - |z|^2, without cancellation near the boundary of a square
   };
   Place place(const Eigen::Vector2d& point) const;
 

@@ -16,18 +16,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-// A cell lists the triangles within this share of its size, so that rounding in a point's cell or
-// in a triangle's outline never separates the two.
+// A cell lists all triangles within this fraction of the cell size, so that rounding errors lose no
+// triangle.
 constexpr double kCellSlack = 1e-6;
 
-// Returns the point of the segment ab nearest to p, as a share of the way from a to b.
+// Returns the parameter in [0, 1] of the point on segment ab that is nearest to p.
 double nearest_share(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
   const Vector2d edge = b - a;
   const double squared = edge.squaredNorm();
   return squared > 0.0 ? std::clamp((p - a).dot(edge) / squared, 0.0, 1.0) : 0.0;
 }
 
-// The best point found so far.
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint point = SurfacePoint::nowhere();
@@ -36,10 +35,10 @@ struct Nearest {
 struct Edge {
   Index from;
   Index to;
-  Index apex;  // the third corner of the triangle on it
+  Index apex;  // the third corner of the triangle at this edge
 };
 
-// The x range of a triangle within a band of y.
+// Computes the x range of the part of a triangle between two values of y.
 class Outline {
  public:
   Outline(const Vector2d& a, const Vector2d& b, const Vector2d& c) : corners_{a, b, c} {}
@@ -85,7 +84,8 @@ struct DomainLocator::Grid {
       const SurfacePoint found = inside(t, p);
       if (!found.is_nowhere()) return found;
     }
-    // Outside, or in neither triangle of an edge because of rounding: take the nearest point.
+    // The point is outside or, because of rounding errors, in neither triangle of an edge. Take the
+    // nearest point.
     Nearest nearest;
     for (const Index t : candidates) {
       const auto& [a, b, c] = triangles[t];
@@ -116,7 +116,8 @@ struct DomainLocator::Grid {
     }
   }
 
-  // Makes one cell per triangle on average, square unless the triangulation is a line.
+  // Chooses one cell per triangle on average. Cells are nearly square unless the triangulation is
+  // degenerate.
   void lay_out() {
     Eigen::AlignedBox2d box;
     for (const Triangle& t : triangles) {
@@ -143,7 +144,7 @@ struct DomainLocator::Grid {
     return std::size_t{along(1, p.y())} * counts[0] + along(0, p.x());
   }
 
-  // Calls `put(cell)` for the cells that triangle t may reach into.
+  // Calls `put(cell)` for each cell that triangle t may intersect.
   template <class Put>
   void for_cells(const Triangle& t, const Put& put) const {
     const Outline outline(points[t[0]], points[t[1]], points[t[2]]);
@@ -164,7 +165,7 @@ struct DomainLocator::Grid {
 
   void fill() {
     cells.starts.assign(std::size_t{counts[0]} * counts[1] + 1, 0);
-    std::vector<Index> reached;  // the cells of each triangle, one triangle after the other
+    std::vector<Index> reached;  // the cells of all triangles, concatenated
     std::vector<std::size_t> ends;
     reached.reserve(3 * triangles.size());
     ends.reserve(triangles.size());
@@ -186,7 +187,7 @@ struct DomainLocator::Grid {
     }
   }
 
-  // Returns the barycentric coordinates, or nowhere if one is negative.
+  // Returns the barycentric coordinates of p in triangle t, or nowhere() if p is outside.
   SurfacePoint inside(Index t, const Vector2d& p) const {
     const Triangle& corners = triangles[t];
     const Vector2d a = points[corners[0]] - p;
@@ -196,7 +197,7 @@ struct DomainLocator::Grid {
     const double at_b = cross(c, a);
     const double at_c = cross(a, b);
     const double sum = at_a + at_b + at_c;
-    // Inside a triangle that is turned over, all are negative.
+    // In a flipped triangle, all coordinates of an inner point are negative.
     const double sign = sum < 0.0 ? -1.0 : 1.0;
     if (sum == 0.0 || sign * at_a < 0.0 || sign * at_b < 0.0 || sign * at_c < 0.0) {
       return SurfacePoint::nowhere();

@@ -11,20 +11,21 @@
 
 namespace lapwing {
 
-/// Finds the triangle of a planar triangulation at a point, with a uniform grid of one cell per
-/// triangle on average. Points outside get the nearest point of the boundary. Threads may share an
-/// object.
+/// Finds the triangle of a planar triangulation that contains a point. Uses a uniform grid with one
+/// cell per triangle on average. A point outside is replaced by the nearest boundary point.
+/// Thread-safe.
 class DomainLocator {
  public:
-  /// Copies both. O(n).
+  /// Copies `triangles` and `points`. O(n).
   DomainLocator(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> points);
   ~DomainLocator();
   DomainLocator(DomainLocator&&) noexcept;
   DomainLocator& operator=(DomainLocator&&) noexcept;
 
-  /// Returns a vertex of the triangulation with weight 1, up to rounding, at its point.
+  /// Returns the triangle at `point` with barycentric coordinates. At a vertex, its coordinate is 1
+  /// up to rounding errors.
   SurfacePoint locate(const Eigen::Vector2d& point) const;
-  /// Locates all points, on all threads.
+  /// Locates all points in parallel.
   std::vector<SurfacePoint> locate(std::span<const Eigen::Vector2d> points) const;
 
  private:

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Returns the name of a pin for messages; a midpoint has no number in the mesh.
+// Returns the name of a pin for messages. A midpoint has no vertex index in the mesh.
 std::string name_pin(const Patch& patch, Index pin) {
   if (pin < patch.vertices.size()) return "vertex " + std::to_string(patch.vertices[pin]);
   return "local vertex " + std::to_string(pin) + " of the patch";
@@ -27,12 +27,12 @@ std::string names(const Patch& patch, const BoundaryPins& pins) {
   return text;
 }
 
-// Returns the edges from one place in a loop of n vertices to another, n if both are the same.
+// Returns the number of edges from one position in a loop of n vertices to another; n if both are
+// equal.
 std::size_t edges_between(std::size_t from, std::size_t to, std::size_t n) {
   return from < to ? to - from : to + n - from;
 }
 
-// Returns the place of each pin in the loop.
 std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const BoundaryPins& pins) {
   const std::size_t needed = pin_count(domain);
   if (pins.size() != needed) {
@@ -64,7 +64,7 @@ std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const Bou
   return places;
 }
 
-// Returns the lengths of the loop's edges in mean edge lengths; edge k starts at vertex k.
+// Returns the lengths of the loop's edges, divided by their mean. Edge k starts at loop vertex k.
 std::vector<double> edge_lengths(const Patch& patch, std::span<const Vector3d> own_positions) {
   const std::size_t n = patch.loop.size();
   std::vector<double> lengths(n);
@@ -78,7 +78,7 @@ std::vector<double> edge_lengths(const Patch& patch, std::span<const Vector3d> o
   return lengths;
 }
 
-// Returns the point at `share` of the way from pin `p` to the next one.
+// Returns the boundary point at the fraction `share` of the side from pin `p` to the next pin.
 Vector2d point_at(Domain domain, std::size_t p, double share) {
   if (domain == Domain::disk) {
     const double angle = 2.0 * std::numbers::pi * share;
@@ -120,7 +120,7 @@ DomainMap mean_value_map(const Patch& patch, std::span<const Eigen::Vector3d> ow
 
 std::vector<Index> flipped_triangles(std::span<const Triangle> triangles,
                                      std::span<const Vector2d> points) {
-  // Rounding of a difference of two products of differences.
+  // Relative rounding error of the doubled area.
   constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
   std::vector<Index> flipped;
   for (std::size_t t = 0; t < triangles.size(); ++t) {

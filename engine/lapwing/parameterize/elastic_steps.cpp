@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Share of its area that a triangle keeps in one step. With a smaller share there are fewer steps,
-// but the next step starts from thin triangles. With a larger one the symmetric Dirichlet energy at
-// the end hardly falls.
+// Fraction of its area that every triangle keeps in one step. A smaller value needs fewer steps,
+// but the next step starts from thinner triangles. A larger value hardly reduces the symmetric
+// Dirichlet energy of the result.
 constexpr double kKeptShare = 0.5;
 
 Vector2d turned(double angle, const Vector2d& p) {
@@ -23,8 +23,8 @@ Vector2d turned(double angle, const Vector2d& p) {
   return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
 }
 
-// The remaining paths, over [0, 1]: the centroid of the pulled vertices moves straight, and around
-// it their shape changes evenly while it rotates.
+// The remaining paths for time in [0, 1]. The centroid of the pulled vertices moves straight, and
+// their offsets from it are interpolated linearly while they rotate.
 class RestOfWays {
  public:
   RestOfWays(std::span<const PointPull> pulls, PullWays ways, std::span<const Vector2d> points) {
@@ -54,7 +54,7 @@ class RestOfWays {
   }
 
  private:
-  // Finds the least-squares rotation about the centroids.
+  // Computes the least-squares rotation about the centroids.
   void find_turn() {
     const auto count = static_cast<double>(from_.size());
     for (std::size_t k = 0; k < from_.size(); ++k) {
@@ -77,7 +77,7 @@ class RestOfWays {
   double angle_ = 0.0;
 };
 
-// Returns the moves of all vertices if the pulled ones make these displacements.
+// Returns the displacements of all vertices, given those of the pulled vertices.
 std::vector<Vector2d> elastic_moves(const WarpedDomain& domain, std::span<const PointPull> pulls,
                                     std::span<const Vector2d> displacements,
                                     std::span<const Vector2d> centres,
@@ -90,7 +90,7 @@ std::vector<Vector2d> elastic_moves(const WarpedDomain& domain, std::span<const 
       if (domain.is_held[v] == 0) moves[v] = field.at(points[v]);
     }
   });
-  // The field has these values up to rounding; this makes them exact.
+  // The field interpolates these displacements only up to rounding errors. Make them exact.
   for (std::size_t k = 0; k < pulls.size(); ++k) moves[pulls[k].vertex] = displacements[k];
   return moves;
 }
@@ -115,8 +115,8 @@ int step_elastically(const WarpedDomain& domain, std::span<const PointPull> pull
   while (steps < most_steps && largest_distance(pulls, points) > 0.0) {
     const RestOfWays rest(pulls, ways, points);
     std::vector<Vector2d> moves;
-    // The fold of an attempt gives the number of even parts of the next one. An arc's first part
-    // bends less than the whole, so a few attempts suffice.
+    // The feasible step of one attempt determines the number of parts for the next. The first part
+    // of an arc bends less than the whole arc, so a few attempts suffice.
     double parts = 1.0;
     double step = 0.0;
     while (parts <= most_steps) {

@@ -10,29 +10,27 @@
 
 namespace lapwing {
 
-/// The parts of a domain that stay fixed while its points move.
+/// The data of a domain that do not change while its points move.
 struct WarpedDomain {
   std::span<const Triangle> triangles;
   DomainChart chart;
-  std::vector<char> is_held;  ///< per vertex: on the boundary, or in no triangle
+  std::vector<char> is_held;  ///< per vertex: whether it is on the boundary or in no triangle
   double extent = 1.0;        ///< the result of `extent`
 };
 
-/// The paths of pulled vertices to their targets: straight, or on arcs. An arc is straight in a
-/// frame that rotates by the angle that fits all pulls best. Two vertices that change places meet
-/// half-way on straight paths; on arcs they circle around each other.
+/// The paths of pulled vertices to their targets: straight lines or arcs. An arc is a straight line
+/// in a frame that rotates by the best-fit angle of all pulls. If two vertices swap positions,
+/// straight paths collide in the middle, but arcs do not.
 enum class PullWays { straight, arcs };
 
-/// Moves `points` towards the pulls along radial-basis fields, each from the end of the last one. A
-/// step goes the whole way if every triangle then keeps a good share of its area, otherwise the
-/// largest even part of the way that allows this. The composition follows a flow, so it can meet
-/// pulls for which a single field would fold. Stops when all pulls are met, with their vertices
-/// exactly on the targets, after `most_steps`, or if a step would be shorter than 1 / `most_steps`
-/// of the remaining way. Stays bijective. Returns the number of steps.
+/// Moves `points` towards the targets of the pulls by a sequence of radial basis fields. Each step
+/// moves along 1 / n of the remaining path, with n so large that every triangle keeps half of its
+/// area. The composition approximates a flow, so it can satisfy pulls for which a single field
+/// would fold. Stops when all pulled vertices are exactly on their targets, after `most_steps`
+/// steps, or if n would exceed `most_steps`. Remains bijective. Returns the number of steps.
 int step_elastically(const WarpedDomain& domain, std::span<const PointPull> pulls, PullWays ways,
                      int most_steps, std::vector<Eigen::Vector2d>& points);
 
-/// Returns the largest distance of a pulled vertex from its target.
 double largest_distance(std::span<const PointPull> pulls, std::span<const Eigen::Vector2d> points);
 
 }  // namespace lapwing

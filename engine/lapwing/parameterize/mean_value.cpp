@@ -23,18 +23,23 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+// Solves A dx = r in place for two columns, accurately enough for refinement.
 using Correction = std::function<void(std::span<double> columns)>;
 
 constexpr std::size_t kRowsPerTask = 1024;
 
-// Limit of tan(a / 2), which is infinite at a = 180 degrees, with the vertex on the opposite edge;
-// this is 2e-5 short of that. Also limits the ratio of a ring's longest edge to its shortest.
+// Upper bound of tan(a / 2), which is infinite for a = 180 degrees, if the vertex is on the
+// opposite edge. The bound is reached 2e-5 radians before. It also limits the ratio of the longest
+// to the shortest edge of a ring.
 constexpr double kLargestRatio = 1e5;
 
-// Weights below this share of a ring's largest one would be lost to rounding.
+// Weights are at least this fraction of the largest weight of the ring; smaller ones would vanish
+// by rounding.
 constexpr double kSmallestWeightShare = 1e-8;
 
-// tan(30 degrees): next to an edge without length, an angle counts as in an equilateral triangle.
+// tan(30 degrees): an angle next to a zero-length edge is treated as an angle of an equilateral
+// triangle.
 constexpr double kHalfTangentOfNoAngle = 0.57735026918962576;
 
 double half_tangent(const Vector3d& u, const Vector3d& v) {
@@ -52,7 +57,8 @@ struct Term {
   double half_tangents;
 };
 
-// Makes one row: collects both neighbours in each triangle around i, then merges equal neighbours.
+// Computes one row: collects both neighbours in each triangle around i, then merges equal
+// neighbours.
 class RowMaker {
  public:
   RowMaker(std::span<const Triangle> triangles, std::span<const Vector3d> positions)
@@ -75,7 +81,7 @@ class RowMaker {
     const std::span weights = values.subspan(1);
     double sum = 0.0;
     for (double& w : weights) {
-      // If every angle is 0, all neighbours count the same.
+      // If all angles are 0, all neighbours have the same weight.
       w = largest > 0.0 ? std::max(w, kSmallestWeightShare * largest) : 1.0;
       sum += w;
     }
@@ -99,7 +105,7 @@ class RowMaker {
     }
     std::sort(terms_.begin(), terms_.end(),
               [](const Term& a, const Term& b) { return a.column < b.column; });
-    // Around an inner vertex every neighbour is in two triangles.
+    // Each neighbour of an inner vertex is in two triangles.
     for (std::size_t k = 0; 2 * k < terms_.size(); ++k) {
       terms_[k] = {terms_[2 * k].column,
                    terms_[2 * k].half_tangents + terms_[2 * k + 1].half_tangents};
@@ -112,17 +118,17 @@ class RowMaker {
   std::vector<Term> terms_;
 };
 
-// Limit of the refined points' residual: rounding, with room for rings of many neighbours.
+// Largest accepted residual after refinement: the rounding error of rings with many neighbours.
 constexpr double kResidualLimit = 1e-12;
 
-// Refinement goes on while it reduces the residual below this share.
+// Refinement continues while an iteration reduces the residual at least by this factor.
 constexpr double kLeastGain = 0.5;
 
-// The normal matrix has the square of a ring's size in entries. Beyond this ring size, those of one
-// vertex outnumber a whole patch's.
+// A ring of k vertices contributes about k^2 entries to the normal matrix. Beyond this size, one
+// ring has more entries than all other rings of a typical patch.
 constexpr std::size_t kLargestRingOfNormalEquations = 1000;
 
-// A patch of less area than this share of its extent's square is a line or a point.
+// A patch whose area is below this fraction of its squared bounding box diagonal is degenerate.
 constexpr double kSmallestAreaShare = 1e-14;
 
 void require_extent(const Patch& patch, std::span<const Vector3d> positions) {
@@ -147,7 +153,6 @@ void require_extent(const Patch& patch, std::span<const Vector3d> positions) {
                    "area");
 }
 
-// Returns all own vertices that are not on the loop.
 std::vector<Index> inner_vertices(const Patch& patch) {
   std::vector<char> on_loop(patch.size(), 0);
   for (const Index v : patch.loop) on_loop[v] = 1;
@@ -161,8 +166,8 @@ std::vector<Index> inner_vertices(const Patch& patch) {
   return inner;
 }
 
-// Computes the residual of each row: x of all rows, then y. Differences of close points are exact,
-// so that rings far smaller than the domain keep all their digits.
+// Computes the residuals of all rows, x before y. Differences of close points are exact, so even
+// residuals of very small rings are accurate.
 void residuals(const BlockRows& A, std::span<const Vector2d> points, std::span<double> r) {
   for (std::size_t row = 0; row < A.size(); ++row) {
     const Vector2d& center = points[A.columns[A.starts[row]]];
@@ -174,8 +179,6 @@ void residuals(const BlockRows& A, std::span<const Vector2d> points, std::span<d
     r[A.size() + row] = sum.y();
   }
 }
-
-// Solves A dx = r for two columns in place, accurately enough for refinement.
 
 Correction normal_equations(const BlockRows& A, const Unknowns& unknowns) {
   struct State {
@@ -229,14 +232,15 @@ Correction sparse_lu(const BlockRows& A, const Unknowns& unknowns) {
   };
 }
 
-// Corrects the inner points until the residual falls no further. Returns the residual.
+// Refines the inner points iteratively until the residual no longer decreases. Returns the
+// residual.
 double refine(const BlockRows& A, std::span<const Index> inner, const Correction& correction,
               std::vector<Vector2d>& points) {
   const std::size_t n = A.size();
   std::vector<double> step(2 * n);
   std::vector<Vector2d> best = points;
   double least = largest_residual(A, points);
-  for (;;) {  // ends, since each round but the last halves the residual
+  for (;;) {  // terminates, because every iteration but the last halves the residual
     check_cancelled();
     residuals(A, points, step);
     correction(step);
@@ -312,7 +316,7 @@ std::vector<Vector2d> mean_value_points(const Patch& patch, std::span<const Vect
         return points;
       }
     } catch (const NotPositiveDefinite&) {
-      // A is regular, but A'A may not be so in double precision.
+      // A is regular, but A'A may be singular in double precision.
     }
   }
   refine(A, unknowns.vertices, sparse_lu(A, unknowns), start);

@@ -45,7 +45,7 @@ Measures measure(const Triangle& t, std::span<const Vector3d> positions,
   return measures;
 }
 
-// The new polygons, and the own number of each of their corners.
+// The new polygons, and the local index of each of their corners.
 class Recut {
  public:
   Recut(const Mesh& mesh, const Patch& patch)
@@ -67,7 +67,7 @@ class Recut {
   std::vector<Index> own_numbers;
 
  private:
-  // Returns the patch's triangles that lie in a triangle of the mesh.
+  // Returns the patch's triangles inside a triangle of the mesh.
   std::span<const Triangle> parts(std::size_t triangle) const {
     const auto& all = patch_.triangle_sources;
     const auto [first, last] = std::equal_range(all.begin(), all.end(), triangle);
@@ -101,7 +101,8 @@ class Recut {
     }
   }
 
-  // Returns the mesh vertex; for a midpoint one of its ends, whose attributes it takes.
+  // Returns the mesh vertex. For an edge midpoint, returns the end vertex from which it takes its
+  // attributes.
   Index mesh_vertex(Index own) const {
     const std::size_t n = patch_.vertices.size();
     return patch_.vertices[own < n ? own : patch_.midpoint_of[own - n][0]];

@@ -13,12 +13,12 @@
 namespace lapwing {
 namespace {
 
-// Appends the parts of a triangle. `middles[k]` is the midpoint of its side k, or kNoIndex.
+// Appends the parts of a triangle. `middles[k]` is the midpoint of edge k, or kNoIndex.
 void split(const Triangle& triangle, const Triangle& middles, std::vector<Triangle>& parts) {
   const auto halved = static_cast<int>(middles[0] != kNoIndex) +
                       static_cast<int>(middles[1] != kNoIndex) +
                       static_cast<int>(middles[2] != kNoIndex);
-  // Rotates the corners so that the halved sides come first.
+  // Rotate the corners so that the halved edges come first.
   std::size_t first = 0;
   if (halved == 1) {
     while (middles[first] == kNoIndex) ++first;
@@ -39,7 +39,7 @@ void split(const Triangle& triangle, const Triangle& middles, std::vector<Triang
     parts.push_back({ab, b, c});
   } else if (halved == 2) {
     parts.push_back({ab, b, bc});
-    // Vertex numbers choose the diagonal, since they do not change when the mesh is rotated.
+    // Choose the diagonal by vertex indices, which do not change when the mesh is rotated.
     if (a < c) {
       parts.push_back({a, ab, bc});
       parts.push_back({a, bc, c});
@@ -56,8 +56,8 @@ void split(const Triangle& triangle, const Triangle& middles, std::vector<Triang
 }
 
 // Splits every inner edge of the patch that joins two vertices of its loop at its midpoint, and
-// splits the triangles on both sides. The patch must not have been split before. `sides` holds the
-// adjacency of its triangles.
+// splits the triangles on both sides. The patch must not have been split before. `sides` is the
+// result of sides_by_edge for its triangles.
 void halve_chords(Patch& patch, const Adjacency& sides) {
   std::vector<char> on_loop(patch.vertices.size(), 0);
   for (const Index v : patch.loop) on_loop[v] = 1;

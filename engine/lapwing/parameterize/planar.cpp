@@ -20,8 +20,8 @@ double largest_step(std::span<const Triangle> triangles, std::span<const Vector2
     const Vector2d f = points[t[2]] - points[t[0]];
     const Vector2d de = moves[t[1]] - moves[t[0]];
     const Vector2d df = moves[t[2]] - moves[t[0]];
-    // Doubled area minus the share to keep, as a + b s + c s^2. Its roots are 2a / (-b +- root of
-    // the discriminant); the larger denominator gives the first one ahead.
+    // The doubled area minus the part to keep is a + b s + c s^2. Its roots are 2a / (-b +-
+    // sqrt(discriminant)); the larger denominator gives the smallest positive root.
     const double a = (1.0 - share) * cross(e, f);
     const double b = cross(e, df) + cross(de, f);
     const double c = cross(de, df);
@@ -37,7 +37,7 @@ std::vector<Vector2d> moved(std::span<const Vector2d> points, std::span<const Ve
                             double step) {
   std::vector<Vector2d> result(points.begin(), points.end());
   for (std::size_t v = 0; v < points.size(); ++v) {
-    // -0 + 0 would be +0.
+    // Skip zero moves, because -0 + 0 would give +0.
     for (const int c : {0, 1}) {
       if (moves[v][c] != 0.0) result[v][c] += step * moves[v][c];
     }
@@ -53,7 +53,8 @@ double extent(std::span<const Triangle> triangles, std::span<const Vector2d> poi
 
 bool is_inside(const Vector2d& point, std::span<const Index> polygon,
                std::span<const Vector2d> points) {
-  // Counts the sides that cross the ray towards +x, upwards minus downwards.
+  // Number of edges that cross the ray from `point` towards +x upwards, minus those that cross it
+  // downwards.
   int winding = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vector2d a = points[polygon[k]] - point;

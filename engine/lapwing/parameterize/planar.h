@@ -21,20 +21,21 @@ inline double doubled_area(const Triangle& t, std::span<const Eigen::Vector2d> p
 /// Returns whether every triangle is counterclockwise.
 bool is_bijective(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> points);
 
-/// Returns how far along `moves`, at most 1, the points can go until some triangle has only `share`
-/// of its area left. This is the first root of a quadratic per triangle (Smith and Schaefer 2015,
-/// §3.3, with share 0).
+/// Returns the largest step along `moves`, at most 1, for which every triangle keeps at least the
+/// fraction `share` of its area: the smallest positive root of a quadratic per triangle (Smith and
+/// Schaefer 2015, §3.3, for share 0).
 double largest_step(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> points,
                     std::span<const Eigen::Vector2d> moves, double share);
 
-/// Returns points + step * moves. A point whose move is zero keeps its bits.
+/// Returns points + step * moves. If a move is zero, the result is bitwise equal to the point.
 std::vector<Eigen::Vector2d> moved(std::span<const Eigen::Vector2d> points,
                                    std::span<const Eigen::Vector2d> moves, double step);
 
-/// Returns the side of a square of the triangles' area, which rotating the domain does not change.
+/// Returns the square root of the triangles' total area. This size is invariant under rotations of
+/// the domain.
 double extent(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> points);
 
-/// Returns whether `point` lies inside the polygon with these corners, and not on its sides.
+/// Returns whether `point` is strictly inside the polygon with these corners.
 bool is_inside(const Eigen::Vector2d& point, std::span<const Index> polygon,
                std::span<const Eigen::Vector2d> points);
 

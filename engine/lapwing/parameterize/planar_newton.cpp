@@ -13,17 +13,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Share of the diagonal that is added to it. Keeps the factor positive definite if the projection
-// of the twists leaves only rounding.
+// Relative shift of the diagonal. Keeps the matrix positive definite if the projection of the twist
+// modes leaves eigenvalues of the size of rounding errors.
 constexpr double kDiagonalShift = 1e-10;
 
-// Line search: where it starts, as a share of the way to the first flat triangle, and the decrease
-// that it demands, as a share of the slope's prediction.
+// Parameters of the line search: the first step as a fraction of the step that flattens a triangle,
+// and the required decrease as a fraction of the decrease that the slope predicts.
 constexpr double kBarrierShare = 0.9;
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMostHalvings = 30;
 
-// Returns the lower triangle of the graph of unknowns, one block per vertex.
+// Returns the pattern of the lower triangle, with one block per free vertex.
 BlockPattern vertex_pattern(std::span<const Triangle> triangles,
                             std::span<const Index> unknown_of_vertex, std::size_t unknowns) {
   std::vector<std::vector<Index>> below(unknowns);
@@ -48,7 +48,8 @@ BlockPattern vertex_pattern(std::span<const Triangle> triangles,
   return pattern;
 }
 
-// Returns the same pattern in scalars, since the solver has no 2 x 2 blocks.
+// Expands a pattern of 2 x 2 blocks to scalars, because the solver does not support blocks of this
+// size.
 BlockPattern scalar_pattern(const BlockPattern& blocks) {
   BlockPattern scalars;
   for (std::size_t c = 0; c < blocks.size(); ++c) {
@@ -90,7 +91,7 @@ PlanarNewton::BlockPlace PlanarNewton::place(Index row, Index column) const {
   if (row == column) return {first, second};
   const auto rows = pattern_.column(2 * column);
   const auto at = std::lower_bound(rows.begin(), rows.end(), 2 * row) - rows.begin();
-  // The second column lacks the entry above its diagonal.
+  // The second column does not store the entry above its diagonal.
   return {first + static_cast<std::size_t>(at), second + static_cast<std::size_t>(at) - 1};
 }
 

@@ -12,8 +12,8 @@
 
 namespace lapwing {
 
-/// Projected Newton steps on the symmetric Dirichlet energy of a triangulation with some vertices
-/// held, plus springs from the pulled vertices to their targets:
+/// Projected Newton steps on the symmetric Dirichlet energy of a triangulation with some fixed
+/// vertices, plus springs from the pulled vertices to their targets:
 ///     E(x) + stiffness / 2 sum |x_pull - target|^2.
 class PlanarNewton {
  public:
@@ -21,15 +21,15 @@ class PlanarNewton {
                std::span<const char> is_held);
   PlanarNewton(PlanarNewton&&) = delete;  // the matrix and the solver point to the pattern
 
-  /// Takes one step from `points`, which must be bijective and stay so. Goes as far as the
-  /// triangles stay valid, then back until the objective falls (Smith and Schaefer 2015, §3.3).
-  /// Returns the share by which the objective fell, 0 if no step lowers it.
+  /// Takes one step from `points`, which must be bijective and remain so. The line search starts
+  /// just below the step that flattens a triangle (Smith and Schaefer 2015, §3.3). Returns the
+  /// relative decrease of the objective, or 0 if no step decreases it.
   double step(std::span<const PointPull> pulls, double stiffness,
               std::vector<Eigen::Vector2d>& points);
 
  private:
-  /// Places in the matrix of the 2 x 2 block of two corners: the first entry of each of its
-  /// columns. For a corner with itself only the lower triangle is stored.
+  /// Indices of the 2 x 2 block of two vertices in the value array: the first entry of each column.
+  /// Only the lower triangle of a diagonal block is stored.
   struct BlockPlace {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -46,7 +46,7 @@ class PlanarNewton {
   SymmetricDirichlet energy_;
   std::vector<Index> unknown_of_vertex_;  ///< kNoIndex if held
   std::size_t unknowns_ = 0;
-  BlockPattern pattern_;  ///< of scalars: unknown u is rows 2u and 2u + 1
+  BlockPattern pattern_;  ///< scalar pattern: unknown u has rows 2u and 2u + 1
   BlockMatrix hessian_;
   std::vector<double> gradient_;
   std::vector<SymmetricDirichlet::Part> parts_;

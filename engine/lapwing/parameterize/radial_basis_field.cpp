@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector2d;
 using Place = DomainChart::Place;
 
-// Returns phi of the header from q = 1 / s. The series avoids cancellation in 1 - ln(1 + q) / q.
+// Returns phi(s) for q = 1 / s. The series avoids cancellation in 1 - ln(1 + q) / q.
 double profile(double q) {
   if (q > 0.02) return 1.0 - std::log1p(q) / q;
   return q *
@@ -39,7 +39,7 @@ RadialBasisField::RadialBasisField(const DomainChart& chart, std::span<const Vec
     }
     coefficients_.row(j) = displacements[c];
   }
-  // With pivoting, for centres so close together that K is singular up to rounding.
+  // Pivoting is needed if centres are so close that K is singular up to rounding errors.
   coefficients_ = K.selfadjointView<Eigen::Lower>().ldlt().solve(coefficients_).eval();
 }
 

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-// A triangle counts at least as much as one with this share of the mean area.
+// Lower bound of a triangle's weight, as a fraction of the mean area.
 constexpr double kMinWeight = 1e-3;
 
 Matrix2d edges(const Triangle& t, std::span<const Vector2d> points) {
@@ -26,7 +26,7 @@ Matrix2d edges(const Triangle& t, std::span<const Vector2d> points) {
   return columns;
 }
 
-// J = U diag(s) V' with rotations U and V; s_0 >= s_1, both positive if det J is.
+// J = U diag(s) V' with rotations U and V and s_0 >= s_1. Both are positive if det J is positive.
 struct SignedSvd {
   Matrix2d U;
   Matrix2d V;
@@ -39,7 +39,7 @@ Matrix2d rotation(double angle) {
   return (Matrix2d() << c, -s, s, c).finished();
 }
 
-// `det` is an argument, since the determinant of J itself cancels for a sliver.
+// `det` is passed separately, because computing it from J suffers from cancellation for slivers.
 SignedSvd signed_svd(const Matrix2d& J, double det) {
   // J is (s_0 + s_1) / 2 times a rotation plus (s_0 - s_1) / 2 times a reflection.
   const Vector2d turn(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
@@ -83,7 +83,7 @@ double SymmetricDirichlet::energy_of(std::size_t triangle, std::span<const Vecto
 }
 
 double SymmetricDirichlet::energy(std::span<const Vector2d> points) const {
-  // Summed task by task, so that the number of threads does not change the bits.
+  // Sum by task, so that the result does not depend on the number of threads.
   constexpr std::size_t kTrianglesPerTask = 2048;
   const std::size_t tasks = (size() + kTrianglesPerTask - 1) / kTrianglesPerTask;
   std::vector<double> sums(tasks, 0.0);
@@ -105,7 +105,7 @@ SymmetricDirichlet::Part SymmetricDirichlet::part(std::size_t triangle,
   const auto [U, V, s] = signed_svd(jacobian(triangle, points),
                                     doubled_area(triangles_[triangle], points) / areas_[triangle]);
   const double weight = weights_[triangle];
-  // d J / d corner k is the coordinate direction times row k of these.
+  // The derivative of J with respect to coordinate c of corner k is e_c times row k of `slopes`.
   Eigen::Matrix<double, 3, 2> slopes;
   slopes.bottomRows<2>() = inverse_edges_[triangle];
   slopes.row(0) = -slopes.row(1) - slopes.row(2);
@@ -117,8 +117,8 @@ SymmetricDirichlet::Part SymmetricDirichlet::part(std::size_t triangle,
     part.gradient.segment<2>(2 * k) = weight * stress * slopes.row(k).transpose();
   }
 
-  // Eigenvectors of the Hessian by J (Smith, De Goes and Kim 2019, §4): the two stretches, the
-  // flip and the twist. Only the twist can have a negative eigenvalue.
+  // Eigenvectors of the Hessian with respect to J (Smith, De Goes and Kim 2019, §4): two scaling
+  // modes, flip and twist. Only the twist can have a negative eigenvalue.
   const double p = s[0] * s[1];
   const double p3 = p * p * p;
   const double squares = s.squaredNorm();

@@ -63,7 +63,7 @@ std::vector<Role> roles(std::span<const Triangle> triangles, std::span<const Ind
 
 void append_coinciding(std::span<const PointPull> pulls, double tolerance,
                        std::vector<Index>& found) {
-  // Sorted by x, so that only close ones are compared.
+  // Sort by x, so that only close targets are compared.
   std::vector<Index> order(pulls.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
@@ -151,18 +151,19 @@ constexpr double kMet = 1e-6;
 constexpr int kMostSteps = 64;
 constexpr int kMostLastSteps = 4;
 
-// Springs of the constrained parameterization, in energy per squared extent: first about as stiff
-// as the domain, then stiffer if an iteration lowers the objective by less than kSlowDecrease.
+// Spring stiffness of the constrained parameterization, in energy per squared extent. It starts at
+// about the stiffness of the domain and increases if an iteration decreases the objective by less
+// than kSlowDecrease.
 constexpr double kFirstStiffness = 10.0;
 constexpr double kLastStiffness = 1e9;
 constexpr double kStiffer = 4.0;
 constexpr double kSlowDecrease = 0.05;
 
-// Radial basis steps are tried again if the largest distance is at most this fraction of that at
-// the last attempt.
+// Radial basis steps are tried again if the largest distance from a target is at most this fraction
+// of the distance at the previous attempt.
 constexpr double kWorthAnotherTry = 0.8;
 
-// Limit for one call, over all attempts.
+// Maximum number of iterations in one call of `warp_domain`.
 constexpr int kMostConstrainedSteps = 150;
 
 WarpedDomain make_domain(std::span<const Triangle> triangles, std::span<const Index> boundary,
@@ -176,7 +177,7 @@ WarpedDomain make_domain(std::span<const Triangle> triangles, std::span<const In
   return domain;
 }
 
-// Iterates until radial-basis steps can finish, or springs of the greatest stiffness do not help.
+// Iterates until radial basis steps can satisfy all pulls or the stiffness reaches its limit.
 void pull_constrained(const WarpedDomain& domain, std::span<const PointPull> pulls,
                       PlanarNewton& newton, std::vector<Vector2d>& points, WarpReport& report) {
   const double unit = 1.0 / (domain.extent * domain.extent);
@@ -207,7 +208,7 @@ std::size_t farthest(std::span<const PointPull> pulls, std::span<const Vector2d>
                                   pulls.begin());
 }
 
-// Tries straight paths, then arcs. If neither arrives, returns the result that comes nearer.
+// Tries straight paths, then arcs. If neither reaches all targets, returns the better result.
 std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const PointPull> pulls,
                                   std::span<const Vector2d> start, WarpReport& report) {
   std::vector<Vector2d> best;

@@ -41,7 +41,7 @@ void require_orientations(const DeformRequest& step, KeyVisitor& visitor) {
   }
 }
 
-// All paths must have the same length, since their k-th moves are made together.
+// All paths must have the same length, because the k-th moves of all handles are applied together.
 void require_paths(const DeformRequest& step, KeyVisitor& visitor) {
   const std::vector<Move>* first = nullptr;
   for (std::size_t k = 0; k < step.handles.size(); ++k) {

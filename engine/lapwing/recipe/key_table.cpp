@@ -103,7 +103,7 @@ class KeyTable final : public KeyVisitor {
     lengths_.pop_back();
   }
 
-  std::string path_;  // of the open object, with a dot after each name
+  std::string path_;  // path of the open object, with a dot after each name
   std::vector<std::size_t> lengths_;
   bool told_ = false;
 };

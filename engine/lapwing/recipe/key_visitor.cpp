@@ -6,7 +6,7 @@
 namespace lapwing {
 
 std::string digits(double number) {
-  // Long enough for the smallest double.
+  // Large enough for the smallest double without exponent.
   std::array<char, 512> text{};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);

@@ -19,21 +19,21 @@
 
 namespace lapwing {
 
-/// One key of a step, as recipes, flags and the reference share it.
+/// The description of one key of a step, for recipes, flags and the reference.
 struct StepKey {
-  std::string_view name;  ///< in recipes, such as "detail_length"
-  std::string_view help;  ///< a sentence without initial capital or full stop
+  std::string_view name;  ///< name in recipes, such as "detail_length"
+  std::string_view help;  ///< a sentence without a capital letter at the start or a full stop
   bool required = false;
   std::string_view absent = "";  ///< the default of an optional value, in words
-  bool automatic = false;        ///< "auto" means that the value is not given
-  std::string_view flag = "";    ///< without leading dashes; empty: `name` with dashes
-  /// A flag without a value that replaces `flag`. It selects the last choice, or switches off.
+  bool automatic = false;        ///< "auto" is the same as no value
+  std::string_view flag = "";    ///< without leading dashes; if empty, `name` with dashes
+  /// An alternative flag without a value. It selects the last choice, or false.
   std::string_view off_flag = "";
   std::string_view off_help = "";
-  std::string_view flag_default = "";  ///< makes the flag of a required key optional, such as "all"
+  std::string_view flag_default = "";  ///< default of the flag of a required key, such as "all"
 };
 
-/// Returns the shortest decimal text that reads back as `number`, without an exponent.
+/// Returns the shortest decimal text, without exponent, that is read back as the same number.
 std::string digits(double number);
 
 /// The valid numbers of a key.
@@ -41,13 +41,13 @@ struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool takes_least = true;
-  std::string_view reason = "";  ///< of the upper bound, in words
-  /// Ends of a slider, multiplied by the size of the mesh if `of_size`. If `slider_to` is 0, the
-  /// number is typed in.
-  double slider_from = 0.0;  ///< above 0: the slider is logarithmic
+  std::string_view reason = "";  ///< reason of the upper bound, in words
+  /// Ends of the slider, relative to the size of the mesh if `of_size` is true. If `slider_to` is
+  /// 0, there is a text field instead of a slider.
+  double slider_from = 0.0;  ///< if positive, the slider is logarithmic
   double slider_to = 0.0;
   bool of_size = false;
-  double first = 1.0;  ///< of an optional number when the user switches it on
+  double first = 1.0;  ///< initial value when the user activates an optional number
 
   bool contains(double number) const;
   /// Returns "a number above 0" or "0 or more", or with `whole` "a whole number from 1 to 1000".
@@ -58,7 +58,7 @@ inline constexpr Range kAboveZero{.least = 0.0, .takes_least = false};
 inline constexpr Range kFromZero{.least = 0.0};
 /// Weight of a constraint.
 inline constexpr Range kWeight{.least = kMinWeight, .most = kMaxWeight};
-/// A length on a mesh. Its slider ends at a quarter of the mesh's size.
+/// A length on a mesh. The slider ends at a quarter of the mesh's size.
 inline constexpr Range kLength{.least = 0.0, .slider_to = 0.25, .of_size = true};
 
 template <class Enum>
@@ -70,21 +70,21 @@ struct Choice {
 /// Whether the weights of a handle may vary over its vertices (Falloff).
 enum class HandleForm { firm, graded };
 
-/// How an optional object is written.
+/// Form in which an optional object is written.
 enum class ObjectForm {
-  optional,  ///< left out if it is not set
+  optional,  ///< omitted if it is not set
   boolean,   ///< true for the defaults, false if it is not set
 };
 
 /// Names of the sources of a mix.
 struct ListWords {
   std::string_view items;                    ///< "two sources"
-  std::string_view fewer;                    ///< what to do instead if there are fewer
-  std::span<const std::string_view> prefix;  ///< of the flags of each item
+  std::string_view fewer;                    ///< advice if there are fewer
+  std::span<const std::string_view> prefix;  ///< prefix of the flags of each item
 };
 
-/// Visits the keys of a step, in the order of the reference. Visitors read recipes, write them and
-/// add flags. `describe` of a step (step.h) is the only description of its keys.
+/// Visits the keys of a step, in the order of the reference. Visitors read and write recipes and
+/// add flags. The keys of a step are described only in its `describe` function (step.h).
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
@@ -116,11 +116,11 @@ class KeyVisitor {
   virtual void pairs(const StepKey& key, std::vector<VertexPair>&) { other(key); }
   virtual void weight(const StepKey& key, MixWeight&) { other(key); }
   virtual void file(const StepKey& key, std::filesystem::path&) { other(key); }
-  /// A mesh file, or a region to cut out of one.
+  /// A mesh file, and optionally a region to cut from it.
   virtual void part(const StepKey& key, std::filesystem::path&, std::optional<RegionSpec>&) {
     other(key);
   }
-  /// Placement of a part; `snap` moves it onto the surface after a move.
+  /// Placement of a part. `snap_key` is the key for moving it onto the surface afterwards.
   virtual void place(const StepKey& key, PartPlace&, const StepKey& snap_key, bool&) {
     other(key);
     other(snap_key);
@@ -138,7 +138,7 @@ class KeyVisitor {
     }
     value = given ? std::optional(inside) : std::nullopt;
   }
-  /// An object that groups the keys that `members(visitor)` visits. It is left out unless `given`.
+  /// An object that contains the keys that `members(visitor)` visits. It is omitted unless `given`.
   template <class Members>
   void group(const StepKey& key, bool given, const Members& members) {
     if (!enter(key, given, ObjectForm::optional, false)) return;
@@ -158,30 +158,31 @@ class KeyVisitor {
     end_list(key);
   }
 
-  /// The name of the step or source in errors.
+  /// Name of the step or source in error messages.
   virtual void where(std::string&) {}
-  /// `key`, visited before, is only valid if `holds`.
+  /// States that `key`, which was visited before, is only valid if `holds` is true.
   virtual void only_when(bool /*holds*/, std::string_view /*key*/, std::string_view /*otherwise*/) {
   }
-  /// A condition on several keys; `pointer` leads from the step to the key at fault.
+  /// States a condition on several keys. `pointer` is the JSON pointer, relative to the step, of
+  /// the invalid key.
   virtual void require(bool /*holds*/, const std::string& /*pointer*/,
                        std::string_view /*otherwise*/) {}
 
  protected:
-  /// Called for every key whose function is not overridden.
+  /// Called for every key whose member function is not overridden.
   virtual void other(const StepKey&) {}
   virtual void choose(const StepKey& key, std::size_t& /*chosen*/,
                       const std::vector<std::string_view>& /*names*/) {
     other(key);
   }
-  /// Returns whether to visit the keys inside. `given` is whether the object is set.
+  /// Returns whether to visit the keys of the object. `given` tells whether the object is set.
   virtual bool enter(const StepKey& key, bool& /*given*/, ObjectForm /*form*/,
                      bool /*is_default*/) {
     other(key);
     return false;
   }
   virtual void leave() {}
-  /// Called for an object that was entered: `keys` visits its keys.
+  /// Called for an object that was entered, with a function that visits its keys.
   virtual void begin_keys(const std::function<void(KeyVisitor&)>&) {}
   virtual void begin_list(const StepKey& key, std::size_t /*count*/, const ListWords&) {
     other(key);

@@ -174,7 +174,7 @@ class KeyReader final : public KeyVisitor {
     node.fail_expecting(range.words());
   }
 
-  std::vector<JsonNode> open_;  // objects that are being read, outermost first
+  std::vector<JsonNode> open_;  // the objects being read, outermost first
   std::vector<JsonNode> items_;
 };
 

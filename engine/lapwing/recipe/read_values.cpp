@@ -8,7 +8,7 @@ namespace {
 
 using RowMajor4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
-// A deeper nesting of unions and differences is a bug of the program that wrote the file.
+// Deeper nesting of unions and differences indicates a bug in the program that wrote the file.
 constexpr int kDeepestNesting = 64;
 
 RegionSpec read_nested(const JsonNode& node, int depth);
@@ -115,7 +115,7 @@ DomainRamp read_domain_ramp(const JsonNode& node) {
   return {ends[0], ends[1]};
 }
 
-// Reads numbers from 0 to 1; `what` names them in errors.
+// Reads numbers from 0 to 1. `what` names them in error messages.
 std::vector<double> read_field(const JsonNode& node, const std::string& what) {
   std::vector<double> field;
   for (const JsonNode& element : node.elements()) {
@@ -166,7 +166,7 @@ LoopFit read_fit(const JsonNode& node) {
   return fit;
 }
 
-// One number for all axes, or one for each.
+// Reads one number for all axes or one number per axis.
 Eigen::Vector3d read_scale(const JsonNode& node) {
   if (node.if_number()) return Eigen::Vector3d::Constant(node.positive_number());
   const Eigen::Vector3d scale = node.vector3();

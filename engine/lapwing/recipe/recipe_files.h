@@ -9,8 +9,8 @@
 namespace lapwing {
 
 /// Calls `read` for every file that the step reads, and `written` for every output file that it
-/// names. Both functions get the paths as in the recipe and may change them. An empty path stands
-/// for the mesh itself.
+/// names. Both functions get the paths as in the recipe and may change them. An empty path means
+/// the mesh itself.
 void for_each_file(Step& step, const std::function<void(std::filesystem::path&)>& read,
                    const std::function<void(std::filesystem::path&)>& written);
 
@@ -25,14 +25,14 @@ std::filesystem::path carried_path(const std::filesystem::path& file,
 
 /// The files that a recipe names, relative to the current folder.
 struct RecipeFiles {
-  std::vector<std::filesystem::path> read;     ///< the mesh first
-  std::vector<std::filesystem::path> written;  ///< the result first, if any; no duplicates
+  std::vector<std::filesystem::path> read;     ///< the mesh comes first
+  std::vector<std::filesystem::path> written;  ///< the result, if any, comes first; no duplicates
 };
-/// `result` is the path of the result; by default, the recipe determines it. Attachment files are
-/// included.
+/// Returns all files of `recipe`, including attachment files. `result` is the path of the result;
+/// by default, the recipe determines it.
 RecipeFiles files_of(const Recipe& recipe, std::filesystem::path result = {});
 
-/// Throws InputError, naming the file, unless all files that the recipe reads or writes lie inside
+/// Throws InputError, naming the file, unless all files that the recipe reads or writes are inside
 /// `folder` (is_inside). For untrusted recipes.
 void require_inside(const Recipe& recipe, const std::filesystem::path& folder);
 

@@ -15,14 +15,14 @@ namespace lapwing {
 
 class KeyVisitor;
 
-/// A coat source with the file of its mesh.
+/// A coat source and the file of its mesh.
 struct FileSource : CoatSource {
-  /// As written in the recipe. Empty for the edited mesh itself, as it is before the step.
+  /// Path as in the recipe. Empty for the edited mesh before the step.
   std::filesystem::path mesh;
   bool operator==(const FileSource&) const = default;
 };
 
-/// {"op": "coat"}: puts the fine detail of a patch of one mesh on a patch of the edited mesh.
+/// {"op": "coat"}: transfers the fine detail of a patch of one mesh to a patch of the edited mesh.
 using CoatStep = CoatOf<FileSource>;
 
 /// {"op": "mix"}: mixes two surfaces on a patch of the edited mesh.
@@ -30,7 +30,7 @@ using MixStep = MixOf<FileSource>;
 
 /// {"op": "transplant"}: replaces a region of the mesh by a part of another mesh.
 struct TransplantStep : TransplantRequest {
-  std::filesystem::path part;  ///< path as in the recipe; empty: the mesh before the step
+  std::filesystem::path part;  ///< path as in the recipe; empty for the mesh before the step
   bool operator==(const TransplantStep&) const = default;
 };
 
@@ -40,8 +40,8 @@ using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, Peel
 
 /// A kind of step.
 struct Operation {
-  std::string_view name;  ///< in {"op": NAME}, and of the command
-  std::string_view help;  ///< what it does, in a few words
+  std::string_view name;  ///< NAME in {"op": NAME}, and name of the command
+  std::string_view help;  ///< short description
   /// Text between the name and the files of a step, as in "coat from gargoyle.off".
   std::string_view before_files;
   Step step;  ///< with default values
@@ -50,7 +50,7 @@ struct Operation {
 std::span<const Operation> operations();
 const Operation& operation_of(const Step& step);
 
-/// Visits the keys of the step, in the order in which recipes are written.
+/// Visits the keys of the step, in the order in which recipes contain them.
 void describe(Step& step, KeyVisitor& visitor);
 void describe(DeformRequest& step, KeyVisitor& visitor);
 void describe(CoatStep& step, KeyVisitor& visitor);
@@ -58,7 +58,7 @@ void describe(MixStep& step, KeyVisitor& visitor);
 void describe(TransplantStep& step, KeyVisitor& visitor);
 void describe(PeelRequest& step, KeyVisitor& visitor);
 
-/// Groups of keys that the panels show.
+/// Describe groups of keys for the panels.
 void describe(DeformParameters& parameters, KeyVisitor& visitor);
 void describe(SettleOptions& settle, KeyVisitor& visitor);
 void describe(LaplacianWeights& weights, KeyVisitor& visitor);
@@ -72,13 +72,14 @@ void describe(TransplantParameters& parameters, KeyVisitor& visitor);
 /// `settle.tolerance` names the key `tolerance` of the object `settle`.
 std::string key_table(const Operation& operation);
 
-/// Returns whether handles may have a free orientation. That requires settling without substeps and
-/// with soft constraints.
+/// Returns whether handles may have a free orientation. This requires minimization without substeps
+/// and with soft constraints.
 bool allows_free_handles(const DeformParameters& parameters);
 
-/// Throws InputError, naming the key and its range, for a number that a recipe may not have.
+/// Throws InputError, naming the key and its range, if a number is outside its range.
 void require_valid(DeformParameters parameters);
-/// Does the same for a handle's move, and for a move that the parameters exclude.
+/// Throws InputError if a number of `move` is outside its range or if the parameters exclude the
+/// move.
 void require_valid(const Move& move, const DeformParameters& parameters);
 
 }  // namespace lapwing

@@ -106,8 +106,8 @@ class KeyWriter final : public KeyVisitor {
     names_.pop_back();
   }
 
-  std::vector<Json> open_{Json::object()};  // objects and lists that are being written
-  std::vector<std::string> names_;          // their keys, except for the first
+  std::vector<Json> open_{Json::object()};  // the objects and lists being written, outermost first
+  std::vector<std::string> names_;          // the keys of `open_`, without the root
 };
 
 Json json_of(const Step& step) {
@@ -121,8 +121,8 @@ constexpr std::size_t kLineWidth = 96;
 
 std::string atom(const Json& json) {
   if (!json.is_number_float()) return json.dump();
-  // Uses the shortest digits that read back to the same bits, and writes 10 instead of the
-  // library's 10.0.
+  // Use the shortest digits that are read back as the same bits. The library would write 10.0
+  // instead of 10.
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), json.get<double>());
   return {digits.data(), end.ptr};
@@ -140,7 +140,7 @@ std::string flat(const Json& json) {
   return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-// Fills lines with numbers up to the line width.
+// Returns a list of numbers, broken into lines of at most the line width.
 std::string filled(const Json& list, const std::string& indent) {
   std::string text = "[";
   std::size_t column = kLineWidth;
@@ -186,7 +186,7 @@ std::string to_json(const Recipe& recipe) {
   if (!recipe.save.empty()) root["save"] = recipe.save.string();
   if (!recipe.morph_target.empty()) root["save_as"] = {{"morph_target", recipe.morph_target}};
   try {
-    // Starting at the end of a line makes the root always span several lines.
+    // The start at the end of a line makes the root span several lines.
     return pretty(root, "", kLineWidth) + "\n";
   } catch (const Json::type_error&) {
     throw InputError(

@@ -15,7 +15,7 @@ Json json_of(const std::vector<RegionSpec>& parts) {
   return list;
 }
 
-// One overload per form.
+// Writes a region; one overload per form.
 struct FormWriter {
   Json operator()(const AllVertices&) const { return {{"all", true}}; }
   Json operator()(const ListedVertices& list) const { return {{"vertices", list.vertices}}; }
@@ -92,7 +92,7 @@ Json json_of(const LoopFit& fit) {
   return {{"auto", std::move(keys)}};
 }
 
-// Writes the alternative that a belt, move, weight or place holds.
+// Writes the active alternative of a variant.
 template <class... Forms>
 Json json_of_any(const std::variant<Forms...>& any) {
   return std::visit([](const auto& form) { return json_of(form); }, any);

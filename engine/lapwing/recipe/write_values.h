@@ -8,8 +8,7 @@ namespace lapwing {
 
 using Json = nlohmann::ordered_json;
 
-// These functions write the compound values of recipes. `read_values.h` has the functions that read
-// them.
+// Writers of the compound values of recipes. The readers are in read_values.h.
 Json json_of(const RegionSpec& spec);
 Json json_of(const BeltSpec& belt);
 Json json_of(const Move& move);

@@ -11,8 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Anchors that are closer to a line than this fraction of their extent do not hold a rotation about
-// it. Its stiffness falls with the square of the fraction, here to 1e-12 of the system's.
+// Anchors that are closer to a line than this fraction of their extent do not prevent a rotation
+// about it. The stiffness of this rotation is proportional to the square of the fraction, here
+// 1e-12 of the system's.
 constexpr double kCollinearity = 1e-6;
 
 VertexSet anchors_of(const VertexSet& component, const std::vector<char>& in_roi,
@@ -47,7 +48,7 @@ std::string describe(const VertexSet& component) {
          std::to_string(component.front());
 }
 
-// A component of the ROI. `fault` says why it cannot be solved for, or is empty.
+// A component of the ROI. `fault` describes why the component cannot be solved for, or is empty.
 struct CheckedComponent {
   VertexSet vertices;
   std::string fault;
@@ -98,7 +99,7 @@ LoosePart loose_part(VertexSet vertices, const EditRegion& region,
     part.anchors.push_back(
         {target.corners[0], stays, target.position - point_of(target, positions)});
   }
-  // Neighbours outside the ROI stay too.
+  // Neighbours outside the ROI are also fixed.
   VertexSet outside =
       subtract(make_vertex_set(with_ring_neighbours(part.vertices, topology.rings)), part.vertices);
   for (const Index v : outside) part.anchors.push_back({v, stays, Vector3d::Zero()});

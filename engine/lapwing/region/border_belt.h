@@ -25,22 +25,23 @@ bool on_mesh_boundary(Index v, const Topology& topology);
 
 struct BorderBelt {
   VertexSet vertices;
-  /// One vertex of each hole whose rim is in the belt because nothing else can fix its component.
+  /// One vertex of each hole whose rim is in the belt because nothing else would fix the hole's
+  /// component.
   std::vector<Index> held_holes;
 };
 
 /// Returns the vertices of the ROI that are near its border and not in `handles`. A vertex is near
 /// if its geodesic distance to the border, measured inside the ROI, is at most `fraction` times the
-/// largest such distance in its component. `handles` holds the vertices of each handle and of each
-/// target.
+/// largest such distance in its component. `handles` contains the vertices of each handle and of
+/// each target.
 ///
-/// The border of a component consists of its vertices with ring neighbours outside the ROI. If
-/// there are none, the component is a whole component of the mesh. Its border then consists of its
-/// rims, the connected components of its boundary. Rims less than half as large as the largest one
-/// surround holes, which move with the surface. If the largest rim is small compared with the
-/// surface, as on a statue with holes, all rims surround holes. In that case, handles must fix the
-/// component. If it has fewer than two handles, the largest rims are its border nevertheless. A
-/// closed component has no border.
+/// The border of a component consists of its vertices with neighbours outside the ROI. If there are
+/// none, the component is a whole component of the mesh, and its border consists of its rims, the
+/// connected components of its boundary. Rims less than half as large as the largest one surround
+/// holes, which move with the surface. If the largest rim is small compared with the surface, as on
+/// a statue with holes, all rims surround holes, and handles must fix the component. If the
+/// component has fewer than two handles, its largest rims are its border nevertheless. A closed
+/// component has no border.
 ///
 /// Throws InputError, naming `where`, if the fraction is outside [0, 1].
 BorderBelt resolve_border_belt(const BoundaryAnchors& belt, const VertexSet& roi,

@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-// The boundary as a successor per vertex.
+// The boundary, as the next vertex of each boundary vertex.
 struct Boundary {
   std::vector<Index> next;      // per vertex: next vertex on the boundary, or kNoIndex
   std::vector<Index> arrivals;  // per vertex: number of boundary edges that end there
@@ -17,7 +17,7 @@ struct Boundary {
   VertexSet odd_ends;           // ends of non-manifold or inconsistently oriented edges
 };
 
-// Returns one more than the largest vertex of the triangles.
+// Returns 1 + the largest vertex index of the triangles.
 std::size_t vertex_count_of(std::span<const Triangle> triangles) {
   std::size_t count = 0;
   for (const Triangle& triangle : triangles) {

@@ -11,8 +11,8 @@
 namespace lapwing {
 namespace {
 
-// Finds the fans of corners around each vertex, the pieces of triangles connected over edges, and
-// the boundary loops.
+// Finds the fans of corners around each vertex, the edge-connected components of triangles, and the
+// boundary loops.
 class Linker {
  public:
   Linker(const RegionTriangles& part, const Adjacency& sides)
@@ -97,7 +97,7 @@ class Linker {
 
   const RegionTriangles& part_;
   const Adjacency& sides_;
-  UnionFind fans_;  // sets of corners; side c starts at corner c
+  UnionFind fans_;  // disjoint sets of corners; side c starts at corner c
   UnionFind pieces_;
 };
 
@@ -159,7 +159,7 @@ DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides) {
   const auto triangles = static_cast<long>(part.triangles.size());
   report.euler_characteristic = euler_characteristic(part.triangles, sides);
   if (report.non_manifold_edges.empty() && report.turned_edges.empty()) {
-    // Euler's formula for each piece with its pinched vertices split: V - E + F = 2 - 2 g - loops.
+    // Euler's formula for each component, with pinched vertices split: V - E + F = 2 - 2 g - loops.
     const long apart = static_cast<long>(linker.fan_count()) - edges + triangles;
     report.handles = (2 * static_cast<long>(report.pieces.size()) -
                       static_cast<long>(report.loops.size()) - apart) /

@@ -100,7 +100,7 @@ void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, Edit
   }
 }
 
-// Grades the falloffs around the handles, over vertices that nothing else holds.
+// Adds the falloffs around the handles to `region.graded`, for vertices that nothing else holds.
 void grade(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
   std::vector<Index> held = region.belt;
   for (const Target& target : region.targets) {

@@ -12,12 +12,12 @@
 namespace lapwing {
 namespace {
 
-// Weights that differ by no more than this differ by rounding alone.
+// Weights that differ by at most this are considered equal; the difference is a rounding error.
 constexpr double kSameWeight = 1e-9;
 constexpr double kNearlyAll = 1.0 - 0x1p-53;
 
-// Returns the falloff around `handle` without the handle's own vertices. It passes only vertices
-// that `allowed` marks.
+// Returns the falloff around `handle` without the vertices of the handle. Its paths use only
+// vertices that `allowed` marks.
 std::vector<FalloffVertex> falloff_of(const VertexSet& handle, const Transition& falloff,
                                       std::size_t number, std::span<const char> allowed,
                                       const Mesh& mesh) {
@@ -27,14 +27,16 @@ std::vector<FalloffVertex> falloff_of(const VertexSet& handle, const Transition&
       geodesic_distances(mesh.topology(), mesh.positions, handle, falloff.width, allowed);
   for (std::size_t v = 0; v < distances.size(); ++v) {
     if (!(distances[v] > 0.0)) continue;
-    // In a very wide falloff the weight would round to 1, which is reserved for the handle.
+    // In a very wide falloff, the weight could be rounded to 1, which only handle vertices may
+    // have.
     const double weight = std::min(1.0 - fade(falloff, distances[v]), kNearlyAll);
     if (weight > 0.0) graded.push_back({static_cast<Index>(v), number, weight});
   }
   return graded;
 }
 
-// Keeps the entry with the largest weight for each vertex, and none on a tie. Ascending.
+// Returns, for each vertex, the entry with the largest weight, or none if the two largest weights
+// are equal. Ascending.
 std::vector<FalloffVertex> without_shared(std::vector<FalloffVertex> graded) {
   std::sort(graded.begin(), graded.end(), [](const FalloffVertex& a, const FalloffVertex& b) {
     return std::tuple(a.vertex, -a.weight, a.handle) < std::tuple(b.vertex, -b.weight, b.handle);

@@ -17,21 +17,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Smallest relative gain that counts, above rounding. Otherwise two vertices could lower each other
-// by one bit forever.
+// Smallest relative improvement that is accepted. Without this limit, rounding errors could make
+// two vertices decrease each other's distance endlessly.
 constexpr double kSmallestGain = 1e-12;
 
-// Limit on improvements, per vertex on average. It is far more than any surface needs, and later
-// gains are negligible.
+// Limit on improvements, per vertex on average. It is far more than surfaces need, and later
+// improvements are negligible.
 constexpr std::size_t kMostOffers = 100;
 
-// A circular front must advance by at least this fraction of a straight one. On a thin band of wide
-// triangles, the circle's bulge would outweigh the band's height. As the fraction is positive, no
-// vertex comes before both vertices that it depends on, so values cannot lower each other in a
-// cycle.
+// A circular front must advance by at least this fraction of a straight front. On a thin band of
+// wide triangles, the bulge of the circle could exceed the height of the band. Because the fraction
+// is positive, the distance of a vertex exceeds that of one on which it depends, so values cannot
+// decrease each other in a cycle.
 constexpr double kLeastAdvance = 0.25;
 
-// The triangle abw laid flat: a at the origin, b on the x axis at `length`, w above it.
+// The triangle abw in the plane: a is the origin, b is at (length, 0), and w is above the x axis.
 struct FlatTriangle {
   double length;
   double w_x;
@@ -44,7 +44,7 @@ struct Arrival {
   bool crosses_edge = false;
 };
 
-// The front is a straight line.
+// Returns the arrival of a straight front.
 Arrival plane_arrival(const FlatTriangle& flat, double distance_a, double distance_b) {
   const double n_x = (distance_b - distance_a) / flat.length;
   if (!(std::abs(n_x) < 1.0)) return {};
@@ -53,7 +53,8 @@ Arrival plane_arrival(const FlatTriangle& flat, double distance_a, double distan
   return {distance_a + n_x * flat.w_x + n_y * flat.w_y, crossing >= 0.0 && crossing <= flat.length};
 }
 
-// The front is a circle around the point below ab that lies at the two distances from a and b.
+// Returns the arrival of a circular front. Its centre is the point below ab with the two given
+// distances from a and b.
 Arrival circle_arrival(const FlatTriangle& flat, double distance_a, double distance_b) {
   const double x =
       0.5 * (flat.length + (distance_a - distance_b) * (distance_a + distance_b) / flat.length);
@@ -65,7 +66,7 @@ Arrival circle_arrival(const FlatTriangle& flat, double distance_a, double dista
 }
 
 // Returns the distance at w along a straight line through the triangle abw, or infinity if the
-// triangle has no area or no such line crosses ab.
+// triangle has zero area or no such line crosses ab.
 double distance_through_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& w,
                                  double distance_a, double distance_b, bool same_source) {
   const Vector3d edge = b - a;
@@ -131,7 +132,8 @@ class Front {
     update_corner(v, w, u);
   }
 
-  // Offers w the paths along the edge vw and through the triangle from the edge vu.
+  // Updates the distance of w by the paths along the edge vw and through the triangle from the edge
+  // vu.
   void update_corner(Index v, Index u, Index w) {
     if (!is_allowed(w)) return;
     double best = distances_[v] + (positions_[w] - positions_[v]).norm();
@@ -145,7 +147,7 @@ class Front {
         if (distances_[u] < distances_[v]) source = sources_[u];
       }
     }
-    // One layer of vertices beyond the limit is kept: the triangles across the limit need them.
+    // Keep one layer of vertices beyond the limit, because triangles across the limit need them.
     if (best > max_distance_ && distances_[v] > max_distance_) return;
     offer(w, best, source);
   }
@@ -165,7 +167,8 @@ class Front {
   std::vector<double> distances_;
   std::size_t offers_left_;
   std::vector<Index> sources_;  // the source whose front reached each vertex
-  // Pairs compare by distance, then by vertex: equal distances come out in one fixed order.
+  // Entries are ordered by distance, then by vertex, so that the order of equal distances is
+  // deterministic.
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
@@ -212,7 +215,7 @@ std::vector<Index> shortest_edge_path(const Topology& topology,
 std::vector<Index> shortest_edge_path(const Adjacency& rings,
                                       std::span<const Eigen::Vector3d> positions,
                                       std::span<const Index> starts, const PathSearch& search) {
-  // A map instead of an array per vertex, because the paths of a loop are short on a large mesh.
+  // A map instead of an array, because the paths of a loop are short compared with a large mesh.
   std::unordered_map<Index, Reached> reached;
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

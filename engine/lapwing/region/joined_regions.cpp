@@ -5,14 +5,14 @@
 namespace lapwing {
 namespace {
 
-// A number beyond the mesh stays, so that `resolve` reports it.
+// Invalid vertex indices are not changed; `resolve` reports them.
 Index led_vertex(Index v, const JoinedSurface& joined) {
   return v < joined.leaders.size() ? joined.leaders[v] : v;
 }
 
 RegionSpec led_spec(const RegionSpec& spec, const JoinedSurface& joined);
 
-// Returns the form with leaders instead of its vertices; one overload per form.
+// Replaces the vertices of a region form by their leaders; one overload per form.
 struct Leading {
   const JoinedSurface& joined;
 
@@ -77,7 +77,7 @@ TargetSpec led(TargetSpec targets, const JoinedSurface& joined) {
 
 Falloff led(Falloff falloff, const JoinedSurface& joined) {
   std::vector<double>& field = falloff.field;
-  if (field.size() != joined.leaders.size()) return falloff;  // empty, or reported elsewhere
+  if (field.size() != joined.leaders.size()) return falloff;  // empty or invalid
   for (const Index v : joined.followers) {
     double& of_leader = field[joined.leaders[v]];
     of_leader = std::max(of_leader, field[v]);

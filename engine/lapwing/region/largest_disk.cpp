@@ -26,8 +26,8 @@ class Disk {
 
   bool may_join(Index v) const { return region_[v] != 0 && joined_[v] == 0; }
 
-  // Adds `v` if its triangles with the disk form one fan over an arc of the disk's boundary, and
-  // returns whether it did. Two disks glued along an arc form a disk.
+  // Adds `v` if its triangles with corners in the disk form one fan over an arc of the disk's
+  // boundary, because two disks that share an arc form a disk. Returns whether it was added.
   bool join(Index v) {
     std::vector<std::array<Index, 2>> arc;
     for (const Index t : topology_.vertex_triangles[v]) {
@@ -83,7 +83,7 @@ class Disk {
     return passed == edges.size();
   }
 
-  // Returns whether exactly one triangle of the disk has the edge, and traverses it from q to p.
+  // Returns whether exactly one triangle of the disk has the edge pq, and traverses it from q to p.
   bool is_boundary(Index p, Index q) const {
     int backward = 0;
     int other = 0;
@@ -101,7 +101,7 @@ class Disk {
   std::vector<char> joined_;
 };
 
-// Returns the triangles of the piece with the most triangles, or of the first such piece.
+// Returns the triangles of the first component with the largest number of triangles.
 std::vector<Index> largest_piece(const RegionTriangles& part, const Adjacency& sides) {
   UnionFind pieces(part.triangles.size());
   for (std::size_t e = 0; e < sides.row_count(); ++e) {
@@ -130,7 +130,7 @@ VertexSet rim(const RegionTriangles& part, const Adjacency& sides) {
   return make_vertex_set(std::move(found));
 }
 
-// Returns whether no other triangle has the same three corners.
+// Returns whether no other triangle has the same corners.
 bool is_single(const Triangle& triangle, const Topology& topology) {
   const auto around = topology.vertex_triangles[triangle[0]];
   return std::count_if(around.begin(), around.end(), [&](Index t) {
@@ -139,7 +139,8 @@ bool is_single(const Triangle& triangle, const Topology& topology) {
          }) == 1;
 }
 
-// Returns the mesh triangle of the candidate whose nearest corner is farthest from the rim.
+// Returns the mesh triangle of the candidate for which the smallest distance of a corner from the
+// rim is largest.
 const Triangle* innermost(const RegionTriangles& part, const std::vector<Index>& candidates,
                           std::span<const double> rim_distances, const Topology& topology) {
   const Triangle* best = nullptr;
@@ -175,7 +176,7 @@ VertexSet largest_disk(const VertexSet& region, const Topology& topology,
       geodesic_distances(topology, positions, *seed, kNoLimit, allowed);
   Disk disk(topology, allowed);
   disk.start_with(*seed);
-  // A vertex that could not join is tried again after a neighbour has joined.
+  // A vertex that could not be added is tried again after a neighbour was added.
   using Candidate = std::pair<double, Index>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> front;
   const auto offer_ring = [&](Index v) {

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Undirected edges, each packed into one number.
+// A set of undirected edges, each stored as one integer.
 class EdgeSet {
  public:
   void toggle(Index a, Index b) {
@@ -34,7 +34,7 @@ class EdgeSet {
 };
 
 struct ClosedLoop {
-  std::vector<Index> vertices;  // in order, without the repeated first
+  std::vector<Index> vertices;  // in order; the first is not repeated
   EdgeSet cut;
 };
 
@@ -75,7 +75,7 @@ class Flood {
     }
   }
 
-  // Returns how many of the triangles on edge ab were reached.
+  // Returns the number of reached triangles at edge ab.
   int sides_reached(Index a, Index b) const {
     int sides = 0;
     for (const Index t : topology_.vertex_triangles[a]) {
@@ -115,10 +115,10 @@ class Flood {
   std::vector<Index> stack_;
 };
 
-// Resolves a loop. All its vertices must exist. The loop cuts the surface along each edge that it
-// traverses an odd number of times. The region consists of the triangles that can be reached from
-// `inside` across uncut edges. If both sides of a cut edge are in the region, the loop does not
-// separate the mesh. Throws InputError as `resolve` does.
+// Resolves a loop. All vertices of the loop must exist. The loop cuts the surface along each edge
+// that it traverses an odd number of times. The region consists of the triangles that can be
+// reached from `inside` across uncut edges. If both sides of a cut edge are in the region, the loop
+// does not separate the mesh. Throws InputError as `resolve` does.
 VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const Mesh& mesh) {
   const ClosedLoop loop = join(region.loop, where, mesh);
   const std::string inside = std::to_string(region.inside);
@@ -198,7 +198,7 @@ Index nearest_vertex_with_ring(const Vector3d& point, const Mesh& mesh, const st
   return nearest;
 }
 
-// One overload per form.
+// Resolves a region form; one overload per form.
 struct Resolver {
   const Mesh& mesh;
   const std::string& where;

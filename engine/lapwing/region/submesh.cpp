@@ -24,7 +24,7 @@ std::vector<Index> triangles_at(const VertexSet& region, const Topology& topolog
 }  // namespace
 
 std::vector<VertexSet> region_components(const VertexSet& region, const Topology& topology) {
-  // A vertex's mark is cleared when it is added to a component.
+  // The mark of a vertex is cleared when the vertex is added to a component.
   std::vector<char> unvisited = vertex_mask(topology.vertex_count(), region);
   std::vector<VertexSet> components;
   CancelCheck cancel_check;

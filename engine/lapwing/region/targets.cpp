@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A point whose weight at a corner is this close to 1 is that corner.
+// A point with a barycentric coordinate this close to 1 is replaced by the corner.
 constexpr double kCornerShare = 1e-9;
 
 class Binding {

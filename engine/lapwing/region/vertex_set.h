@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// Sets of vertices are sorted lists without repeats.
+/// A set of vertices as a sorted list without duplicates.
 using VertexSet = std::vector<Index>;
 
 VertexSet make_vertex_set(std::vector<Index> vertices);
@@ -16,10 +16,11 @@ VertexSet unite(const VertexSet& a, const VertexSet& b);
 VertexSet intersect(const VertexSet& a, const VertexSet& b);
 VertexSet subtract(const VertexSet& a, const VertexSet& b);
 
-/// Returns one entry per vertex: 1 for members, else 0. Members must be below `vertex_count`.
+/// Returns one entry per vertex: 1 for members, otherwise 0. Members must be below `vertex_count`.
 std::vector<char> vertex_mask(std::size_t vertex_count, std::span<const Index> members);
 
-/// Names vertices in messages: "vertex 4", "vertices 4, 5, 9", or the first eight "and 12 more".
+/// Returns a list of vertices for messages: "vertex 4", "vertices 4, 5, 9", or the first eight "and
+/// 12 more".
 std::string name_vertices(std::span<const Index> vertices);
 
 /// Throws InputError, naming `where` and the vertices, if positions of the region are not finite.

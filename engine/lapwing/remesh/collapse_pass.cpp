@@ -36,7 +36,7 @@ class Collapser {
       const auto [length, h] = waiting_.top();
       waiting_.pop();
       if (!net_.is_alive(h) || net_.twin(h) == kNoIndex) continue;
-      if (length != patch_.edge_length(h)) continue;  // it changed and was queued again
+      if (length != patch_.edge_length(h)) continue;  // the edge has changed and was queued again
       if (!collapse_into_target(h)) collapse_into_target(net_.twin(h));
     }
   }
@@ -50,14 +50,14 @@ class Collapser {
     if (length < kTooShort * wanted) waiting_.push({length, h});
   }
 
-  // Returns whether the line or sheet of the origin of `h` lets it move into the target.
+  // Returns whether the kind of the origin of `h` allows a move to the target of `h`.
   bool kinds_allow(Index h) const {
     const VertexKind from = patch_.kinds[net_.origin(h)];
     if (from == VertexKind::fixed) return false;
     return from == VertexKind::free || net_.on_line(h);
   }
 
-  // Checks the link condition: the two apexes are the only common neighbours of the ends.
+  // Checks the link condition: the two apexes are the only common neighbours of the two ends.
   bool stays_manifold(Index h) const {
     const Index v = net_.origin(h);
     const Index u = net_.target(h);

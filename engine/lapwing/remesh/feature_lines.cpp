@@ -15,15 +15,15 @@ using Eigen::Vector3d;
 
 const double kCornerCosine = std::cos(std::numbers::pi / 4);
 
-// Below this fraction of its squared longest side, a triangle's area is rounding.
+// A triangle is degenerate if its doubled area is below this fraction of its squared longest edge.
 constexpr double kNoAreaShare = 1e-12;
 
-// Stored normals that are meant to be equal differ by less, because files print few digits.
+// Stored normals that differ by less are considered equal, because files contain few digits.
 constexpr double kSameNormal = 1e-3;
 
 struct Facing {
-  Vector3d normal = Vector3d::Zero();  // zero for a triangle without area
-  Index longest = kNoIndex;            // half-edge of the longest side
+  Vector3d normal = Vector3d::Zero();  // zero for a degenerate triangle
+  Index longest = kNoIndex;            // half-edge of the longest edge
 };
 
 class LineFinder {
@@ -55,8 +55,8 @@ class LineFinder {
         facings[t].normal = normal / area;
       }
     }
-    // A triangle without area takes the normal of its neighbour across its longest edge. A few
-    // rounds reach through stacks of them.
+    // A degenerate triangle takes the normal of its neighbour across its longest edge. Several
+    // iterations handle adjacent degenerate triangles.
     for (int round = 0; round < 4; ++round) {
       for (Facing& facing : facings) {
         const Index across = net_.twin(facing.longest);
@@ -68,7 +68,7 @@ class LineFinder {
     return facings;
   }
 
-  // Returns whether the corners on the two sides of an edge differ at one of its ends.
+  // Returns whether the corners of the two triangles differ at an end of their common edge.
   template <class Differs>
   bool differs_across(Index h, Index k, const Differs& differs) const {
     const auto corner = [&](Index x) { return patch_.corners[x / 3][x % 3]; };
@@ -147,7 +147,8 @@ class LineFinder {
     }
   }
 
-  // Returns a line half-edge out of `v` other than `h`. There is only one if the line passes `v`.
+  // Returns an outgoing line half-edge of `v` other than `h`. It is unique if the line passes
+  // through `v`.
   Index other_way(Index v, Index h) const {
     Index other = kNoIndex;
     net_.for_outgoing(v, [&](Index out) {
@@ -158,11 +159,12 @@ class LineFinder {
 
   bool passes(Index v) const { return degrees_[v] == 2 && patch_.kinds[v] != VertexKind::fixed; }
 
-  // Returns the point `reach` farther along the line from `v` over `h`, or the end of the line.
+  // Returns the point of the line at distance `reach` from `v` in the direction of `h`, or the end
+  // of the line.
   Vector3d point_along(Index v, Index h, double reach) const {
     double gone = 0.0;
     Index end = net_.target(h);
-    for (;;) {  // a closed line comes back to `v`
+    for (;;) {  // on a closed line, terminates at `v`
       gone += (patch_.positions[end] - patch_.positions[net_.origin(h)]).norm();
       if (gone >= reach || end == v || !passes(end)) return patch_.positions[end];
       h = other_way(end, net_.twin(h));
@@ -211,7 +213,7 @@ class LineFinder {
     patch_.lines.starts.push_back(static_cast<Index>(patch_.lines.values.size()));
   }
 
-  // Numbers lines between fixed vertices first, then closed lines without one.
+  // Numbers first the lines between fixed vertices, then the closed lines without fixed vertices.
   void number_lines() {
     for (const bool closed : {false, true}) {
       for (Index h = 0; h < net_.halfedge_count(); ++h) {
@@ -263,7 +265,7 @@ class LineFinder {
   OriginalPatch& patch_;
   Halfedges& net_;
   std::vector<char> is_line_;  // per half-edge
-  std::vector<int> degrees_;   // per vertex: number of its edges on lines
+  std::vector<int> degrees_;   // per vertex: number of its line edges
 };
 
 }  // namespace

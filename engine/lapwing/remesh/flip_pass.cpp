@@ -33,7 +33,8 @@ double smallest_corner(const Corners& t) {
       {angle_at(t[0], t[1], t[2]), angle_at(t[1], t[2], t[0]), angle_at(t[2], t[0], t[1])});
 }
 
-// The two triangles on an edge from v to u with the apexes a and b, before and after its flip.
+// The two triangles at an edge from v to u with the apexes a and b: above and below before the
+// flip, left and right after it.
 struct Quad {
   Index v, u, a, b;
   Corners above, below, left, right;
@@ -53,7 +54,8 @@ class Flipper {
  public:
   explicit Flipper(WorkingPatch& patch) : patch_(patch), net_(patch.net) {}
 
-  // Flips until no flip is better, or for kMostRounds, since flips on a curved surface might cycle.
+  // Flips until no flip is better. Stops after kMostRounds, because flips on a curved surface might
+  // cycle.
   template <class IsBetter>
   void run(const IsBetter& is_better) {
     for (int round = 0; round < kMostRounds; ++round) {
@@ -82,7 +84,7 @@ class Flipper {
     }
   }
 
-  // Returns by how much the flip reduces the sum of squared deviations from the wanted valences.
+  // Returns the decrease, by a flip, of the sum of squared deviations from the wanted valences.
   int valence_gain(const Quad& quad) const {
     const auto square = [](int x) { return x * x; };
     int gain = 0;
@@ -121,8 +123,8 @@ class Flipper {
            !patch_.are_joined(quad.a, quad.b);
   }
 
-  // Returns whether the new edge or one of the four around it is sharper than allowed, and sharper
-  // than all of them were before.
+  // Returns whether the new edge or one of the four edges around it becomes sharper than allowed,
+  // and sharper than all five edges were before.
   bool folds(Index h, const Quad& quad) const {
     const Vector3d above = area(quad.above);
     const Vector3d below = area(quad.below);
@@ -146,7 +148,7 @@ class Flipper {
 
   WorkingPatch& patch_;
   Halfedges& net_;
-  std::vector<int> surplus_;  // per vertex: valence minus the wanted one
+  std::vector<int> surplus_;  // per vertex: valence minus wanted valence
 };
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Off lines, no original edge is sharper than the feature angle, and coarse triangles on a small
-// ball meet at 41 degrees. Lines are mostly edges of boxes.
+// Smallest allowed cosines. At first, edges that are not on lines are not sharper than the feature
+// angle; coarse triangles on a small ball meet at 41 degrees. Lines are mostly edges of boxes.
 constexpr double kSharpestCosine = 0.3;
 constexpr double kSharpestLineCosine = -0.2;
 
@@ -48,7 +48,7 @@ class Motion {
     return fold_margin(area_before(h), area_before(net_.twin(h)), net_.on_line(h));
   }
 
-  // If a triangle vanishes, its other two edges become one.
+  // If a triangle vanishes, its other two edges are merged.
   double margin_after(Index h) const {
     Index other = net_.twin(h);
     if (vanishes(h) || other == kNoIndex) return 1.0;
@@ -64,7 +64,7 @@ class Motion {
     return fold_margin(area_after(h), area_after(other), on_line);
   }
 
-  // Returns whether `h` is the edge between the two vertices that become one.
+  // Returns whether `h` is the edge between the two vertices that are merged.
   bool moves_along(Index h) const {
     const Index a = net_.origin(h);
     const Index b = net_.target(h);

@@ -73,7 +73,7 @@ void Halfedges::flip(Index h) {
     Index origin, twin, side, old;
   };
   const auto take = [&](Index e) { return Edge{origins_[e], twins_[e], sides_[e], e}; };
-  // Counterclockwise around the quad v b u a.
+  // The edges of the quad v b u a, counterclockwise.
   const std::array outer{take(next(k)), take(previous(k)), take(next(h)), take(previous(h))};
   const std::array slots{previous(h), next(k), previous(k), next(h)};
   std::array<bool, 4> was_first{};
@@ -93,12 +93,11 @@ void Halfedges::flip(Index h) {
   origins_[k] = outer[3].origin;  // a
 }
 
-// Removes a triangle of which one corner has moved onto another. The half-edges to and from the
-// third corner (the apex) now coincide, with opposite directions, so their twins become each
-// other's twins.
+// Removes a triangle two of whose corners were merged. The half-edges to and from the third corner
+// (the apex) now coincide with opposite directions, so their twins become each other's twins.
 void Halfedges::merge_edges(Index to_apex, Index from_apex) {
-  const Index a = twins_[from_apex];  // runs to the apex
-  const Index b = twins_[to_apex];    // runs from the apex
+  const Index a = twins_[from_apex];  // ends at the apex
+  const Index b = twins_[to_apex];    // starts at the apex
   const Index apex = origins_[from_apex];
   const Index end = origins_[to_apex];
   const Index side_to = on_line(to_apex)     ? sides_[to_apex]
@@ -125,7 +124,7 @@ void Halfedges::collapse(Index h) {
   const Index from_a = previous(h);
   const Index to_b = next(k);
   const Index from_b = previous(k);
-  const Index any_of_u = twins_[from_a];  // v to a, becomes u to a
+  const Index any_of_u = twins_[from_a];  // from v to a; becomes the half-edge from u to a
   for_outgoing(v, [&](Index out) { origins_[out] = u; });
   const bool u_loses_first = outgoing_[u] == k || outgoing_[u] == to_a;
   const bool a_on_border = twins_[to_a] == kNoIndex;

@@ -9,12 +9,13 @@ namespace lapwing::remeshing {
 
 /// An editable half-edge mesh on index arrays: half-edge 3 t + k runs from corner k of triangle t
 /// to the next corner. Every vertex has one fan of triangles, closed or open. A half-edge on a line
-/// carries a side of the line: the half-edges of a line's edge carry s and s ^ 1, and each border
-/// half-edge its own. Operations keep these sides. They do not check what their comments require.
+/// stores the index of a side of the line: the two half-edges of a line edge store s and s ^ 1, and
+/// each border half-edge its own index. Operations preserve the sides. They do not check their
+/// preconditions.
 class Halfedges {
  public:
   Halfedges() = default;
-  /// `twins` holds the opposite of each half-edge, kNoIndex on the border.
+  /// `twins` contains the opposite of each half-edge, or kNoIndex on the border.
   Halfedges(std::size_t vertex_count, std::span<const Triangle> triangles,
             std::vector<Index> twins);
 
@@ -35,15 +36,16 @@ class Halfedges {
 
   bool is_alive(Index h) const { return origins_[h] != kNoIndex; }
   bool has_vertex(Index v) const { return outgoing_[v] != kNoIndex; }
-  /// Returns the half-edge from which turning counterclockwise about `v` meets all others. On the
-  /// border it is the one without a twin.
+  /// Returns the outgoing half-edge from which a counterclockwise traversal about `v` visits all
+  /// others. At a border vertex, it is the half-edge without a twin.
   Index outgoing(Index v) const { return outgoing_[v]; }
   bool is_border_vertex(Index v) const { return twins_[outgoing_[v]] == kNoIndex; }
 
-  /// The next half-edge out of the same vertex, counterclockwise; kNoIndex past the last triangle.
+  /// Returns the next outgoing half-edge of the same vertex, counterclockwise, or kNoIndex after
+  /// the last triangle.
   Index turn(Index h) const { return twins_[previous(h)]; }
 
-  /// Calls `visit(h)` for the half-edges out of `v`, counterclockwise; their triangles are those
+  /// Calls `visit(h)` for the outgoing half-edges of `v`, counterclockwise, one for each triangle
   /// around `v`.
   template <class Visit>
   void for_outgoing(Index v, const Visit& visit) const {
@@ -56,7 +58,7 @@ class Halfedges {
     } while (h != kNoIndex && h != first);
   }
 
-  /// Calls `visit(w)` for the ring neighbours of `v`, counterclockwise.
+  /// Calls `visit(w)` for the neighbours of `v`, counterclockwise.
   template <class Visit>
   void for_neighbours(Index v, const Visit& visit) const {
     for_outgoing(v, [&](Index h) {
@@ -66,14 +68,14 @@ class Halfedges {
   }
   int valence(Index v) const;
 
-  /// Splits the edge of `h`, which must not be on the border, and returns the new vertex. `h` then
-  /// runs from its origin to the new vertex. The two new triangles are the last ones.
+  /// Splits the edge of `h`, which must not be on the border, and returns the new vertex.
+  /// Afterwards, `h` ends at the new vertex. The two new triangles are appended.
   Index split(Index h);
-  /// Flips the edge of `h`, which must not be on a line or border, so that it joins the two apexes.
+  /// Flips the edge of `h` so that it joins the two apexes. It must not be on a line or border.
   void flip(Index h);
   /// Collapses the origin of `h`, which must have a closed fan, into its target, and removes the
-  /// two triangles on the edge. Requires the link condition, and that the two edges that become one
-  /// on either side are not both lines.
+  /// two triangles of the edge. Requires the link condition. The two edges that are merged on
+  /// either side must not both be on lines.
   void collapse(Index h);
 
  private:

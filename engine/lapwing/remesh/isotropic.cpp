@@ -21,10 +21,10 @@ namespace {
 
 using namespace remeshing;
 
-// Memory of the patch during remeshing, including the search tree of the original and the transfer
-// of attributes. Measured at 1.3 million triangles.
+// Memory per triangle during remeshing, including the search tree of the original patch and the
+// transfer of attributes. Measured for 1.3 million triangles.
 constexpr double kBytesPerTriangle = 400.0;
-// Relaxation steps per iteration. A second one spreads the vertices better than more iterations.
+// Relaxation steps per iteration. A second step is more effective than additional iterations.
 constexpr int kRelaxations = 2;
 
 void require_options(const RemeshOptions& options) {
@@ -40,7 +40,6 @@ void require_vertices(const Mesh& mesh, const VertexSet& region) {
                    ", but the mesh has " + std::to_string(mesh.vertex_count()) + " vertices");
 }
 
-// Estimates the number of triangles of the remeshed patch.
 double expected_faces(const OriginalPatch& patch, const std::vector<double>& lengths) {
   double faces = 0.0;
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {

@@ -11,7 +11,7 @@
 namespace lapwing::remeshing {
 namespace {
 
-// A polygon side outside the patch (`halfedge` is kNoIndex) or a triangle side inside.
+// An edge of a polygon outside the patch (`halfedge` is kNoIndex) or of a triangle of the patch.
 struct Side {
   std::array<Index, 2> ends;  // mesh vertices, lower first
   Index halfedge;
@@ -50,7 +50,8 @@ class PatchCutter {
     }
   }
 
-  // Triangulates by numbers within the polygon, which tell corners and not only their vertices.
+  // Triangulates face `f` by corner indices, because several corners of a polygon can have the same
+  // vertex.
   void cut_face(std::size_t f) {
     const auto face = mesh_.face(f);
     local_numbers_.resize(face.size());
@@ -144,7 +145,7 @@ class PatchCutter {
     }
   }
 
-  // Gives every fan of triangles its own vertex.
+  // Assigns a local vertex index to every fan of triangles.
   void number_fans(const std::vector<Index>& twins) {
     std::vector<Index> newest(mesh_.vertex_count(), kNoIndex);
     std::vector<char> closed(mesh_.vertex_count(), 0);

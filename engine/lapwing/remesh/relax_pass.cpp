@@ -12,8 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Returns the centroid of the triangles around `v`, each weighted by its area over the fourth power
-// of its target length. That is the density of a centroidal Voronoi tessellation with such cells.
+// Returns the centroid of the triangles around `v`, weighted by area divided by the fourth power of
+// the target length. This density leads to a centroidal Voronoi tessellation with cells of the
+// target size.
 Vector3d centroid(const WorkingPatch& patch, Index v) {
   Vector3d sum = Vector3d::Zero();
   double weights = 0.0;
@@ -29,8 +30,8 @@ Vector3d centroid(const WorkingPatch& patch, Index v) {
   return weights > 0.0 ? Vector3d(sum / weights) : patch.at(v);
 }
 
-// Returns the point between the neighbours on the line that divides their distance in the ratio of
-// the wanted edge lengths.
+// Returns the point between the two neighbours of `v` on its line that divides their distance in
+// the ratio of the wanted edge lengths.
 Vector3d middle_on_line(const WorkingPatch& patch, Index v) {
   std::array<Index, 2> ends{v, v};
   std::size_t count = 0;

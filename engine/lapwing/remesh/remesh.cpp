@@ -27,10 +27,10 @@ double smallest_angle(const Mesh& mesh, std::span<const Index> face) {
 }
 
 double wanted_length(const RemeshRequest& request, const RegionQuality& before) {
-  // Without faces nothing is remeshed, whatever the length.
+  // Without faces nothing is remeshed, so the length has no effect.
   if (before.faces == 0) return 1.0;
   if (request.length) return *request.length;
-  // If positions are not finite, `remesh_isotropic` names the vertices.
+  // Some positions are not finite; `remesh_isotropic` throws an error that names the vertices.
   if (!std::isfinite(before.mean_edge)) return 1.0;
   if (before.mean_edge > 0.0) return request.scale * before.mean_edge;
   throw InputError(request.where +

@@ -25,8 +25,8 @@ RegionQuality region_quality(const Mesh& mesh, const VertexSet& region);
 /// Input of `remesh` besides the mesh.
 struct RemeshRequest {
   RegionSpec region = {};
-  std::optional<double> length = {};  ///< target edge length, positive; if empty: by `scale`
-  double scale = 1.0;                 ///< target / mean edge length of the region, positive
+  std::optional<double> length = {};  ///< target edge length, positive; if empty, `scale` is used
+  double scale = 1.0;                 ///< target length / mean edge length of the region; positive
   RemeshOptions options = {};
   std::string where = "remesh";  ///< as in RegionSpec; ignored by ==
   bool operator==(const RemeshRequest& other) const {
@@ -45,9 +45,9 @@ struct Remeshed {
   std::vector<std::string> warnings;  ///< for the user
 };
 
-/// `remesh_isotropic` with the same length everywhere. Throws InputError, naming the region's
-/// `where`, if the region does not fit the mesh. Throws InputError, naming `where`, if there is
-/// only a scale and the region's edges have no length. Also throws what `remesh_isotropic` throws.
+/// Calls `remesh_isotropic` with a constant length. Throws InputError, naming `region.where`, if
+/// the region does not fit the mesh; InputError, naming `request.where`, if the length is given by
+/// a scale and all edges have length 0; and the errors of `remesh_isotropic`.
 Remeshed remesh(const Mesh& mesh, const RemeshRequest& request, const Progress& progress = {});
 
 }  // namespace lapwing

@@ -7,9 +7,9 @@
 namespace lapwing::remeshing {
 namespace {
 
-// An edge waits for edges of its triangles that are longer than this multiple of its length. At 1,
-// a fine field next to a coarse one could never refine. Near 2, the triangles at a long border edge
-// would be split without end.
+// An edge is not split while its triangles have an edge longer than this multiple of its length.
+// With 1, small target lengths next to large ones would never be reached. Near 2, triangles at a
+// long border edge would be split endlessly.
 constexpr double kMuchLonger = 4.0 / 3.0;
 
 struct LongEdge {
@@ -62,7 +62,7 @@ class Splitter {
     const Index v = net_.origin(h);
     const Index u = net_.target(h);
     const Eigen::Vector3d middle = 0.5 * (patch_.at(v) + patch_.at(u));
-    if (middle == patch_.at(v) || middle == patch_.at(u)) return;  // at the limit of precision
+    if (middle == patch_.at(v) || middle == patch_.at(u)) return;  // limit of precision
     const Index m = net_.split(h);
     patch_.positions.push_back(middle);
     patch_.lengths.push_back(patch_.target_length.at(middle));

@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 256;
 
-// Where the vertices, corners and triangles of the patch lie on the original mesh. Feature lines
-// divide the corners around a vertex into sectors. The corners of a sector share their attributes.
+// The points of the original mesh that correspond to the vertices, corners and triangles of the
+// patch. Feature lines divide the corners around a vertex into sectors. The corners of a sector
+// have the same attributes.
 struct AttributeSources {
   std::vector<SurfacePoint> vertices;     //< per vertex, by mesh vertices; nowhere() if removed
   std::vector<Index> sectors_of_corners;  //< per half-edge: the sector of the corner at its origin
@@ -26,7 +27,7 @@ struct AttributeSources {
   std::vector<Index> faces;               //< per triangle, a face of the mesh; kNoIndex if removed
 };
 
-// Expresses each point by vertices of the mesh and, for each sector, by corners of the mesh.
+// Expresses each vertex by weights of mesh vertices, and each sector by weights of mesh corners.
 class SourceFinder {
  public:
   explicit SourceFinder(const WorkingPatch& patch)
@@ -84,7 +85,8 @@ class SourceFinder {
     return original_.mesh_vertices[original_.net.origin(original_halfedge)];
   }
 
-  // Adds the sector from `first` counterclockwise to the next line or border, or all around.
+  // Adds the sector that starts at `first` and ends, counterclockwise, at the next line or border,
+  // or contains all corners.
   void add_sector(Index first, const SurfacePoint& in_corners) {
     Index h = first;
     do {
@@ -119,7 +121,8 @@ class SourceFinder {
     });
   }
 
-  // Fixed vertices are original ones, and lines and borders at them still have the original sides.
+  // Fixed vertices are vertices of the original mesh. Lines and borders at them have the same sides
+  // as in the original.
   void add_fixed(Index v) {
     sources_.vertices[v] = SurfacePoint::at_vertex(original_.mesh_vertices[v]);
     bool has_lines = false;
@@ -173,7 +176,7 @@ class Carrier {
   }
 
  private:
-  // Numbers the mesh vertices that stay first, then those of the patch.
+  // Numbers first the remaining mesh vertices, then the new vertices of the patch.
   void number_vertices() {
     std::vector<char> stays(mesh_.vertex_count(), 1);
     for (Index v = 0; v < original_.mesh_vertices.size(); ++v) {
@@ -261,7 +264,8 @@ class Carrier {
     return sum.cast<float>();
   }
 
-  // Returns the blended unit normal or, if the normals cancel out, that of the nearest corner.
+  // Returns the interpolated unit normal or, if the normals cancel, the normal of the nearest
+  // corner.
   static Eigen::Vector3d blend_normals(const SurfacePoint& source,
                                        const std::vector<Eigen::Vector3d>& normals) {
     const Eigen::Vector3d sum = source.of<Eigen::Vector3d>(normals);
@@ -269,8 +273,8 @@ class Carrier {
     return length > 1e-6 ? Eigen::Vector3d(sum / length) : normals[nearest_corner(source)];
   }
 
-  // Blends real numbers. Whole numbers (flags, labels) keep the value of the nearest vertex, which
-  // replace_vertices copied.
+  // Interpolates real attributes. Integers (flags, labels) keep the value of the nearest vertex,
+  // which replace_vertices copied.
   static void blend_extra(const SurfacePoint& source, const ExtraAttribute& old, Index n,
                           ExtraAttribute& extra) {
     const bool is_real = extra.type.find("float") != std::string::npos ||
@@ -299,8 +303,9 @@ class Carrier {
     }
   }
 
-  // New corners of a sector share one new value, or that of the corner they lie on. If one of the
-  // original corners has none, the nearest one's value stays, which replace_faces copied.
+  // All new corners of a sector get one interpolated value. Corners at an original corner, and
+  // corners for which an original corner has no value, keep the value of the nearest corner, which
+  // replace_faces copied.
   template <class Value, class Blend>
   void carry_list(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
                   std::vector<Index>& of_corner, const Blend& blend) {
@@ -322,7 +327,7 @@ class Carrier {
     drop_unused(old_of_corner, values, of_corner);
   }
 
-  // Drops the values that only corners of the old patch used.
+  // Removes the values that only corners of the old patch used.
   template <class Value>
   static void drop_unused(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
                           std::vector<Index>& of_corner) {

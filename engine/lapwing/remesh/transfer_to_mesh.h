@@ -6,8 +6,8 @@
 namespace lapwing::remeshing {
 
 /// Returns `mesh` with the faces of the patch replaced by its triangles. New vertices, corners and
-/// faces get their attributes from their places on the original. Vertices and faces outside come
-/// first, in the old order.
+/// faces get the attributes of their points on the original mesh. Vertices and faces outside the
+/// patch come first, in the same order.
 RemeshResult transfer_to_mesh(const Mesh& mesh, const WorkingPatch& patch);
 
 }  // namespace lapwing::remeshing

@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
-// Triangles of this quality, with angles from about 15 degrees, are good enough.
+// Triangles of this quality, whose angles are at least about 15 degrees, are good enough.
 constexpr double kGoodEnough = 0.4;
-// Below this quality a triangle's normal is rounding.
+// Below this quality, the normal of a triangle consists of rounding errors.
 constexpr double kNoQuality = 1e-9;
 // Largest distance of a line from its original, in target lengths.
 constexpr double kLineTolerance = 0.1;
@@ -37,7 +37,7 @@ std::vector<Triangle> segments_of(const OriginalPatch& original) {
   return segments;
 }
 
-// Returns rows of consecutive numbers with the row lengths of `lists`.
+// Returns consecutive numbers in rows of the same lengths as `lists`.
 Adjacency numbered(const Adjacency& lists) {
   Adjacency rows = lists;
   for (Index i = 0; i < rows.values.size(); ++i) rows.values[i] = i;

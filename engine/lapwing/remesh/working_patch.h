@@ -11,8 +11,8 @@
 
 namespace lapwing::remeshing {
 
-/// The sizing field: the edge length wanted at a point. `at` throws InputError, naming the point,
-/// if the length is not positive or not finite.
+/// The sizing field, the target edge length at each point. `at` throws InputError, naming the
+/// point, if the length is not positive or not finite.
 class TargetSizingField {
  public:
   explicit TargetSizingField(const std::function<double(const Eigen::Vector3d&)>& length)
@@ -23,13 +23,12 @@ class TargetSizingField {
   const std::function<double(const Eigen::Vector3d&)>& length_;
 };
 
-/// A point on a line of the original patch, at the fraction `along` of the way from the origin of
-/// `halfedge` to its target.
+/// A point on a line of the original patch, at the fraction `along` of the length of `halfedge`.
 struct LinePoint {
   Index halfedge = kNoIndex;
   double along = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Index hint = kNoIndex;  ///< for the next search close by on the same line
+  Index hint = kNoIndex;  ///< speeds up the next search on the same line
 };
 
 /// The original surface and lines, onto which vertices are projected.
@@ -50,12 +49,12 @@ class Reference {
   ClosestPoint lines_;
 };
 
-/// Cosines, angles and qualities that differ by less are equal up to rounding, for example when a
-/// vertex moves within the plane of its triangles. Such a difference must not decide anything.
+/// Cosines, angles and qualities that differ by less are treated as equal. Such differences are
+/// rounding errors, for example if a vertex moves within the plane of its triangles.
 inline constexpr double kSameQuality = 1e-9;
 
-/// The patch during remeshing. Original vertices keep their own numbers until they are removed; new
-/// ones follow.
+/// The patch during remeshing. Original vertices have the indices of OriginalPatch; new vertices
+/// follow.
 struct WorkingPatch {
   WorkingPatch(const OriginalPatch& original_patch, const TargetSizingField& target,
                std::vector<double> lengths_at_vertices);
@@ -67,12 +66,12 @@ struct WorkingPatch {
   Positions positions;
   std::vector<double> lengths;  ///< per vertex: target length
   std::vector<VertexKind> kinds;
-  std::vector<Index> hints;     ///< per vertex: for `project`
+  std::vector<Index> hints;     ///< per vertex: TrianglePoint::hint for `project`
   std::vector<Index> sheet_of;  ///< per triangle
 
   const Eigen::Vector3d& at(Index v) const { return positions[v]; }
-  /// Returns the length rounded to seven digits. Edges of equal length then compare equal despite
-  /// rounding, and the passes choose among them by number, the same on every processor.
+  /// Returns the edge length rounded to seven digits. Equal lengths then remain equal despite
+  /// rounding errors, and the passes order such edges by index, the same on every processor.
   double edge_length(Index h) const {
     return rounded_to_seven_digits((at(net.origin(h)) - at(net.target(h))).norm());
   }
@@ -81,22 +80,22 @@ struct WorkingPatch {
     return {at(net.origin(h)), at(net.target(h)), at(net.apex(h))};
   }
 
-  /// Returns the line of a vertex of kind `line`.
+  /// Returns the line of `v`, a vertex of kind `line`.
   Index line_of(Index v) const;
   /// Returns the area-weighted normal of the triangles around `v`, of unit length or zero.
   Eigen::Vector3d normal_at(Index v) const;
-  /// Returns the point closest to `point` on the original sheet or line of `v`. Writes only the
-  /// hint of `v`.
+  /// Returns the point of the original sheet or line of `v` that is closest to `point`. Changes
+  /// only the hint of `v`.
   Eigen::Vector3d project(Index v, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
-  /// Returns whether the edges of `line` at `v`, except the one to `except`, stay within a tenth of
-  /// `length` of the original line if `v` moves to `place`.
+  /// Returns whether the edges of `line` at `v`, except the edge to `except`, remain within
+  /// `length` / 10 of the original line if `v` moves to `place`.
   bool line_stays_near(Index line, Index v, Index except, const Eigen::Vector3d& place,
                        double length) const;
 
   /// Returns whether two vertices are copies of one mesh vertex.
   bool is_same(Index a, Index b) const;
-  /// Returns whether the mesh has an edge between the two, in the patch or outside.
+  /// Returns whether the mesh has an edge between `a` and `b`, in the patch or outside.
   bool are_joined(Index a, Index b) const;
 
  private:
@@ -108,16 +107,16 @@ struct WorkingPatch {
   }
 };
 
-/// Returns 4 sqrt(3) times the area over the sum of the squared sides: 1 for an equilateral
-/// triangle, 0 without area.
+/// Returns 4 sqrt(3) area / (sum of the squared edge lengths). It is 1 for an equilateral triangle
+/// and 0 for a degenerate one.
 double triangle_quality(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// Decides whether triangles may replace others: none may turn by more than 60 degrees, and the
-/// worst must be good enough or no worse than the worst before. Call `add` for each pair, then
-/// `passes`.
+/// Decides whether new triangles may replace old ones: no triangle may rotate by more than 60
+/// degrees, and the worst quality must be good enough or not worse than before. Call `add` for each
+/// pair of triangles, then `passes`.
 class ReplacementCheck {
  public:
-  /// `fallback` is the normal of triangles that had no area.
+  /// `fallback` is the normal of old triangles that are degenerate.
   explicit ReplacementCheck(const Eigen::Vector3d& fallback) : fallback_(fallback) {}
   void add(const std::array<Eigen::Vector3d, 3>& before,
            const std::array<Eigen::Vector3d, 3>& after);

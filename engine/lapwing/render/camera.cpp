@@ -38,7 +38,7 @@ std::array<Vector3d, 8> corners_of(const Bounds& bounds) {
   return corners;
 }
 
-// Rows: right, up and backward.
+// Returns the camera's axes as rows: right, up and backward.
 Eigen::Matrix3d camera_axes(const Vector3d& toward_eye, const Vector3d& up) {
   const Vector3d backward = toward_eye.normalized();
   Vector3d right = up.cross(backward);
@@ -54,12 +54,12 @@ double half_tangent(double field_of_view) {
   return std::tan(field_of_view * std::numbers::pi / 360.0);
 }
 
-// Sets planes just outside the depths, so that rounding cuts nothing off.
+// Sets the near and far planes slightly outside `depth`, so that rounding errors clip nothing.
 void set_depth(Camera& camera, const Interval& depth) {
   const double slack = 1e-3 * (std::abs(depth.low) + std::abs(depth.high));
   camera.near_distance = depth.low - slack;
   camera.far_distance = depth.high + slack;
-  // A perspective eye within the bounds sees nothing behind it.
+  // If a perspective camera is inside the bounds, points behind it are clipped.
   constexpr double kSmallestNear = 1e-4;
   if (!camera.orthographic) {
     camera.far_distance = std::max(camera.far_distance, (camera.eye - camera.target).norm());
@@ -67,15 +67,14 @@ void set_depth(Camera& camera, const Interval& depth) {
   }
 }
 
-// The points in camera axes relative to `center`, as framing needs them.
+// The points to frame, relative to their centre and in the camera's axes.
 struct Framed {
   std::vector<Vector3d> points;
   Interval x, y;
-  double right_tangent, up_tangent;  // tangents of half the picture without its margin
-  double smallest;                   // least size shown, so that a line seen end-on gets a distance
+  double right_tangent, up_tangent;  // tangents of half the field of view without the margin
+  double smallest;  // lower bound of the shown size; else a line seen end-on would have size 0
 
-  // Returns the distance from the centre, moved by (dx, dy), at which every point is in the
-  // picture.
+  // Returns the smallest distance from the target (dx, dy, 0) at which all points are in the image.
   double distance(double dx, double dy, bool orthographic) const {
     double least = 0.0;
     for (const Vector3d& p : points) {
@@ -91,8 +90,8 @@ Vector3d target_and_distance(const Framed& framed, bool orthographic) {
   Vector3d result(framed.x.middle(), framed.y.middle(), 0.0);
   result.z() = framed.distance(result.x(), result.y(), orthographic);
   if (orthographic) return result;
-  // Near points look larger, so the middle of the picture is not the middle of the points. Each
-  // round moves towards it, and the step shrinks by the ratio of depth to distance.
+  // In perspective, the centre of the image is not the centre of the points, because near points
+  // appear farther apart. This fixed-point iteration converges at the rate depth / distance.
   for (int round = 0; round < 8; ++round) {
     Interval x;
     Interval y;

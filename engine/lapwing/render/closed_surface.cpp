@@ -40,7 +40,8 @@ bool is_closed_outward(std::span<const Eigen::Vector3d> positions,
     pieces.unite(t[0], t[1]);
     pieces.unite(t[0], t[2]);
   }
-  // The volume of a closed piece does not depend on the reference point; a near one keeps digits.
+  // The volume of a closed component does not depend on the reference point; a near one avoids
+  // cancellation.
   std::vector<double> volumes(positions.size(), 0.0);
   for (const Triangle& t : triangles) {
     const Index piece = pieces.find(t[0]);

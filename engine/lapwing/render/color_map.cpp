@@ -7,8 +7,8 @@
 namespace lapwing {
 namespace {
 
-// Converts OKLab in polar form to linear sRGB. Hue in degrees. Matrices: B. Ottosson, "A perceptual
-// color space for image processing", 2020.
+// Converts OKLab in polar form to linear sRGB. The hue is in degrees. Matrices: B. Ottosson, "A
+// perceptual color space for image processing", 2020.
 Eigen::Vector3f from_oklch(float lightness, float chroma, float hue) {
   const float angle = hue * std::numbers::pi_v<float> / 180.0F;
   const Eigen::Vector3f lab(lightness, chroma * std::cos(angle), chroma * std::sin(angle));
@@ -21,7 +21,8 @@ Eigen::Vector3f from_oklch(float lightness, float chroma, float hue) {
   return to_rgb * (to_cones * lab).array().cube().matrix();
 }
 
-// A sweep of hue whose chroma follows the gamut of sRGB, smallest at teal.
+// The hue changes linearly. The chroma follows the boundary of the sRGB gamut, which is narrowest
+// at teal.
 Eigen::Vector3f sequential(float t) {
   const float from_teal = t - 0.44F;
   return from_oklch(0.36F + 0.57F * t, 0.098F + 0.22F * from_teal * from_teal, 305.0F - 200.0F * t);

@@ -20,8 +20,8 @@ std::uint32_t word_of(const Eigen::Vector3f& srgb) {
   return static_cast<std::uint32_t>(CornerSource::color) | word;
 }
 
-// Returns the corners of the polygon at the vertices of one of its triangles. If the polygon visits
-// a vertex twice, takes its first corner there.
+// Returns the polygon's corners at the vertices of `triangle`, one of its triangles. If the polygon
+// visits a vertex twice, returns the first corner at that vertex.
 std::array<Index, 3> corners_of(const Mesh& drawn, Index face, const Triangle& triangle) {
   const std::span<const Index> polygon = drawn.face(face);
   std::array<Index, 3> corners{};
@@ -84,8 +84,8 @@ class CornerPainter {
     return static_cast<std::uint32_t>(CornerSource::none);
   }
 
-  // Returns the positions of the corners in the image of `material`. Returns nothing if it has no
-  // image, or if a corner has no texture coordinates.
+  // Returns the positions of the corners in the image of `material`. Returns nothing if the
+  // material has no image or a corner has no texture coordinates.
   std::optional<std::array<Place, 3>> find_places(const FileMaterial* material,
                                                   const std::array<Index, 3>& corners) const {
     if (material == nullptr || material->image == kNoIndex || attributes_.corner_uvs.empty()) {

@@ -6,7 +6,6 @@
 
 namespace lapwing {
 
-/// Parameters of a device image.
 struct DeviceImageInfo {
   std::string name;  ///< appears in error messages
   VkFormat format = VK_FORMAT_UNDEFINED;
@@ -14,20 +13,20 @@ struct DeviceImageInfo {
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   VkImageUsageFlags usage = 0;
   VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
-  /// Format of a second view that reads and writes the same bits. There is none if this is
-  /// undefined or the image's own format.
+  /// Format of a second view of the same bits. If it is undefined or equal to `format`, there is no
+  /// second view.
   VkFormat second_format = VK_FORMAT_UNDEFINED;
 };
 
-/// Layout of an image, and the stages and accesses that a transition waits for or blocks.
+/// Layout of an image, and the pipeline stages and memory accesses that a barrier synchronizes.
 struct ImageState {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
   VkAccessFlags2 accesses = VK_ACCESS_2_NONE;
 };
 
-/// Records a barrier on a whole image with one level and layer. From an undefined layout the
-/// contents are lost.
+/// Records a barrier on a whole image with one level and layer. If `from` has an undefined layout,
+/// the contents are discarded.
 void transition_image(const gpu::Context& context, VkCommandBuffer commands, VkImage image,
                       VkImageAspectFlags aspect, const ImageState& from, const ImageState& to);
 
@@ -35,13 +34,13 @@ void transition_image(const gpu::Context& context, VkCommandBuffer commands, VkI
 /// must outlive it.
 class DeviceImage {
  public:
-  /// Throws GpuError, naming the image and the limit, if it cannot be created.
+  /// If the image cannot be created, throws GpuError, which names the image and the limit.
   DeviceImage(const gpu::Context& context, const DeviceImageInfo& info);
 
   const gpu::Context& context() const { return *context_; }
   VkImage handle() const { return handle_.get(); }
   VkImageView view() const { return view_.get(); }
-  /// Returns the view in the second format, if there is one, else the first.
+  /// Returns the view in the second format if there is one, otherwise `view()`.
   VkImageView second_view() const {
     return second_view_.get() != VK_NULL_HANDLE ? second_view_.get() : view_.get();
   }
@@ -54,7 +53,8 @@ class DeviceImage {
 
   const gpu::Context* context_;
   VkImageAspectFlags aspect_;
-  gpu::Owned<VkDeviceMemory> memory_;  ///< declared first to outlive the image and views
+  /// Declared first, so that it outlives the image and the views.
+  gpu::Owned<VkDeviceMemory> memory_;
   gpu::Owned<VkImage> handle_;
   gpu::Owned<VkImageView> view_;
   gpu::Owned<VkImageView> second_view_;

@@ -15,7 +15,7 @@ std::shared_ptr<gpu::Context> open(const std::string& device) {
   return std::make_shared<gpu::Context>(gpu::ContextOptions{.device = device});
 }
 
-// Returns the names of usable devices, the failed one first.
+// Returns the names of usable devices, starting with the device of index `failed`.
 std::vector<std::string> devices_from(std::size_t failed) {
   std::vector<gpu::DeviceDescription> all = gpu::list_devices();
   std::erase_if(all, [](const gpu::DeviceDescription& device) { return !device.rejected.empty(); });
@@ -44,7 +44,7 @@ std::string draw_on_any_device(
     failure = std::current_exception();
     why = error.what();
   }
-  first.reset();  // frees its memory, which may be what is missing
+  first.reset();  // frees its memory, because the error may be a lack of memory
   try {
     for (const std::string& name : devices_from(failed)) {
       try {
@@ -53,11 +53,11 @@ std::string draw_on_any_device(
         return "the device failed, and " + context->description().name +
                " drew the picture: " + why;
       } catch (const GpuError&) {
-        continue;  // the first failure is reported
+        continue;  // the caller gets the first error
       }
     }
   } catch (const GpuError&) {
-    // If devices cannot be listed, the first failure says why.
+    // The devices cannot be listed; report the first error.
   }
   std::rethrow_exception(failure);
 }

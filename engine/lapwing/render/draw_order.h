@@ -10,11 +10,11 @@
 
 namespace lapwing {
 
-/// Holds the order in which a software device draws triangles, as an index buffer in mapped memory.
-/// A triangle is smooth if its corners have the first normals of their vertices. Smooth triangles
-/// come first and are drawn by vertex, so that most triangles around a vertex share one run of the
-/// vertex shader. The other triangles are sharp and are drawn by corner. The device caches only a
-/// few vertices, so triangles that are close in space follow each other.
+/// The order in which a software device draws triangles, as an index buffer in mapped memory. A
+/// triangle is smooth if each of its corners has the first normal of its vertex. Smooth triangles
+/// come first and are indexed by vertex, so that neighbours can share runs of the vertex shader.
+/// The other triangles are sharp and are indexed by corner. Triangles that are close in space
+/// follow each other, because the device caches only a few vertices.
 class DrawOrder {
  public:
   /// Orders `triangles` by their `positions` in O(n log n). `normal_of_corner` is

@@ -41,7 +41,7 @@ void record_read_back(gpu::Recorder& recorder, const DeviceImage& image, VkExten
 }
 
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted) {
-  // A sample count is its own bit.
+  // The flag bit of a sample count has the same value as the count.
   const VkSampleCountFlags supported =
       context.limits().framebufferColorSampleCounts & context.limits().framebufferDepthSampleCounts;
   std::uint32_t best = 1;
@@ -83,7 +83,7 @@ void DrawScope::begin(VkCommandBuffer commands, VkImageView picture) const {
     if (!shaders_encode_) resolve(color, picture);
   }
   if (!multisampled_ || shaders_encode_) color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  // Depth is reversed: the farthest is 0, as in a zeroed clear value.
+  // Depth is reversed: the farthest depth is 0, which is the default clear value.
   const VkRenderingAttachmentInfo depth = attachment(depth_.view(), kDepthTarget);
   begin(commands, color, &depth);
 }
@@ -102,7 +102,8 @@ void DrawScope::begin(VkCommandBuffer commands, const VkRenderingAttachmentInfo&
 void DrawScope::end(VkCommandBuffer commands, VkImageView picture) const {
   context_.vk().vkCmdEndRendering(commands);
   if (!shaders_encode_) return;
-  // Average the samples in linear light, through the format that decodes what the shaders encoded.
+  // Average the samples in linear light: the sRGB view decodes the colours that the shaders
+  // encoded.
   multisampled_->transition(commands, kColorTarget, kColorTarget);
   VkRenderingAttachmentInfo color = attachment(multisampled_->view(), kColorTarget);
   color.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;

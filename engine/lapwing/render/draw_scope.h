@@ -11,28 +11,30 @@
 
 namespace lapwing {
 
-/// State of an image that is drawn into.
+/// State of an image that is a render target.
 inline constexpr ImageState kColorTarget{
     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
-/// State of an image that is copied from.
+/// State of an image that is the source of a copy.
 inline constexpr ImageState kCopySource{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                                         VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                         VK_ACCESS_2_TRANSFER_READ_BIT};
-/// State of an image whose contents are discarded. Waits for all earlier uses.
+/// State of an image whose contents are discarded. A barrier from it waits for all earlier uses.
 inline constexpr ImageState kDiscarded{VK_IMAGE_LAYOUT_UNDEFINED,
                                        VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE};
 
-/// Records a copy of `image` into `buffer`, row by row from the top. The image must be in the state
+/// Records a copy of `image` into `buffer` by rows from the top. The image must be in the state
 /// kColorTarget.
 void record_read_back(gpu::Recorder& recorder, const DeviceImage& image, VkExtent2D extent,
                       const gpu::Buffer& buffer);
 
-/// Returns the most samples per pixel, up to `wanted`, that the context's device supports.
+/// Returns the largest number of samples per pixel, at most `wanted`, that the context's device
+/// supports.
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted);
 
-/// Returns the format for antialiased images of `color`, an _SRGB format, with sample_count
-/// samples. On a software device, shaders encode the colours, which is faster.
+/// Returns the format of antialiased images of `color`, an _SRGB format, with the largest supported
+/// number of samples up to `samples`. On a software device, shaders encode the colours, which is
+/// faster.
 TargetFormat antialiased(const gpu::Context& context, VkFormat color, std::uint32_t samples);
 
 /// A rendering scope that draws one image with depth, antialiased if the format has several
@@ -42,10 +44,11 @@ class DrawScope {
  public:
   DrawScope(const gpu::Context& context, VkExtent2D extent, const TargetFormat& format);
 
-  /// Begins drawing into `picture`, an image of the extent and colour format, with one sample, in
-  /// the layout of kColorTarget. Clears it to transparent black and the depth to the farthest.
+  /// Begins drawing into `picture`, an image with this scope's extent and colour format, one sample
+  /// per pixel and the layout of kColorTarget. Clears it to transparent black, and the depth buffer
+  /// to the farthest depth.
   void begin(VkCommandBuffer commands, VkImageView picture) const;
-  /// Ends drawing into the same image, which is then complete and in the same layout.
+  /// Ends drawing into `picture`, the image passed to `begin`. Its layout does not change.
   void end(VkCommandBuffer commands, VkImageView picture) const;
 
  private:
@@ -56,7 +59,7 @@ class DrawScope {
   VkExtent2D extent_;
   bool shaders_encode_;
   DeviceImage depth_;
-  std::optional<DeviceImage> multisampled_;  ///< drawn into if there are several samples
+  std::optional<DeviceImage> multisampled_;  ///< the render target if there are several samples
 };
 
 }  // namespace lapwing

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// With leading zeros, file browsers sort the pictures correctly.
+// With leading zeros, file browsers sort the images correctly.
 constexpr std::size_t kFewestDigits = 4;
 
 std::string ending_of(const fs::path& output) {

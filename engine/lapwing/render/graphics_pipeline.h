@@ -11,22 +11,22 @@
 
 namespace lapwing {
 
-/// Format of the images that pipelines draw into: a window's or an offscreen target's.
+/// Formats of the images that pipelines draw into, in a window or offscreen.
 struct TargetFormat {
-  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< format of the image; encodes linear light
+  /// Format of the image; it encodes linear light as sRGB.
+  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;
   VkFormat depth = VK_FORMAT_D32_SFLOAT;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  /// If true, shaders encode colours themselves (shaders/target.glsl), once per pixel, and draw
-  /// into the same bits without an encoding. For software devices, which otherwise encode every
-  /// sample.
+  /// If true, shaders encode colours once per pixel (shaders/target.glsl) and draw through a view
+  /// that does not encode. For software devices, which otherwise encode every sample.
   bool shaders_encode = false;
 
   /// Returns the colour format that pipelines draw into.
   VkFormat drawn_color() const;
 };
 
-/// Returns the format of the same bits without an encoding, or VK_FORMAT_UNDEFINED for formats that
-/// no window of the viewer has.
+/// Returns the UNORM format that corresponds to `srgb`, or VK_FORMAT_UNDEFINED for formats that the
+/// viewer's windows do not use.
 VkFormat without_encoding(VkFormat srgb);
 
 struct GraphicsPipelineInfo {
@@ -36,35 +36,37 @@ struct GraphicsPipelineInfo {
   std::uint32_t storage_buffers = 0;  ///< bindings 0, 1, ... of both stages, which only read them
   std::uint32_t push_constant_bytes = 0;
   std::span<const std::uint32_t> constants;  ///< specialization constants 0, 1, ... of both stages
-  bool depth = false;  ///< test and write depth: nearer, that is greater, wins
-  bool blend = false;  ///< blend by opacity over the image, and add to the image's opacity
+  bool depth = false;  ///< tests and writes depth; the greater depth is the nearer one
+  bool blend = false;  ///< draws over the image with the fragment's opacity
 };
 
-/// Which sides of triangles are drawn; the front is the one seen counter-clockwise.
+/// The sides of triangles to draw. A triangle shows its front if its corners appear
+/// counterclockwise.
 enum class Sides { both, front, back };
 
-/// A range of vertex numbers in a buffer of uint.
+/// A range of entries in a buffer of vertex indices (uint).
 struct IndexRange {
   const gpu::Buffer* buffer;
   std::uint32_t first;
   std::uint32_t count;
 };
 
-/// Sets the viewport and the scissor to `area`. Both are dynamic states of every GraphicsPipeline.
+/// Sets the viewport and the scissor rectangle, dynamic states of every GraphicsPipeline, to
+/// `area`.
 void set_viewport(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area);
 
 /// Draws triangles without vertex buffers. The shaders read vertex data from
 /// storage buffers. The context must outlive the pipeline.
 class GraphicsPipeline {
  public:
-  /// Throws GpuError, naming the pipeline, if the device cannot draw or rejects the pipeline.
+  /// If the device cannot draw or rejects the pipeline, throws GpuError, which names the pipeline.
   GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,
                    const GraphicsPipelineInfo& info);
   GraphicsPipeline(const GraphicsPipeline&) = delete;
   GraphicsPipeline& operator=(const GraphicsPipeline&) = delete;
 
-  /// Records a draw of `vertices` vertices, starting with number `first`, in a rendering scope.
-  /// `buffers` are in the order of their bindings.
+  /// Records a draw of `vertices` vertices from index `first` on, in a rendering scope. `buffers`
+  /// are in the order of their bindings.
   template <typename Push>
   void draw(VkCommandBuffer commands, std::initializer_list<gpu::BufferRange> buffers,
             const Push& push, std::uint32_t vertices, std::uint32_t first = 0,
@@ -72,7 +74,7 @@ class GraphicsPipeline {
     bind(commands, buffers, push, sides);
     draw_vertices(commands, vertices, first);
   }
-  /// The same for the vertices that `indices` lists.
+  /// Records a draw of the vertices that `indices` lists.
   template <typename Push>
   void draw(VkCommandBuffer commands, std::initializer_list<gpu::BufferRange> buffers,
             const Push& push, const IndexRange& indices, Sides sides = Sides::both) const {
@@ -100,7 +102,8 @@ class GraphicsPipeline {
   gpu::Owned<VkPipeline> pipeline_;
 };
 
-/// Throws GpuError with the next step if the context's queue has no graphics.
+/// If the context's queue has no graphics support, throws GpuError, which tells the user what to
+/// do.
 void require_graphics(const gpu::Context& context);
 
 }  // namespace lapwing

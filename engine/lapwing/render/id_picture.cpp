@@ -24,8 +24,8 @@ struct IdPush {
   std::array<float, 16> clip_from_surface;  // columns
 };
 
-// Returns where `ray` meets the triangle's plane, clamped to the triangle. The pixel's centre is in
-// the triangle up to rounding, which is large only if the triangle is seen edge-on.
+// Returns the intersection of `ray` and the triangle's plane, clamped to the triangle. The clamp
+// only corrects rounding errors, which are large if the triangle is seen edge-on.
 Vector3d point_on_triangle(const Ray& ray, const std::array<Vector3d, 3>& corners) {
   const Vector3d ab = corners[1] - corners[0];
   const Vector3d ac = corners[2] - corners[0];

@@ -24,30 +24,30 @@ struct Pick {
   Index triangle = kNoIndex;
   Index vertex = kNoIndex;  ///< the triangle's corner that is nearest to `position`
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in mesh coordinates
-  double depth = 0.0;  ///< distance from the eye's plane along the viewing direction
+  double depth = 0.0;  ///< distance from the eye along the viewing direction
 };
 
-/// A picture of triangle numbers: which triangle is visible at each pixel, from either side. For
-/// picking and for selecting what is visible. Not thread-safe. The context must outlive it.
+/// An image of the triangle that is visible at each pixel, for picking and for selecting visible
+/// vertices. Includes back faces. Not thread-safe. The context must outlive it.
 class IdPicture {
  public:
-  /// Throws GpuError if the context's queue has no graphics.
+  /// Throws GpuError if the context's queue has no graphics support.
   explicit IdPicture(gpu::Context& context);
 
-  /// Draws the current buffers of `surface` as a picture of `width` x `height` pixels and reads the
-  /// numbers back. Throws GpuError if the device cannot draw this size.
+  /// Draws `surface` at its current positions as an image of `width` x `height` pixels and reads
+  /// the image back. Throws GpuError if the device cannot draw this size.
   void draw(Surface& surface, const Camera& camera, std::uint32_t width, std::uint32_t height);
 
-  /// Returns 1 + the number of the triangle at each pixel's centre, or 0, in rows from the top.
-  /// Empty before the first `draw`.
+  /// Returns for each pixel, by rows from the top, 1 + the index of the triangle at its centre, or
+  /// 0 for the background. Empty before the first `draw`.
   std::span<const std::uint32_t> ids() const;
 
-  /// Returns the point at column `x` and row `y` of the last picture of `surface`, which must not
-  /// have moved since. Returns nothing on the background and outside the picture.
+  /// Returns the point of `surface` at column `x` and row `y` of the last image, or nothing for the
+  /// background and outside the image. The surface must not have moved since `draw`.
   std::optional<Pick> pick(const Surface& surface, std::uint32_t x, std::uint32_t y);
 
  private:
-  /// Resources that depend on the picture's size.
+  /// Resources that depend on the size of the image.
   struct Target {
     Target(gpu::Context& context, VkExtent2D extent, const TargetFormat& format);
 

@@ -11,14 +11,14 @@ namespace {
 // Dark grey, legible on every background.
 const Eigen::Vector3f kInk = Eigen::Vector3f::Constant(0.015F);
 
-// Picture height at which a letter's dot is one pixel. All sizes below are in such dots.
+// Image height at which one dot of the font is one pixel. All lengths below are in dots.
 constexpr float kHeightPerDot = 360.0F;
 constexpr float kMargin = 12.0F;
 constexpr float kBarWidth = 10.0F;
 constexpr float kGap = 4.0F;
 constexpr float kFrame = 1.0F;
 constexpr float kCapitalHeight = 7.0F;
-constexpr float kBarPart = 0.42F;  // fraction of the picture's height
+constexpr float kBarPart = 0.42F;  // fraction of the image height
 
 float dot_size(std::uint32_t picture_height) {
   return std::max(1.0F, std::round(static_cast<float>(picture_height) / kHeightPerDot));
@@ -58,7 +58,7 @@ Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t 
   write_left_of_bar(top, range.high, legend.more_above ? ">= " : "");
   write_left_of_bar(0.5F * (top + bottom), 0.5F * (range.low + range.high));
   write_left_of_bar(bottom, range.low, legend.less_below ? "<= " : "");
-  // Write the title's lines upwards, from the last one just above the bar.
+  // Write the lines of the title from bottom to top; the last line is just above the bar.
   float y = top - (2.0F * kCapitalHeight + kGap) * dot;
   std::string_view title = legend.title;
   while (!title.empty()) {

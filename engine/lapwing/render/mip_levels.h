@@ -10,19 +10,19 @@
 
 namespace lapwing {
 
-/// Images with their mip levels, each half as large as the one before, down to one pixel. The words
-/// are those that `shaders/file_color.glsl` reads:
+/// Returns images with their mip levels, each half as large as the one before, down to one pixel.
+/// The result consists of 32-bit words for `shaders/file_color.glsl`:
 ///
-/// - 256: linear light of each byte in sRGB, as float bits
-/// - 4 per image: columns, rows, number of levels, and the index of its first offset
-/// - the offsets: for each level of each image, the index of its first pixel
-/// - the pixels, by rows from the top: red, green and blue in sRGB from the lowest byte up
+/// - 256 words: the linear value of each sRGB byte, as float bits
+/// - 4 words per image: width, height, number of levels, index of the image's first offset
+/// - the offsets: the index of the first pixel of each level of each image
+/// - the pixels, by rows from the top: sRGB red, green and blue, from the lowest byte up
 ///
-/// Opacity is dropped, so that the edited surface stays visible. Images without pixels must not be
-/// looked up.
+/// Opacity is ignored, so that the edited surface stays visible. Shaders must not sample images
+/// without pixels.
 std::vector<std::uint32_t> mip_levels(std::span<const Image> images);
 
-/// The colours of a file, ready for surfaces of every mesh with attributes from that file.
+/// The colours of a file, prepared for drawing any mesh whose attributes come from that file.
 struct FilePaint {
   explicit FilePaint(FileColors read) : colors(std::move(read)), images(mip_levels(colors.images)) {
     colors.images = {};

@@ -12,14 +12,14 @@
 
 namespace lapwing {
 
-/// Returns the size of a picture. Throws GpuError, naming the limit, if it is empty or too large
-/// for the device, or if the context's queue has no graphics.
+/// Returns `width` x `height`. Throws GpuError if this size is zero or exceeds a limit of the
+/// device, which the message names, or if the context's queue has no graphics support.
 VkExtent2D checked_extent(const gpu::Context& context, std::uint32_t width, std::uint32_t height);
 
-/// An offscreen picture to draw into, with antialiasing. The context must outlive it.
+/// An offscreen render target with antialiasing. The context must outlive it.
 class OffscreenTarget {
  public:
-  /// Uses as many samples per pixel as the device has, up to `samples`. Throws GpuError as
+  /// Uses the largest supported number of samples per pixel up to `samples`. Throws GpuError as
   /// checked_extent does.
   OffscreenTarget(gpu::Context& context, std::uint32_t width, std::uint32_t height,
                   std::uint32_t samples = 4);
@@ -27,15 +27,14 @@ class OffscreenTarget {
   const TargetFormat& format() const { return format_; }
   VkExtent2D extent() const { return extent_; }
 
-  /// Runs the commands that `draw` records into a rendering scope and returns the pixels. Edges are
-  /// averaged with what lies behind. Over a transparent background, their colours are multiplied by
-  /// their opacity (see unpremultiply).
+  /// Runs the commands that `draw` records into a rendering scope and returns the pixels. With a
+  /// transparent background, the colours are premultiplied by the opacity (see unpremultiply).
   Image render(const std::function<void(VkCommandBuffer commands)>& draw);
 
  private:
   VkExtent2D extent_;
   TargetFormat format_;
-  DeviceImage color_;  ///< the picture to read back
+  DeviceImage color_;  ///< the image to read back
   DrawScope scope_;
   gpu::Buffer pixels_;
   gpu::CommandList commands_;

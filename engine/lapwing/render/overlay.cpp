@@ -10,7 +10,8 @@
 namespace lapwing {
 namespace {
 
-// Returns the mutable ASCII string that the font needs. The font's barred 0 looks like an 8.
+// Returns the mutable ASCII string that the font needs. Replaces 0 by O, because the font's slashed
+// 0 looks like an 8.
 std::string as_ascii(std::string_view text) {
   std::string line(text);
   for (char& c : line) {
@@ -20,13 +21,13 @@ std::string as_ascii(std::string_view text) {
   return line;
 }
 
-// A corner as the font writes it, four to a rectangle.
+// A corner in the output format of the font. Each rectangle has four.
 struct FontCorner {
   float x, y, z;
   std::uint32_t color;
 };
 
-// Limit on the rectangles that the font draws for a letter.
+// Upper bound of the number of rectangles of a letter.
 constexpr std::size_t kRectanglesPerLetter = 24;
 
 }  // namespace

@@ -14,22 +14,22 @@
 
 namespace lapwing {
 
-/// An axis-aligned rectangle over a picture, as the overlay shader reads it.
+/// An axis-aligned rectangle over an image, in the layout of the overlay shader.
 struct OverlayRectangle {
   std::array<float, 4> corners;  ///< left, top, right, bottom in pixels from the top left
   std::array<float, 4> color;    ///< linear sRGB and opacity
 };
 
-/// Flat rectangles drawn over a picture: legends and text. Plain data; `OverlayBuffer` uploads it.
+/// Rectangles that form legends and text over an image. `OverlayBuffer` uploads them.
 class Overlay {
  public:
   void add_rectangle(float left, float top, float right, float bottom,
                      const Eigen::Vector3f& linear_color);
-  /// Adds one line of printable ASCII (other characters show as '?') with its top left corner at
-  /// (x, y). Capital letters are 7 `scale` pixels high.
+  /// Adds one line of text with its top left corner at (x, y). Characters other than printable
+  /// ASCII are shown as '?'. Capital letters are 7 * `scale` pixels high.
   void add_text(float x, float y, float scale, const Eigen::Vector3f& linear_color,
                 std::string_view text);
-  /// Returns the width in pixels of what `add_text` draws.
+  /// Returns the width in pixels of the text that `add_text` draws.
   static float text_width(float scale, std::string_view text);
 
   const std::vector<OverlayRectangle>& rectangles() const { return rectangles_; }
@@ -38,26 +38,25 @@ class Overlay {
   std::vector<OverlayRectangle> rectangles_;
 };
 
-/// Contents of a legend.
 struct Legend {
   ColorMap color_map = ColorMap::sequential;
   ScalarRange range;
   std::string title;        ///< one or more lines, or empty
-  bool more_above = false;  ///< numbers above the range have its last colour
-  bool less_below = false;  ///< numbers below the range have its first colour
+  bool more_above = false;  ///< values above the range have the last colour
+  bool less_below = false;  ///< values below the range have the first colour
 };
 
-/// Returns a bar of the colour map at the right edge of a picture of `width` x `height` pixels. It
-/// has numbers at its ends and middle (">= 3" if `more_above`) and the title above. Sizes follow
-/// the picture's height.
+/// Returns a colour bar for the right edge of an image of `width` x `height` pixels. Its ends and
+/// middle are labelled with values (">= 3" if `more_above`), and the title is above it. Sizes are
+/// proportional to the image height.
 Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t height);
 
-/// Returns the fraction of such a picture's width, at the right, that a legend covers if its title
-/// has up to kLegendLetters per line: at most half.
+/// Returns the fraction of the width of an image of this size that a legend covers, at most 1/2.
+/// The lines of its title must have at most kLegendLetters letters.
 double legend_share(std::uint32_t width, std::uint32_t height);
 inline constexpr int kLegendLetters = 13;
 
-/// An overlay in device memory. The device must have finished with it before it is destroyed. The
+/// An overlay in device memory. The device must have finished its draws before it is destroyed. The
 /// context must outlive it.
 class OverlayBuffer {
  public:

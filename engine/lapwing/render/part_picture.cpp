@@ -12,22 +12,23 @@
 namespace lapwing {
 namespace {
 
-// How far the eye is above the loop's plane and aside from the front, in radians.
+// Elevation of the eye above the loop's plane, and azimuth from the front, in radians.
 constexpr double kAbove = 20.0 * std::numbers::pi / 180.0;
 constexpr double kAside = 25.0 * std::numbers::pi / 180.0;
 
-// A part narrower than this fraction of its breadth, such as a wing, is seen broadside.
+// A part whose depth is below this fraction of its width, such as a wing, is seen from its broad
+// side.
 constexpr double kFlatSpread = 0.7;
 
-// Meshes face +z. A part that stands along z is seen from +y, where its top was.
+// The front of a mesh faces +z. If the up direction of a part is along z, its front is +y instead.
 Eigen::Vector3d front_of(const Eigen::Vector3d& up) {
   const Eigen::Vector3d axis =
       std::abs(up.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
   return (axis - axis.dot(up) * up).normalized();
 }
 
-// Returns the horizontal direction of least spread, towards the front, or the front if none stands
-// out.
+// Returns the horizontal direction in which a flat part is thinnest, oriented towards the front;
+// otherwise the front.
 Eigen::Vector3d broadside_of(const Positions& positions, const Eigen::Vector3d& up) {
   const Eigen::Vector3d front = front_of(up);
   const Eigen::Vector3d side = up.cross(front);

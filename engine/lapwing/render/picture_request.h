@@ -22,13 +22,13 @@ struct PictureRequest {
   bool flat = false;                                    ///< draws each triangle with one normal
   double feature_angle_degrees = kFeatureAngleDegrees;  ///< see split_normals()
 
-  /// Returns whether `from` is unset or a direction not along the upward axis.
+  /// Returns whether `from` is unset or is not parallel to the up axis.
   bool can_look() const;
   RenderOptions options() const;
-  /// Returns a camera that frames all `points`, usually the surface_positions of a mesh. If
-  /// `with_legend` is true, the camera leaves space for the legend.
+  /// Returns a camera that shows all `points`, usually the surface_positions of a mesh. If
+  /// `with_legend` is true, it reserves space for the legend.
   Camera camera(std::span<const Eigen::Vector3d> points, bool with_legend) const;
-  /// Returns a turntable that begins at the same view.
+  /// Returns a turntable that starts at the requested view.
   Turntable turntable(std::span<const Eigen::Vector3d> points, bool with_legend) const;
 
  private:

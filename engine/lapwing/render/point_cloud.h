@@ -20,11 +20,11 @@ class PointCloud {
   void place(std::span<const Eigen::Vector3d> positions);
 
   std::size_t size() const { return buffer_.bytes() / (4 * sizeof(float)); }
-  /// Returns the offset subtracted from the positions, as in Surface.
+  /// Returns the offset that is subtracted from the positions, as in Surface.
   const Eigen::Vector3d& origin() const { return origin_; }
   /// One vec4 per point: the position relative to `origin()`, and 1.
   const gpu::Buffer& buffer() const { return buffer_; }
-  /// Returns a number that changes whenever they move.
+  /// Returns a number that changes whenever the points move.
   std::uint64_t revision() const { return revision_.number(); }
 
  private:

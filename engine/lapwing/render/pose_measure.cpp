@@ -17,7 +17,7 @@ struct Words {
   std::string_view legend;
 };
 
-// In the order of the enumeration.
+// In the order of PoseMeasure.
 constexpr std::array<Words, 4> kWords{{{"displacement", "displacement,\nmesh units"},
                                        {"rotation", "rotation,\ndegrees"},
                                        {"detail", "detail error,\nrelative"},
@@ -27,11 +27,11 @@ const Words& words_of(PoseMeasure measure) {
   return kWords[static_cast<std::size_t>(measure)];
 }
 
-// A stiff belt gives way by about a millionth of the largest displacement. Without this limit, a
-// part of its vertices would have a colour.
+// The vertices of a stiff belt move by about a millionth of the largest displacement. Without this
+// threshold, some of them would be coloured.
 constexpr double kStill = 1e-5;
 
-// Returns the vertices that moved and their ring neighbours.
+// Returns the vertices that moved and their neighbours.
 std::vector<Index> touched_vertices(const Topology& topology, std::span<const Vector3d> rest,
                                     std::span<const Vector3d> current) {
   double largest = 0.0;
@@ -45,7 +45,6 @@ std::vector<Index> touched_vertices(const Topology& topology, std::span<const Ve
   return with_ring_neighbours(moved, topology.rings);
 }
 
-// Returns the measure of each touched vertex.
 std::vector<double> measured(PoseMeasure measure, std::span<const Index> touched,
                              const Topology& topology, std::span<const Vector3d> rest,
                              std::span<const Vector3d> current) {

@@ -22,7 +22,7 @@
 namespace lapwing {
 namespace {
 
-// Push constants of the shaders of the same names; std430.
+// Push constants of the shaders background, surface, overlay and points, in std430 layout.
 struct BackgroundPush {
   std::array<float, 4> top;  // sRGB and opacity
   std::array<float, 4> bottom;
@@ -188,7 +188,7 @@ void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background bac
 }
 
 void Renderer::begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const {
-  // Depth is reversed: the farthest is 0, as in a zeroed clear value.
+  // Depth is reversed: the farthest depth is 0, which is the default clear value.
   VkClearAttachment depth{};
   depth.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
   const VkClearRect cleared{area, 0, 1};
@@ -230,7 +230,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
     if (sharp > 0) draw(sides, Numbers::corners, IndexRange{indices, smooth, sharp});
   };
   if (style.sides != Sides::both) return draw_sides(style.sides);
-  // Most backs lie behind fronts. Draw the fronts first, so that these backs need no shading.
+  // Draw the front faces first: the depth test then discards most back faces without shading.
   draw_sides(Sides::front);
   draw_sides(Sides::back);
 }

@@ -24,82 +24,81 @@ enum class Background { gradient, white, transparent };
 
 enum class SurfaceColor {
   plain,    ///< a light clay
-  regions,  ///< by class: outside grey, ROI bluish, belt red, handle yellow
-  scalar,   ///< by number, through the colour map
+  regions,  ///< by vertex class: outside grey, ROI bluish, belt red, handle yellow
+  scalar,   ///< by scalar value, through the colour map
   carried,  ///< the colour of carried drawings
 };
 
-/// How a surface looks.
 struct SurfaceStyle {
   SurfaceColor color = SurfaceColor::plain;
   ColorMap color_map = ColorMap::sequential;
-  std::optional<ScalarRange> range;  ///< range of the colour map; by default that of the numbers
-  /// Shows the colours of the mesh's file, if the paint has them, instead of the clay and, with
-  /// regions, instead of the grey outside.
+  /// Range of the colour map; by default the range of the values.
+  std::optional<ScalarRange> range;
+  /// If the paint has colours of the mesh's file, shows them instead of the plain colour or the
+  /// grey of SurfaceColor::regions.
   bool file_colors = false;
   bool wireframe = false;  ///< polygon edges over the surface
   bool flat = false;       ///< one normal per triangle
-  /// Pixel density of the display. Wireframe edges, carried points and the reach of relief
-  /// darkening grow with it in pixels, so that they look the same at any density.
+  /// Pixel density of the display. The sizes of wireframe edges, carried points and relief shading
+  /// are multiplied by it, so that they look the same at any density.
   float pixels_per_point = 1.0F;
-  /// `front` is faster and gives the same picture if no back is visible (see is_closed_outward).
+  /// `front` is faster and gives the same image if no back face is visible (see is_closed_outward).
   Sides sides = Sides::both;
 
   bool operator==(const SurfaceStyle&) const = default;
 };
 
-/// A mesh or points that are carried along with a surface and drawn in the same picture.
+/// A mesh or points that are carried along with a surface and drawn in the same image.
 struct CarriedDrawing {
   Surface* surface = nullptr;           ///< null for points
   const SurfacePaint* paint = nullptr;  ///< paint of the surface
   const PointCloud* points = nullptr;   ///< null for a mesh
 };
 
-/// Returns the range of the colour map of `style`. By default it is that of the paint's numbers,
-/// made symmetric around 0 for a diverging map.
+/// Returns the range of the colour map of `style`. By default, it is the range of the paint's
+/// values, extended to be symmetric around 0 for a diverging map.
 ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint);
 
-/// Returns the matrix from positions relative to `origin` to Vulkan's clip space in a picture of
-/// `extent` pixels. In float64, so that a mesh far from the world's origin keeps its digits.
+/// Returns the transform from positions relative to `origin` to Vulkan's clip space, for an image
+/// of `extent` pixels. Double precision avoids cancellation for a mesh far from the world's origin.
 Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
                                   const Eigen::Vector3d& origin);
 
-/// Records draws into a rendering scope (vkCmdBeginRendering) that the caller began, on images of a
-/// window or an OffscreenTarget. Draws from the buffers of the surface, without copies or uploads.
-/// What is drawn must live until the commands have run; on a software device the surface must not
+/// Records draw commands into a rendering scope (vkCmdBeginRendering) that the caller has begun,
+/// for a window or an OffscreenTarget. Draws from the buffers of the surface, without copies. All
+/// drawn objects must exist until the commands have run; on a software device, the surface must not
 /// move until then. The context must outlive the renderer.
 class Renderer {
  public:
-  /// How the pipelines of surfaces are created: a specialized one for each style when it is first
-  /// drawn, or one for all styles, for comparison.
+  /// `by_style` creates a specialized pipeline for each style when it is first drawn. `one` uses a
+  /// single pipeline for all styles, for comparison.
   enum class Pipelines { by_style, one };
 
-  /// Throws GpuError if the context's queue has no graphics.
+  /// Throws GpuError if the context's queue has no graphics support.
   Renderer(gpu::Context& context, const TargetFormat& target,
            Pipelines pipelines = Pipelines::by_style);
 
-  /// Sets viewport and scissor and fills the picture. Must come first in every scope.
+  /// Sets viewport and scissor and draws the background. Must be the first call in every scope.
   void begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const;
-  /// Clears a part of the picture. What follows is drawn there, as into a picture of that extent.
+  /// Clears `area` of the image. Later draws are restricted to it, as if it were the whole image.
   void begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
-  /// Draws the surface, its backs darker. Commands recorded before must have made its buffers
+  /// Draws the surface, with darker back faces. Commands recorded before must have made its buffers
   /// visible to the vertex stage, as the start of a gpu::Recorder does.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& surface,
             const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
-  /// Draws a mesh in the style, but with SurfaceColor::carried, or points as disks of that colour,
-  /// a few points wide.
+  /// Draws a mesh in `style` but with SurfaceColor::carried, or points as small disks of that
+  /// colour.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
             const Camera& camera, const SurfaceStyle& style) const;
 
  private:
-  /// What the vertex index counts in the vertex stage.
+  /// Meaning of the vertex index in the vertex shader.
   enum class Numbers : std::uint32_t { corners, vertices };
 
   void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
   const GraphicsPipeline& surface_pipeline(std::uint32_t flags, Numbers numbers) const;
 
-  /// The pipeline of surfaces in one style.
   struct StylePipeline {
     StylePipeline(const gpu::Context& context, const TargetFormat& target, std::uint32_t its_flags,
                   bool is_fixed, Numbers its_numbers);

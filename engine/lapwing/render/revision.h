@@ -5,8 +5,8 @@
 
 namespace lapwing {
 
-/// Identifies the contents of an object on the device. No two objects, and no two contents of one
-/// object, share a number, so a picture drawn from the same numbers is up to date.
+/// Identifies the contents of an object on the device. Every object and every change has a new
+/// number, so an image is up to date while the numbers of all drawn objects are unchanged.
 class Revision {
  public:
   Revision() : number_(next()) {}

@@ -76,7 +76,7 @@ void Surface::make_normals() {
 }
 
 const DrawOrder* Surface::draw_order() const {
-  // The largest index is that of the last corner.
+  // The largest index is 3 * triangle_count() - 1, the last corner.
   const bool fits =
       3 * std::uint64_t{triangle_count()} <= context_->limits().maxDrawIndexedIndexValue;
   if (!on_host_ || !fits) return nullptr;
@@ -97,7 +97,7 @@ void Surface::move_to(std::span<const Vector3d> positions, const Wanted& wanted)
     if (wanted(v) && known_[v] != place_of(positions[v], origin_)) elsewhere.push_back(v);
   }
   if (elsewhere.empty()) return;
-  // A response without columns moves them. It starts from their new positions.
+  // Move these vertices by a response without columns that starts from their new positions.
   const auto moved = std::make_shared<BlendResponse>(
       context_, transfer_, ResponseColumns{.moving = elsewhere, .numbers = {}}, topology_);
   moved->set_rest(transfer_, positions, {}, origin_);

@@ -33,7 +33,7 @@ bool is_polygon_edge(std::span<const Index> polygon, Index a, Index b) {
   return false;
 }
 
-// Returns the entries of `SurfacePaint::edge_buffer`, one per triangle. Bit e is set if side e of
+// Returns the entries of `SurfacePaint::edge_buffer`, one per triangle. Bit e is set if edge e of
 // the triangle is an edge of the polygon, not a diagonal.
 std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
@@ -61,7 +61,7 @@ ScalarRange range_of(std::span<const float> scalars) {
 
 }  // namespace
 
-// The weight in 255ths is stored above the class, as the shader reads it.
+// The shader expects the weight times 255 in the bits above the class.
 VertexClass drawn_by_handle(VertexClass vertex, double weight) {
   const auto share = static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(weight, 0.0, 1.0)));
   return static_cast<VertexClass>(static_cast<std::uint32_t>(vertex) | share << 8U);
@@ -74,7 +74,7 @@ void draw_graded(std::span<const FalloffVertex> graded, std::span<const VertexSe
     classes[g.vertex] = drawn_by_handle(classes[g.vertex], g.weight);
     fades[g.handle] = 1;
   }
-  // Otherwise the colour would start from nothing at the handle's border.
+  // Without this, the handle itself would be drawn with weight 0.
   for (std::size_t h = 0; h < handles.size(); ++h) {
     if (fades[h] == 0) continue;
     for (const Index v : handles[h]) classes[v] = drawn_by_handle(VertexClass::handle, 1.0);

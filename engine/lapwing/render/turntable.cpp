@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Corners of the polygon that encloses the circle of a point.
+// Number of corners of the polygon that encloses the circle on which a point turns.
 constexpr int kCircleCorners = 128;
 constexpr double kCornerAngle = 2.0 * std::numbers::pi / kCircleCorners;
 
@@ -42,10 +42,10 @@ std::vector<Vector2d> convex_hull(std::vector<Vector2d> points) {
   return hull;
 }
 
-// Returns points whose convex hull contains all that `points` sweep over as they turn about the
-// axis. The distance that a camera needs is a convex function of the point, so the corners suffice.
-// They are symmetric about the plane of the axis and `front`, a unit vector perpendicular to the
-// axis.
+// Returns points whose convex hull contains the paths of all `points` as they turn about the axis.
+// The distance that a camera needs is a convex function of the point, so it suffices to frame these
+// points. They are symmetric about the plane of the axis and `front`, a unit vector perpendicular
+// to the axis.
 std::vector<Vector3d> swept_corners(std::span<const Vector3d> points, const Vector3d& middle,
                                     const Vector3d& upward, const Vector3d& front) {
   std::vector<Vector2d> profile;  // distance from the axis, and height
@@ -76,7 +76,7 @@ Turntable::Turntable(std::span<const Vector3d> points, const ViewAxes& first, Up
     : middle_(bounds_of(points).center()),
       upward_(up_axis == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ()) {
   Vector3d front = first.toward_eye - first.toward_eye.dot(upward_) * upward_;
-  // Seen along the axis, the up direction of the picture stays in the plane of symmetry.
+  // If the view is along the axis, the up direction of the image defines the plane of symmetry.
   if (front.norm() <= 1e-6 * first.toward_eye.norm()) front = first.up;
   first_ = fit(swept_corners(points, middle_, upward_, front.normalized()), first, aspect, framing);
 }

@@ -27,18 +27,20 @@ struct FormatWords {
 constexpr std::array<FormatWords, 3> kFormats{
     {{".mp4", "mp4"}, {".webm", "webm"}, {".gif", "gif"}}};
 
-// Visually lossless, on the scales of H.264 and of VP9.
+// Constant rate factors (-crf) of H.264 and VP9 that are visually lossless.
 constexpr const char* kQualityOfMp4 = "18";
 constexpr const char* kQualityOfWebm = "24";
-// From 0 to 5. Takes half the time of the default, for a file a tenth larger.
+// Encoder speed, from 0 to 5. Value 4 halves the time of the default and makes the file 10 %
+// larger.
 constexpr const char* kHasteOfWebm = "4";
 
-// One palette for the whole sequence, which ffmpeg therefore keeps in memory. One per frame would
-// flicker, and make the file more than half as large again.
+// One palette for the whole sequence, although ffmpeg must store all frames for it. With one
+// palette per frame, the video would flicker and be more than 50 % larger.
 constexpr const char* kPalette = "split[a][b];[a]palettegen[p];[b][p]paletteuse";
-// Players assume Rec. 709 for a video of today's sizes.
+// Players assume Rec. 709 for videos of current sizes.
 constexpr const char* kRec709 = "scale=out_color_matrix=bt709:out_range=tv";
-// Colours have half the resolution, which needs even sizes. At most a row and a column are cropped.
+// Chroma has half the resolution, so width and height must be even. Crops at most one row and one
+// column.
 constexpr const char* kEven = "crop=trunc(iw/2)*2:trunc(ih/2)*2,";
 
 void append(std::vector<std::string>& to, std::initializer_list<std::string> more) {
@@ -103,7 +105,8 @@ VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const Frame
       replacement_(output),
       errors_(std::tmpfile(), &std::fclose) {
   const fs::path program = require_ffmpeg(output);
-  // A socket, because writing to one without a reader is an error instead of a signal.
+  // Use a socket instead of a pipe: if ffmpeg has ended, writing returns an error instead of
+  // raising a signal.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw IoError("cannot open a socket: " + std::generic_category().message(errno) +

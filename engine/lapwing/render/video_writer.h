@@ -13,16 +13,17 @@ namespace lapwing {
 
 enum class VideoFormat { mp4, webm, gif };
 
-/// Returns the format of a name's ending, such as ".mp4".
+/// Returns the format of the file name extension `ending`, such as ".mp4".
 std::optional<VideoFormat> video_format_of(std::string_view ending);
 
-/// Returns the program ffmpeg on $PATH, if there is one.
+/// Returns the path of the program ffmpeg if it is on $PATH.
 std::optional<std::filesystem::path> find_ffmpeg();
-/// The same for writing the video `output`. Throws IoError with the next step if there is none.
+/// Returns the path of ffmpeg for writing the video `output`. If there is none, throws IoError,
+/// which tells the user what to do.
 std::filesystem::path require_ffmpeg(const std::filesystem::path& output);
 
 /// Sends frames to an ffmpeg process, which encodes each frame when it arrives. ffmpeg writes a
-/// temporary file in the folder of `output`. When it is complete, it replaces `output`.
+/// temporary file in the folder of `output`. When the file is complete, it replaces `output`.
 class VideoWriter final : public FrameWriter {
  public:
   /// Throws IoError if ffmpeg cannot be started or the file cannot be created.

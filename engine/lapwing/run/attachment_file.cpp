@@ -47,7 +47,7 @@ std::vector<double*> quaternion_properties(std::vector<ExtraAttribute>& extras) 
   return found;
 }
 
-// The identity is skipped, so that points that did not rotate keep their bits.
+// Identity rotations are skipped, so that points that did not rotate are bitwise unchanged.
 bool turns(const Quaterniond& rotation) {
   return !rotation.vec().isZero(0.0);
 }

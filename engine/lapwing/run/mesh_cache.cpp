@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-// A recipe names two or three files. A batch may name thousands, which must not fill the memory.
+// Number of cached meshes. A recipe names two or three files, but a batch may name thousands.
 constexpr std::size_t kKeptFiles = 8;
 
 }  // namespace
@@ -17,7 +17,7 @@ void MeshCache::put(const std::filesystem::path& name, Mesh mesh) {
   put_[name] = std::make_shared<const Mesh>(std::move(mesh));
 }
 
-// Returns null if the file has to be read.
+// Returns the cached mesh, or null if the file must be read.
 std::shared_ptr<const Mesh> MeshCache::kept(const std::filesystem::path& file) const {
   const auto at = read_.find(file);
   std::shared_ptr<const Mesh> mesh = at != read_.end() ? at->second.lock() : nullptr;

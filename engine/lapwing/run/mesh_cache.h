@@ -10,12 +10,12 @@
 
 namespace lapwing {
 
-/// The meshes that recipes name. A mesh comes from memory if it was put there under its name, and
-/// otherwise from a file. The shelf keeps a file's mesh while it is in use or among the last few
-/// requested. It may not notice that a file has changed. Thread-safe.
+/// The meshes that recipes name. A mesh that was added with `put` comes from memory, any other mesh
+/// from its file. Meshes of files are cached while they are in use or among the last few that were
+/// requested. The cache does not detect changes of files. Thread-safe.
 class MeshCache {
  public:
-  /// Makes `mesh` stand for the file that recipes call `name`.
+  /// Adds `mesh`, which replaces the file that recipes call `name`.
   void put(const std::filesystem::path& name, Mesh mesh);
 
   /// Returns the mesh that a recipe in `base_directory` calls `name`. Copies of it share its
@@ -29,7 +29,7 @@ class MeshCache {
   mutable std::mutex mutex_;
   std::map<std::filesystem::path, std::shared_ptr<const Mesh>> put_;
   mutable std::map<std::filesystem::path, std::weak_ptr<const Mesh>> read_;
-  mutable std::vector<std::shared_ptr<const Mesh>> recent_;  ///< the last one requested comes last
+  mutable std::vector<std::shared_ptr<const Mesh>> recent_;  ///< in the order of the last request
 };
 
 }  // namespace lapwing

@@ -36,7 +36,7 @@ VertexMeasures measure_vertices(const VertexSet& vertices, const Topology& topol
   return measure_vertices(vertices, topology, weights, before, after);
 }
 
-// Measures the surface with its seams joined. A follower has the values of its leader.
+// Measures the surface with joined seams. A follower has the values of its leader.
 VertexMeasures measure_joined(const VertexSet& vertices, const JoinedSurface& joined,
                               LaplacianWeights chosen, const Positions& before,
                               const Positions& after) {

@@ -27,7 +27,7 @@ Json vector(const Eigen::Vector3d& v) {
   return Json::array({number(v.x()), number(v.y()), number(v.z())});
 }
 
-// Rounds to a microsecond: further digits are noise.
+// Rounds to microseconds, because further digits are noise.
 Json as_json(const StageTimings& timings) {
   Json json = Json::object();
   for (const auto& [stage, ms] : timings.stages()) json[stage] = std::round(ms * 1e3) / 1e3;
@@ -62,7 +62,7 @@ Json as_json(const CoatSourceReport& source) {
       {"mean_scale", number(source.mean_scale)}};
 }
 
-// A coat step has one source, whose keys are merged with the others.
+// A coat step has one source. Its keys are merged with the other keys.
 Json as_json(const CoatReport& coat) {
   Json json = Json::object();
   if (coat.sources.size() == 1) {
@@ -190,7 +190,7 @@ std::string to_json(const RunReport& report) {
       {"steps", Json::array()},
       {"peak_memory_bytes", report.peak_memory_bytes}};
   for (const StepReport& step : report.steps) json["steps"].push_back(as_json(step));
-  // File names, and names inside files, need not be UTF-8, but JSON must be.
+  // File names and names inside files are not always UTF-8, but JSON must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

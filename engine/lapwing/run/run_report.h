@@ -14,28 +14,26 @@
 
 namespace lapwing {
 
-/// Report of a peel step.
 struct PeelReport {
   double mean_coating = 0.0;  ///< as in Peeled
   double largest_coating = 0.0;
 };
 
-/// Report of one step of a recipe.
 struct StepReport {
   std::string op;
   std::size_t roi = 0;  ///< number of vertices
   std::size_t free = 0;
   std::size_t belt = 0;
-  std::vector<std::size_t> handles;  ///< number of vertices of each
+  std::vector<std::size_t> handles;  ///< number of vertices of each handle
   StageTimings timings;              ///< summed over substeps
   std::optional<DeformReport> deform = {};
-  std::optional<CoatReport> coat = {};  ///< of a coat or mix step
+  std::optional<CoatReport> coat = {};  ///< report of a coat or mix step
   std::optional<TransplantReport> transplant = {};
   std::optional<PeelReport> peel = {};
-  VertexMeasures vertices;  ///< of the ROI; empty unless requested
+  VertexMeasures vertices;  ///< values per vertex of the ROI; empty unless requested
 };
 
-/// Report of a run: its device and mesh, its steps, and the time of each stage.
+/// Report of a run: device, mesh, steps, and the time of each stage.
 struct RunReport {
   DeviceInfo device;
   std::string mesh;
@@ -44,9 +42,9 @@ struct RunReport {
   std::size_t triangles = 0;
   std::size_t components = 0;
   Bounds bounds;                      ///< of the mesh without isolated vertices
-  std::vector<std::string> warnings;  ///< of the mesh doctor, the steps and writing
-  std::vector<std::string> notes;     ///< of the steps: what they did beyond their keys
-  StageTimings timings;               ///< of the whole run: read, check, write
+  std::vector<std::string> warnings;  ///< from the mesh check, the steps and the writers
+  std::vector<std::string> notes;     ///< from steps: actions that no key requests
+  StageTimings timings;               ///< stages of the whole run: read, check, write
   std::vector<StepReport> steps;
   std::size_t peak_memory_bytes = 0;
 };

@@ -78,8 +78,8 @@ std::vector<SharedSource> read_sources(std::span<const FileSource> sources, cons
   return meshes;
 }
 
-// Stores the result of `coat` at `positions` in `result`: mesh, region and warnings. `timings` are
-// those of the stages before.
+// Stores the result of `coat` at `positions` in `result`: mesh, region and warnings. `timings`
+// contains the earlier stages.
 StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions positions,
                      RunResult& result) {
   StepReport report;
@@ -168,7 +168,7 @@ StepReport run_step(const PeelRequest& step, const StepContext& on) {
   return report;
 }
 
-// Records the device, and notes once that it took over from another.
+// Records the device. If it replaced another device that failed, adds a note once.
 void record_device(const DeviceInfo& device, RunResult& result) {
   if (!device.took_over.empty() && device.took_over != result.report.device.took_over) {
     result.note(std::array{device.took_over});
@@ -206,7 +206,7 @@ std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
 }
 
 StepReport run_step(const Step& step, const StepContext& on) {
-  // Only another deform on the same triangles can reuse the workspace.
+  // Only a following deform step on the same triangles can reuse the workspace.
   if (!std::holds_alternative<DeformRequest>(step)) on.result.deformed = {};
   StepReport report = std::visit([&](const auto& each) { return run_step(each, on); }, step);
   report.op = operation_of(step).name;

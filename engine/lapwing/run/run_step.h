@@ -27,12 +27,12 @@ struct RunState {
   Positions original;
   /// Region of the last step; empty before the first.
   EditRegion region;
-  /// Files that deform steps have moved with the surface, at their current positions.
+  /// Attachment files of earlier deform steps, with their current positions.
   std::vector<AttachmentFile> carried;
   std::shared_ptr<const SourceFile> read_from;  ///< source of the mesh before any step
   std::vector<std::filesystem::path> inputs;    ///< all files read, except the recipe
   RunReport report;
-  std::string morph_target;  ///< name to save under; empty: save the mesh
+  std::string morph_target;  ///< name of the morph target to save; empty: save the mesh
 
   void warn(std::span<const std::string> texts) {
     report.warnings.insert(report.warnings.end(), texts.begin(), texts.end());
@@ -42,32 +42,32 @@ struct RunState {
   }
 };
 
-/// The state, with data that the next step may reuse.
+/// The state of a run, and data that the next step may reuse.
 struct RunResult : RunState {
-  /// Workspace of the last step if that was a deform; otherwise empty.
+  /// Workspace of the last step if it was a deform step; otherwise empty.
   DeformWorkspace deformed;
 };
 
 /// Input and output of a step. A step changes the mesh, the original positions, the region, the
 /// carried files, the warnings and the notes of `result`.
 struct StepContext {
-  std::size_t number;  ///< of the step in its recipe, from 1; 0 without a recipe
-  const std::filesystem::path& base_directory;  ///< of the files that the step names
+  std::size_t number;  ///< number of the step in its recipe, from 1; 0 without a recipe
+  const std::filesystem::path& base_directory;  ///< base of relative paths in the step
   Kernels& kernels;
   const Progress& progress;
   RunResult& result;
-  const MeshCache& meshes;  ///< the meshes that the step names
+  const MeshCache& meshes;  ///< source of the meshes that the step names
 };
 
 /// Runs `step` on the mesh of `on.result`. For the same mesh, the result is bitwise identical to
-/// that of `run_recipe`. A step that changes the triangles also changes `mesh` and `original` of
-/// the result. After a transplant, the host's vertices come first, in their old order. Adds to the
-/// warnings of the report. Throws the errors of `run_recipe`. After an exception, `on.result` must
-/// not be used.
+/// the result of `run_recipe`. A step that changes the triangles also changes the number of entries
+/// of `original`. After a transplant, the host's vertices come first, in the same order. Adds to
+/// the warnings of the report. Throws the errors of `run_recipe`. After an exception, `on.result`
+/// must not be used.
 StepReport run_step(const Step& step, const StepContext& on);
 
-/// Returns the report of a deform, without the step's name. Moves the timings and the DeformReport
-/// out of `done`.
+/// Returns the report of a deform, without `op`. Moves the timings and the DeformReport out of
+/// `done`.
 StepReport report_of(Deformed& done);
 
 /// Returns the mesh of each source, from `meshes` and relative to `base_directory`. It is null for
@@ -76,8 +76,8 @@ std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources
                                              const std::filesystem::path& base_directory,
                                              const MeshCache& meshes);
 
-/// Returns the mesh that holds the part of `step`, from `meshes` and relative to `base_directory`.
-/// It is null if that is the edited mesh. Throws as `read_mesh` does.
+/// Returns the mesh that contains the part of `step`, from `meshes` and relative to
+/// `base_directory`. It is null if the part comes from the edited mesh. Throws as `read_mesh` does.
 std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
                                            const std::filesystem::path& base_directory,
                                            const MeshCache& meshes);

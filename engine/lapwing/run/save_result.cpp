@@ -24,7 +24,7 @@ std::array<double, kNames.size()> numbers_of(const VertexMotion& motion, std::si
 // Returns `mesh` with added vertex properties that describe the motion of each vertex from `rest`
 // (VertexMotion). They are the displacement dx, dy, dz, the rotation qw, qx, qy, qz, and stretch,
 // all in double precision. Existing properties with these names are replaced. Throws InputError if
-// the output file `path` is not a PLY.
+// the output file `path` is not a PLY file.
 Mesh with_vertex_motion(Mesh mesh, std::span<const Eigen::Vector3d> rest,
                         const std::filesystem::path& path) {
   const MeshFormat format = format_of(path);
@@ -75,7 +75,7 @@ WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
 }  // namespace
 
 void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
-  const CancellationGuard whole;  // all of the files, or none
+  const CancellationGuard whole;  // writes all of the files or none
   FileReplacements files;
   save_result(result, path, files, options);
   files.commit();
@@ -83,9 +83,9 @@ void save_result(RunResult& result, const std::filesystem::path& path, const Sav
 
 void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
                  const SaveOptions& options) {
-  const CancellationGuard whole;  // all of the files, or none
+  const CancellationGuard whole;  // writes all of the files or none
   const Stopwatch watch;
-  // Before anything is written, reject outputs that cannot be.
+  // Reject invalid outputs before anything is written.
   static_cast<void>(format_of(path));
   require_targets(result.carried, path, result.inputs);
   const bool marked = options.vertex_motion;

@@ -24,8 +24,8 @@ DeformWorkspace workspace_with(const std::optional<JoinedSurface>& joined) {
 
 }  // namespace
 
-// Keeps the checkpoints after the first steps that `recipe` has in common with the last recipe, and
-// deletes all others. If the mesh is different, creates a checkpoint before the first step.
+// Keeps the checkpoints within the initial steps that `recipe` and the last recipe have in common,
+// and deletes all others. If the mesh is different, creates a checkpoint before the first step.
 void Session::find_checkpoints(const Recipe& recipe, const Progress& progress) {
   const std::shared_ptr<const Mesh> mesh = meshes_.mesh(recipe.base_directory, recipe.mesh);
   const bool begins_alike = !checkpoints_.empty() && checkpoints_.front().read == mesh &&
@@ -45,7 +45,8 @@ void Session::find_checkpoints(const Recipe& recipe, const Progress& progress) {
   checkpoints_.push_back({mesh, std::move(begun), {}, {}});
 }
 
-// The workspace moves to the result while the step runs. It is lost if the step fails.
+// The workspace is moved to the result while the step runs. If the step fails, the workspace is
+// lost.
 void Session::run_step_at(Checkpoint& checkpoint, const Recipe& recipe, const Progress& progress,
                           RunResult& result) {
   const bool deforms =

@@ -19,7 +19,7 @@ using bridging::RimLoop;
 using bridging::Step;
 using Eigen::Vector3d;
 
-// The areas and costs of larger loops overflow.
+// Largest size of a loop; the areas and costs of larger loops would overflow.
 constexpr double kLargest = 1e50;
 
 void require_usable(const BridgeLoop& loop, const std::string& where, const std::string& whose) {
@@ -54,8 +54,8 @@ void require_usable(const BridgeLoop& loop, const std::string& where, const std:
 }
 
 // Marks pairs that must not be welded. If both meshes have an edge between the same two pairs,
-// welding both pairs would repeat it, so the pair farther apart is marked. Two edges along the
-// loops may become one.
+// welding both would duplicate this edge, so the pair farther apart is marked. Only two loop edges
+// may be merged.
 std::vector<char> crowded_welds(const RimLoop& host, const RimLoop& part,
                                 const std::vector<Pair>& welds) {
   std::vector<Index> weld_of_host(host.size(), kNoIndex);
@@ -79,8 +79,8 @@ std::vector<char> crowded_welds(const RimLoop& host, const RimLoop& part,
   return crowded;
 }
 
-// Returns whether one vertex is the apex of all triangles on the other loop: a rung there would be
-// an edge twice.
+// Returns whether one vertex is the apex of all triangles on the other loop. The strip would then
+// contain an edge twice.
 bool is_full_fan(const std::vector<Node>& nodes, std::span<const Step> steps, std::size_t host_size,
                  std::size_t part_size) {
   if (nodes.size() > 1) return false;
@@ -93,7 +93,7 @@ bool is_full_fan(const std::vector<Node>& nodes, std::span<const Step> steps, st
   return false;
 }
 
-// Returns the rung half way along the strip.
+// Returns the rung after half of the steps.
 Node half_way(const Node& start, std::span<const Step> steps, std::size_t host_size,
               std::size_t part_size) {
   std::size_t i = start.host;
@@ -102,12 +102,12 @@ Node half_way(const Node& start, std::span<const Step> steps, std::size_t host_s
   return {static_cast<Index>(i % host_size), static_cast<Index>(j % part_size), false};
 }
 
-// A strip is better than another if it gains more than this share, which exceeds rounding.
+// Smallest relative gain for which a strip counts as better; larger than rounding errors.
 constexpr double kGain = 1e-9;
 
-// Returns a strip without welds. The first search passes the two closest vertices, which a Delaunay
-// triangulation would join. The second passes the rung opposite, in case it is not best to join
-// them. The cheaper strip wins.
+// Returns a strip without welds. The first search passes through the two closest vertices, which a
+// Delaunay triangulation would join. The second passes through the opposite edge of that strip.
+// Returns the cheaper strip.
 bridging::BridgeStrip zip_apart(const BridgeSolver& solver) {
   const auto& host = solver.host();
   const auto& part = solver.part();
@@ -169,7 +169,7 @@ Bridge bridge_loops(const BridgeLoop& host, const BridgeLoop& part, const std::s
                     double weld) {
   require_usable(host, where, "host's");
   require_usable(part, where, "part's");
-  // The part is reversed, so that both run the same way.
+  // Reverse the part's loop, so that both loops have the same direction.
   const RimLoop host_rim(host, false);
   const RimLoop part_rim(part, true);
   const BridgeSolver solver(host_rim, part_rim);

@@ -16,38 +16,38 @@ struct BridgeLoop {
   Positions points;  ///< in order
   /// Third corner of the triangle on the loop's edge k -> k + 1; ignored if empty.
   Positions across = {};
-  /// Places in the loop of vertices joined by an edge inside the mesh, which no triangle of the
-  /// strip may repeat.
+  /// Pairs of loop positions that an edge inside the mesh joins. The strip must not contain this
+  /// edge again.
   std::vector<std::array<Index, 2>> chords = {};
 };
 
-/// Returns `loop` of a mesh with its `across` and `chords`. Linear in the mesh.
+/// Returns the boundary `loop` of a mesh with `across` and `chords`. Linear in the mesh.
 BridgeLoop bridge_loop(std::span<const Triangle> triangles,
                        std::span<const Eigen::Vector3d> positions, const BoundaryLoop& loop);
 
 /// The strip that closes the gap between two boundary loops.
 struct Bridge {
-  /// Pairs (place in the host's loop, place in the part's) that become one vertex, because a
-  /// triangle between them would be degenerate. Ascending.
+  /// Pairs (position in the host's loop, position in the part's loop) of vertices to merge, because
+  /// triangles between them would be degenerate. Ascending.
   std::vector<std::array<Index, 2>> welded;
-  /// Corners below host.size() are places in the host's loop; the others, less host.size(), are
-  /// places in the part's. Oriented as host and part: each boundary edge of either loop, reversed,
-  /// is the first side of one triangle, whose apex is on the other loop. Welded part vertices have
-  /// the host's number. An edge of one loop needs no triangle if both its ends are welded to those
-  /// of an edge of the other.
+  /// Corners below host.size() are positions in the host's loop; the others, minus host.size(), are
+  /// positions in the part's loop. A welded vertex has its position in the host's loop. The
+  /// orientation is that of host and part: each loop edge, reversed, is the first edge of one
+  /// triangle, whose apex is on the other loop. An edge has no triangle if its ends are welded to
+  /// the ends of an edge of the other loop.
   std::vector<Triangle> triangles;
 };
 
-/// Zips two loops, whose vertex counts may differ. In a strip around both loops, each triangle
-/// stands on an edge of one loop and has its apex on the other. The result is the cheapest strip
-/// through the two closest vertices, or a cheaper one (dynamic programming after Fuchs, Kedem and
-/// Uselton 1977; bridge_path.h). Upright triangles that bend little against each other and against
-/// the `across` triangles are cheap; folds are expensive. Pairs nearer than `weld` times the
-/// shortest loop edge at them become one vertex, if that keeps both orders and repeats no edge. If
-/// host and part are manifolds, host, strip and part together are one. Unless several strips are
-/// equally good, the strip depends neither on the loops' starts nor on a common rotation,
-/// translation or scale. Throws InputError, naming `where`, if a loop has fewer than 3 vertices, is
-/// not finite, is larger than 1e50 or has no length. Near-linear.
+/// Bridges two loops by a strip of triangles, each with an edge on one loop and its apex on the
+/// other. The numbers of vertices may differ. The strip costs at most as much as the cheapest one
+/// through the two closest vertices (dynamic programming after Fuchs, Kedem and Uselton 1977;
+/// bridge_path.h). Upright triangles that bend little, also against the `across` triangles, are
+/// cheap; folds are expensive. Pairs of vertices nearer than `weld` times their shortest loop edge
+/// are merged, unless this changes the order in a loop or repeats an edge. If host and part are
+/// manifolds, the result is a manifold. Unless several strips are equally good, the result depends
+/// neither on the start of the loops nor on a common similarity transform. Throws InputError,
+/// naming `where`, if a loop has fewer than 3 vertices, zero length, a position that is not finite,
+/// or a size above 1e50. Near-linear.
 Bridge bridge_loops(const BridgeLoop& host, const BridgeLoop& part, const std::string& where,
                     double weld = 0.05);
 

@@ -19,23 +19,24 @@ using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Larger grids are searched only near a coarser path. This many rungs take milliseconds.
+// Larger grids are searched only near a coarser path. A grid of this many rungs takes milliseconds.
 constexpr std::size_t kFullGrid = 100'000;
-// The coarser path takes every kStride-th vertex, and kPad of these around it are searched.
+// The coarser path uses every kStride-th vertex. Rungs within kPad coarse vertices of it are
+// searched.
 constexpr std::size_t kStride = 4;
 constexpr std::size_t kPad = 5;
-// Chains of fewer vertices are not thinned out.
+// Shorter chains are not coarsened.
 constexpr std::size_t kShortChain = 64;
 
-// Cost of a fold between two triangles of the strip, as a multiple of their own cost, so that
-// longer ways around it are taken. It does not apply between the strip and the surface behind,
-// which must fold if a part is larger than its hole.
+// Cost of a fold between two triangles of the strip, relative to their cost, so that the path
+// prefers detours. It does not apply between strip and meshes, where a fold is inevitable if the
+// part is larger than its hole.
 constexpr double kFold = 50.0;
-// Least height of a triangle, as a share of its rungs, so that the cost is finite.
+// Lower bound of a triangle's height as a fraction of its rungs, so that the cost is finite.
 constexpr double kLeastHeight = 1e-3;
 
-// Returns the cost of bending by the angle between two unit normals, as a share of the triangle's
-// cost: 0.1 at 45 degrees, 1 at 90, `fold` more if they are opposite. 0 if a normal is zero, which
+// Returns the cost of the angle between two unit normals, relative to the cost of the triangle: 0.1
+// at 45 degrees, 1 at 90 degrees, 4 + `fold` at 180 degrees. Returns 0 if a normal is zero, which
 // means unknown.
 double bending(const Vector3d& a, const Vector3d& b, double fold) {
   const double cosine = a.dot(b);
@@ -45,15 +46,15 @@ double bending(const Vector3d& a, const Vector3d& b, double fold) {
   return flat * flat + fold * folded * folded * folded;
 }
 
-// The last step of a path to a rung, with its triangle.
+// The last step of a path to a rung, with the triangle that it adds.
 struct Arrival {
   double cost = kInfinity;
   double size = 0.0;  // the triangle's cost without bending; 0 if there is no triangle
   Vector3d normal = Vector3d::Zero();
 };
 
-// Returns the triangle on the edge from `from` to `to` with this apex. Its normal is that of a
-// surface with the edge on its left.
+// Returns the triangle on the edge from `from` to `to` with this apex. It is on the left of the
+// edge.
 Arrival triangle(const Vector3d& from, const Vector3d& to, const Vector3d& apex,
                  const Vector3d& behind) {
   const Vector3d edge = to - from;
@@ -71,7 +72,7 @@ Arrival triangle(const Vector3d& from, const Vector3d& to, const Vector3d& apex,
   return arrival;
 }
 
-// The rungs to search: for each host vertex a range of the part's.
+// The rungs to search: for each host vertex, a range of part vertices.
 struct Band {
   std::vector<std::size_t> low, high;   // both inclusive and ascending
   std::vector<std::size_t> row_starts;  // prefix sums of the ranges' lengths
@@ -102,7 +103,8 @@ class Search {
         row_(b_ + 1),
         row_above_(b_ + 1) {}
 
-  // `first` is the step by which a closed strip arrives at its first rung, and at its last.
+  // `first` is the step by which a closed strip reaches its first rung, which is also its last
+  // rung.
   BridgePath run(std::optional<Step> first) {
     for (std::size_t i = 0; i <= a_; ++i) {
       check_cancelled();
@@ -123,7 +125,7 @@ class Search {
   }
 
  private:
-  using Rung = std::array<Arrival, 2>;  // indexed by the step that arrives
+  using Rung = std::array<Arrival, 2>;  // indexed by the last step
 
   Rung start(std::optional<Step> first) const {
     Rung rung;
@@ -137,7 +139,7 @@ class Search {
     return rung;
   }
 
-  // At a welded end there is no triangle, and the face behind takes its place.
+  // At a welded end there is no triangle. The adjacent triangle of the mesh is used instead.
   Arrival host_triangle(std::size_t i, std::size_t j) const {
     if ((gap_.starts_welded && i == 0 && j == 0) || (gap_.ends_welded && i + 1 == a_ && j == b_)) {
       return {0.0, 0.0, gap_.host.normals[i]};
@@ -179,8 +181,8 @@ class Search {
     from_[band_.row_starts[i] + j - band_.low[i]] = from;
   }
 
-  // Adds the cost of the cheaper way to the rung before. Returns whether that way ends with a
-  // part's step.
+  // Adds the cost of the cheaper path to the rung `before`. Returns whether the last step of that
+  // path is a part step.
   static bool arrive(Arrival& arrival, const Rung& before) {
     std::array<double, 2> costs{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -213,7 +215,7 @@ class Search {
   const Gap& gap_;
   const Band& band_;
   std::size_t a_, b_;
-  std::vector<unsigned char> from_;  // bit k: the step before an arrival by step k is the part's
+  std::vector<unsigned char> from_;  // bit k: whether a part step precedes the step k
   std::vector<Rung> row_, row_above_;
 };
 
@@ -225,7 +227,7 @@ BridgePath search(const Gap& gap, const Band& band) {
   return by_part.cost < by_host.cost ? by_part : by_host;
 }
 
-// Returns every `stride`-th vertex of a chain and its last.
+// Returns every kStride-th vertex of a chain and its last vertex.
 std::vector<std::size_t> thinned(const Chain& chain) {
   const std::size_t stride = chain.points.size() > kShortChain ? kStride : 1;
   std::vector<std::size_t> kept;
@@ -246,7 +248,7 @@ Chain coarse(const Chain& chain, const std::vector<std::size_t>& kept) {
   return result;
 }
 
-// Returns the rungs near a path between the vertices kept.
+// Returns the rungs near a path of the coarse chains.
 Band band_around(const std::vector<Step>& steps, const std::vector<std::size_t>& host_kept,
                  const std::vector<std::size_t>& part_kept) {
   const std::size_t rows = host_kept.size();
@@ -290,7 +292,7 @@ BridgePath shortest_bridge(const Gap& gap) {
   thin.closed = gap.closed;
   BridgePath path = search(gap, band_around(shortest_bridge(thin).steps, host_kept, part_kept));
   if (!path.steps.empty()) return path;
-  // Forbidden rungs may block the band.
+  // If forbidden rungs block the band, search the whole grid.
   require_memory(
       (a + 1) * (b + 1),
       "bridging boundary loops of " + std::to_string(a) + " and " + std::to_string(b) + " edges",

@@ -7,8 +7,8 @@
 
 namespace lapwing::bridging {
 
-/// A piece of a boundary loop: its vertices and, per edge, the unit normal of the surface behind
-/// it, zero if unknown.
+/// A section of a boundary loop: its vertices and, per edge, the unit normal of the adjacent
+/// triangle of the mesh, zero if unknown.
 struct Chain {
   Positions points;
   std::vector<Eigen::Vector3d> normals;
@@ -19,32 +19,32 @@ struct Chain {
 /// triangle (i + 1, i, j). A part step from j to j + 1, with the host at i, adds (j, j + 1, i).
 enum class Step : unsigned char { host, part };
 
-/// The gap between two chains that run the same way, the host's with its surface on its left, the
-/// part's on its right. A rung (i, j) joins host vertex i to part vertex j. The rungs between the
-/// first vertices and between the last ones are fixed.
+/// The gap between two chains with the same direction. The host's surface is on the left of its
+/// chain, the part's surface on the right. A rung (i, j) is an edge from host vertex i to part
+/// vertex j. The first and the last rung are given.
 struct Gap {
   Chain host, part;
-  bool starts_welded = false;  ///< the first vertices are one: no triangle contains both
-  bool ends_welded = false;    ///< likewise the last vertices
-  bool closed = false;         ///< the last rung is the first again
-  /// Rungs that would repeat an edge: (i, first of the part), (i, last), (first of the host, j),
-  /// (last, j). One entry per vertex, or empty.
+  bool starts_welded = false;  ///< the first vertices are merged: no triangle contains both
+  bool ends_welded = false;    ///< the last vertices are merged
+  bool closed = false;         ///< the last rung equals the first
+  /// Forbidden rungs, which would repeat an edge: from each host vertex to the first or last part
+  /// vertex, and vice versa. One entry per vertex, or empty.
   std::vector<char> no_rung_to_part_start, no_rung_to_part_end;
   std::vector<char> no_rung_to_host_start, no_rung_to_host_end;
 };
 
-/// The cheapest way across a gap.
+/// The cheapest triangulation of a gap.
 struct BridgePath {
-  std::vector<Step> steps;  ///< empty if there is no way
+  std::vector<Step> steps;  ///< empty if there is none
   double cost = 0.0;
 };
 
-/// Returns the shortest path from the first rung to the last in the grid of all rungs (Fuchs, Kedem
-/// and Uselton 1977). A triangle costs e (a^2 + b^2) / (2 h), with e its side on a chain, a and b
-/// its rungs and h its height over e. Upright triangles cost least, and the cost of the whole gap
-/// hardly depends on the vertex counts. Bending at e, and at the rung shared with the triangle
-/// before, adds a share of this. O(n m) for up to about 10^5 rungs. Larger grids take near-linear
-/// time: a path through every fourth vertex is found first, and only rungs near it are searched.
+/// Returns the shortest path from the first to the last rung in the grid of all rungs (Fuchs, Kedem
+/// and Uselton 1977). A triangle costs e (a^2 + b^2) / (2 h), where e is its edge on a chain, a and
+/// b are its rungs and h is its height over e. Upright triangles have the lowest cost, and the
+/// total cost hardly depends on the vertex counts. Bending at e, and at the rung shared with the
+/// previous triangle, increases the cost. O(n m) for up to about 10^5 rungs. Near-linear for larger
+/// grids: a path through every fourth vertex is found first, and only rungs near it are searched.
 BridgePath shortest_bridge(const Gap& gap);
 
 }  // namespace lapwing::bridging

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Returns the edges from one place of a loop to another, all of them if both are the same.
+// Returns the number of edges from one position in a loop to another; `size` if both are equal.
 std::size_t edges_between(std::size_t from, std::size_t to, std::size_t size) {
   return to > from ? to - from : to + size - from;
 }
@@ -21,7 +21,7 @@ Vector3d normal_behind(const BridgeLoop& loop, std::size_t k) {
   return (to - from).cross(loop.across[k] - from).normalized();
 }
 
-// Returns the vertex half of the loop's length from `first`, but never `first` itself.
+// Returns the vertex at about half of the loop's length from `first`, but never `first` itself.
 std::size_t half_way(const RimLoop& loop, std::size_t first) {
   const Chain around = loop.chain(first, loop.size());
   std::vector<double> length{0.0};
@@ -57,7 +57,7 @@ bool RimLoop::has_edge(std::size_t a, std::size_t b) const {
   return std::ranges::binary_search(edges_, edge);
 }
 
-// This map is its own inverse.
+// The reversal is its own inverse.
 Index RimLoop::original(std::size_t place) const {
   return static_cast<Index>(backwards_ ? (size() - place) % size() : place);
 }
@@ -81,7 +81,8 @@ Gap BridgeSolver::gap_after(const std::vector<Node>& nodes, std::size_t k) const
   gap.ends_welded = end.welded;
   gap.closed = nodes.size() == 1 && !start.welded;
   if (start.welded || end.welded) forbid_repeated_edges(gap, start, end);
-  // With two nodes, both gaps could hold the same edge between the loops, so neither may.
+  // With two nodes, both gaps could contain the same edge between the loops, so it is forbidden in
+  // both.
   if (nodes.size() == 2 && gap.host.edge_count() + gap.part.edge_count() > 2) {
     gap.no_rung_to_part_start.resize(gap.host.points.size());
     gap.no_rung_to_part_start.back() = 1;
@@ -91,8 +92,8 @@ Gap BridgeSolver::gap_after(const std::vector<Node>& nodes, std::size_t k) const
   return gap;
 }
 
-// A rung from a welded vertex joins two vertices of one loop. If they are joined already it would
-// repeat that edge, unless it is the loop's own edge at the gap's end.
+// A rung at a welded vertex joins two vertices of one loop. If an edge already joins them, the rung
+// would repeat it, unless it is the loop edge at the end of the gap.
 void BridgeSolver::forbid_repeated_edges(Gap& gap, const Node& start, const Node& end) const {
   const std::size_t a = gap.host.edge_count();
   const std::size_t b = gap.part.edge_count();
@@ -102,8 +103,8 @@ void BridgeSolver::forbid_repeated_edges(Gap& gap, const Node& start, const Node
       start.part == end.part || (b > 1 && part_.has_edge(start.part, end.part));
   const bool both = start.welded && end.welded;
 
-  // Returns, per place of `loop` from `first` on, whether an edge already joins it to the welded
-  // end of the chain.
+  // Returns, for each vertex of `loop` from `first` on, whether an edge already joins it to the
+  // welded end of the chain.
   const auto joined = [](const RimLoop& loop, std::size_t first, std::size_t edges, bool to_end) {
     std::vector<char> list(edges + 1, 0);
     const std::size_t welded = (first + (to_end ? edges : 0)) % loop.size();

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Splits a piece into the collar and the core beyond it.
+// Splits a piece into the collar and the core, the rest of the piece.
 class CoreSplitter {
  public:
   CoreSplitter(std::span<const Triangle> piece, std::span<const double> distances, double width)
@@ -30,8 +30,8 @@ class CoreSplitter {
     around_ = triangles_around_vertices(distances.size(), piece);
   }
 
-  // Repeats until the core is one piece that no vertex touches twice. Every round but the last
-  // removes triangles from it.
+  // Repeats until the core is one component in which every vertex has one fan. Every iteration but
+  // the last removes triangles.
   void clean() {
     do {
       check_cancelled();
@@ -70,8 +70,8 @@ class CoreSplitter {
     }
   }
 
-  // Releases the core's triangles around each vertex at which they are not connected over edges.
-  // Returns whether there were any.
+  // Removes the triangles around each vertex with several fans from the core. Returns whether there
+  // was such a vertex.
   bool release_pinched() {
     bool any = false;
     for (Index v = 0; v < around_.row_count(); ++v) {
@@ -83,7 +83,7 @@ class CoreSplitter {
   }
 
   std::size_t fans_at(Index v) const {
-    std::vector<std::array<Index, 2>> ends;  // per core triangle: the corners beside v
+    std::vector<std::array<Index, 2>> ends;  // per core triangle: its two corners other than v
     for (const Index t : around_[v]) {
       if (is_core_[t] == 0) continue;
       const Triangle& corners = piece_[t];
@@ -97,7 +97,7 @@ class CoreSplitter {
           std::any_of(ends.begin(), ends.end(),
                       [&, end = second](const auto& other) { return other[0] == end; }));
     }
-    // A closed fan has as many shared edges as triangles, and counts as one.
+    // A closed fan has as many shared edges as triangles, but counts as one fan.
     return ends.empty() ? 0 : std::max<std::size_t>(fans, 1);
   }
 
@@ -129,7 +129,7 @@ OwnCollar own_collar(const Collar& collar, std::span<const Vector3d> positions) 
 }
 
 // Returns the shortest path along edges from one of `starts` to the inner loop, or nothing if there
-// is none. Only its ends lie on the seam and on the inner loop.
+// is none. Only its ends are on the seam and on the inner loop.
 std::vector<Index> path_across(const OwnCollar& collar, std::span<const Index> starts) {
   enum Place : char { between, on_seam, on_inner };
   const std::size_t n = collar.vertices.size();
@@ -143,7 +143,8 @@ std::vector<Index> path_across(const OwnCollar& collar, std::span<const Index> s
                              [&](Index v) { return place[v] != on_seam; }});
 }
 
-// Returns the triangles around `v` reachable from triangle `first` without crossing the path.
+// Returns the triangles around `v` that are reachable from triangle `first` without crossing the
+// path.
 std::vector<Index> star_from(Index v, Index first, const OwnCollar& collar, const Adjacency& around,
                              std::span<const Index> path_neighbours) {
   const auto shared_edge_is_open = [&](Index a, Index b) {
@@ -167,7 +168,7 @@ std::vector<Index> star_from(Index v, Index first, const OwnCollar& collar, cons
   return star;
 }
 
-// Returns the triangle with the side from `a` to `b`, or kNoIndex.
+// Returns the triangle that contains the directed edge from `a` to `b`, or kNoIndex.
 Index triangle_on(Index a, Index b, const OwnCollar& collar, const Adjacency& around) {
   for (const Index t : around[a]) {
     const Triangle& corners = collar.triangles[t];
@@ -178,7 +179,8 @@ Index triangle_on(Index a, Index b, const OwnCollar& collar, const Adjacency& ar
   return kNoIndex;
 }
 
-// Cuts the triangles open: those on the left of the path get new vertices, first + i for path[i].
+// Cuts the collar open: in triangles on the left of the path, path[i] is replaced by the new vertex
+// first + i.
 std::vector<Triangle> cut_open(const OwnCollar& collar, std::span<const Index> path, Index first) {
   const Adjacency around = triangles_around_vertices(collar.vertices.size(), collar.triangles);
   std::vector<Triangle> triangles = collar.triangles;
@@ -289,7 +291,8 @@ MappedCollar map_collar(const Collar& collar, std::span<const Vector3d> position
 
 namespace {
 
-// Converts a point of the patch to one of the mesh. A midpoint is half of each end of its edge.
+// Converts a point of the patch to a point of the mesh. The weight of a midpoint is divided between
+// the ends of its edge.
 SurfacePoint on_mesh(const SurfacePoint& point, const MappedCollar& laid) {
   SurfacePoint result;
   std::size_t count = 0;
@@ -322,7 +325,7 @@ std::vector<SurfacePoint> lay_on(const MappedCollar& upper, const MappedCollar& 
   const DomainLocator locator(lower.patch.triangles, lower.map.points);
   const std::vector<SurfacePoint> found = locator.locate(upper.map.points);
   std::vector<SurfacePoint> points(vertex_count, SurfacePoint::nowhere());
-  // A vertex on the cut has two copies, and either will do.
+  // A vertex on the cut has two copies; either may be used.
   for (std::size_t own = 0; own < upper.vertices.size(); ++own) {
     points[upper.vertices[own]] = on_mesh(found[own], lower);
   }

@@ -24,7 +24,6 @@ KeepMask polygons_inside(const Mesh& mesh, const VertexSet& region, const std::s
   return mask;
 }
 
-// Returns a mask of the vertices of the marked polygons.
 KeepMask vertices_of(const Mesh& mesh, const KeepMask& polygons) {
   KeepMask mask(mesh.vertex_count(), 0);
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -58,7 +57,7 @@ CutPiece cut_away(const Mesh& mesh, const VertexSet& region, const std::string& 
   }
   KeepMask outside(inside.size());
   for (std::size_t f = 0; f < inside.size(); ++f) outside[f] = inside[f] == 0;
-  // A vertex outside the region is in no cut polygon, and stays even if no polygon uses it.
+  // Vertices outside the region remain, even if no polygon uses them.
   KeepMask vertices = vertices_of(mesh, outside);
   const std::vector<char> in_region = vertex_mask(mesh.vertex_count(), region);
   for (std::size_t v = 0; v < vertices.size(); ++v) {

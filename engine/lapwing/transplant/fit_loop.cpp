@@ -20,20 +20,23 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Points spread over each loop. Starts are tried at this spacing and then refined.
+// Number of points on each loop, and of starts that are tried before refinement.
 constexpr std::size_t kCurvePoints = 256;
-// How many of the best starts, and of those nearest to the least rotation, are refined.
+// Number of best starts, and of starts nearest to the smallest rotation, that are refined.
 constexpr std::size_t kRefined = 8;
-// Golden-section steps: 0.618^46 times two points' distance is 1e-12 of the loop's length.
+// Golden-section steps: the final interval, 0.618^46 times two spacings, is 1e-12 of the loop's
+// length.
 constexpr int kSections = 46;
-// If all starts differ by less than this share of the radius, none is better, unless the best one
-// leaves less than kSharp of the worst one's distance: the loops are then copies of each other.
+// If the distances of all starts differ by less than this fraction of the radius, all are equally
+// good, unless the best distance is below kSharp times the worst: then the loops have the same
+// shape.
 constexpr double kAlike = 0.01;
 constexpr double kSharp = 0.1;
-// Starts within this share of the range of distances are as good as the best one.
+// Starts whose distance exceeds the best by at most this fraction of the range of distances are as
+// good as the best.
 constexpr double kAsGood = 0.01;
 
-// The rotation R with the largest trace of R' M, and that trace.
+// The rotation R that maximizes trace(R' M), and this trace.
 struct Rotation {
   Matrix3d matrix;
   double agreement = 0.0;
@@ -46,16 +49,16 @@ Rotation best_rotation(const Matrix3d& moments) {
   return {U * signs.asDiagonal() * V.transpose(), sigma.dot(signs)};
 }
 
-// One way of laying the part's loop along the host's.
+// A fit of the part's loop to the host's loop for one starting point.
 struct Start {
-  double at = 0.0;        ///< share of the way around the host's loop; the part's start is 0
-  double distance = 0.0;  ///< root mean square between the loops, in radii
+  double at = 0.0;  ///< start on the host's loop, a fraction of its length; the part's start is 0
+  double distance = 0.0;  ///< root mean square distance between the loops, in radii
   Matrix3d rotation = Matrix3d::Identity();
 };
 
 class StartSearch {
  public:
-  // `host` must run the same way as `part`.
+  // `host` must have the same direction as `part`.
   StartSearch(const LoopCurve& part, const LoopCurve& host)
       : host_(host),
         host_frame_(loop_frame(host)),
@@ -80,7 +83,7 @@ class StartSearch {
     return {at, std::sqrt(left / static_cast<double>(kCurvePoints)), best.matrix};
   }
 
-  // Returns the best start between `from` and `to`, which must enclose a single minimum.
+  // Returns the best start between `from` and `to`. This interval must contain a single minimum.
   Start refine(double from, double to) {
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     Start low = try_at(to - golden * (to - from));
@@ -106,7 +109,7 @@ class StartSearch {
   std::vector<Vector3d> part_points_;
 };
 
-// Returns the local minima of `tried`, which goes once around the loop.
+// Returns the local minima of `tried`, a cyclic sequence.
 std::vector<Start> local_minima(const std::vector<Start>& tried) {
   std::vector<Start> valleys;
   for (std::size_t k = 0; k < tried.size(); ++k) {

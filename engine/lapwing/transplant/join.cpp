@@ -10,11 +10,12 @@
 namespace lapwing {
 namespace {
 
-// The loop of one mesh, with the faces and corners at its edges.
+// The loop of one mesh, with the faces at its edges and the corners of these faces.
 struct Rim {
   const Mesh& mesh;
   const BoundaryLoop& loop;
-  std::vector<std::array<Index, 2>> corners;  // per edge k -> k + 1: those of its face at both ends
+  std::vector<std::array<Index, 2>> corners;  // per edge k -> k + 1: its face's corners at both
+                                              // ends
   std::vector<Index> faces;                   // per edge
 };
 
@@ -86,7 +87,7 @@ class Joiner {
     }
   }
 
-  // Returns the place of a strip corner in one loop, or kNoIndex if it is only in the other one.
+  // Return the position of a strip corner in one loop, or kNoIndex if it is only in the other loop.
   Index host_place(Index corner) const { return corner < host_.loop.size() ? corner : kNoIndex; }
   Index part_place(Index corner) const {
     return corner < host_.loop.size() ? part_of_host_[corner]
@@ -101,7 +102,7 @@ class Joiner {
       vertices[k] = place != kNoIndex ? host_.loop[place]
                                       : joined_.part_vertices[part_.loop[part_place(triangle[k])]];
     }
-    // The first two corners are the ends of a loop edge, reversed.
+    // The first edge of the triangle is a reversed loop edge.
     const auto count = static_cast<Index>(host_.loop.size());
     const Index first = host_place(triangle[0]);
     const Index second = host_place(triangle[1]);
@@ -128,7 +129,7 @@ class Joiner {
   const Rim& host_;
   const Rim& part_;
   const Bridge& zip_;
-  std::vector<Index> part_of_host_;  // per place of the host's loop: the part's place welded to it
+  std::vector<Index> part_of_host_;  // per host position: the welded part position or kNoIndex
   JoinPlan plan_;
   Joined joined_;
 };

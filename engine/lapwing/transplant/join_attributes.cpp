@@ -14,7 +14,7 @@ using Eigen::Vector4f;
 
 const Vector4f kWhite = Vector4f::Ones();
 
-// Returns the position of `name` in `names`, and appends it if it is missing.
+// Returns the index of `name` in `names`. Appends it if it is missing.
 Index number_of(const std::string& name, std::vector<std::string>& names) {
   const auto at = std::ranges::find(names, name);
   const auto number = static_cast<Index>(at - names.begin());
@@ -56,7 +56,8 @@ class Merger {
     return on_host || on_part;
   }
 
-  // Returns `components` values per vertex: those of the host, then of the part's kept vertices.
+  // Returns `components` values per vertex, first of the host, then of the part's vertices that
+  // were not welded.
   template <class Value>
   std::vector<Value> per_vertex(const std::vector<Value>& of_host,
                                 const std::vector<Value>& of_part, const Value& neutral,
@@ -71,8 +72,8 @@ class Merger {
     return merged;
   }
 
-  // Returns `components` values per face: those of the host, of the part, then of the face behind
-  // each strip face.
+  // Returns `components` values per face of host, part and strip. A strip face copies the values of
+  // the mesh face at its loop edge.
   template <class Value>
   std::vector<Value> per_face(const std::vector<Value>& of_host, const std::vector<Value>& of_part,
                               const Value& neutral, std::size_t components = 1) const {
@@ -152,7 +153,7 @@ class Merger {
               result_.face_groups.end(), whole);
   }
 
-  // Returns the numbers per corner of both meshes, with `offset` added to the part's.
+  // Returns the indices per corner of both meshes. `offset` is added to the part's indices.
   std::vector<Index> per_corner(std::vector<Index> of_host, std::span<const Index> of_part,
                                 std::size_t offset) const {
     std::vector<Index> merged = std::move(of_host);
@@ -164,7 +165,7 @@ class Merger {
     return merged;
   }
 
-  // Returns the merged entry of a corner of one of the meshes.
+  // Returns the entry of `merged` for a corner of one of the meshes.
   Index at(const std::vector<Index>& merged, bool on_part, Index corner) const {
     return merged[(on_part ? host_.face_vertices().size() : 0) + corner];
   }

@@ -10,10 +10,10 @@ namespace lapwing {
 
 /// The face and corners from which a strip face copies its attributes.
 struct StripSource {
-  bool on_part = false;  ///< its loop edge is the part's
-  Index face = 0;        ///< the face behind that edge, in its own mesh
-  /// Corners of that face at the strip face's first and second corner; `apex_corner` is a corner of
-  /// the other mesh at its third.
+  bool on_part = false;  ///< whether its loop edge belongs to the part
+  Index face = 0;        ///< the mesh face at this edge
+  /// Corners of `face` at the first and second corner of the strip face. `apex_corner` is a corner
+  /// of the other mesh at the third.
   std::array<Index, 2> corners{};
   Index apex_corner = 0;
   Index nearer = 0;  ///< which of `corners` is nearer to the apex
@@ -23,7 +23,8 @@ struct StripSource {
 struct JoinPlan {
   const Mesh& host;
   const Mesh& part;
-  std::vector<Index> part_kept;  ///< the part's vertices that were not welded, after the host's
+  /// The part's vertices that were not welded; they follow the host's vertices.
+  std::vector<Index> part_kept;
   std::vector<StripSource> strip;
 };
 

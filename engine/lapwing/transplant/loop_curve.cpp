@@ -13,12 +13,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Points are on a line if they are narrower than this share of the loop's length.
+// Points are considered to be on a line if their width is below this fraction of the loop's length.
 constexpr double kThinnest = 1e-6;
-// A loop that encloses less than this share of the disk of its radius has no useful area vector.
+// If the enclosed area is below this fraction of the disk with the loop's radius, the area vector
+// is not used.
 constexpr double kLeastArea = 1e-3;
 
-// Mean and covariance over the length of a polyline. Exact for any edge lengths.
+// Mean and covariance, integrated over the length of a polyline. Exact for all edge lengths.
 struct Moments {
   Vector3d mean = Vector3d::Zero();
   Matrix3d covariance = Matrix3d::Zero();

@@ -13,43 +13,41 @@ namespace lapwing {
 /// A closed polyline, parameterized by arc length. Vertices may coincide.
 class LoopCurve {
  public:
-  /// Throws InputError, naming `where`, for fewer than 3 points, a point that is not finite, and
-  /// points on a line, which do not determine how a part stands.
+  /// Throws InputError, naming `where`, for fewer than 3 points, for points that are not finite,
+  /// and if all points are on a line, because they do not determine the orientation of a part.
   LoopCurve(std::span<const Eigen::Vector3d> points, const std::string& where);
 
   double length() const { return lengths_.back(); }
   std::span<const Eigen::Vector3d> points() const {
     return points_;
-  }  ///< the first point again at the end
+  }  ///< closed: the last point equals the first
 
-  /// Sets the n entries of `spread` to the points at the shares `start`, `start` + 1 / n, `start` +
-  /// 2 / n, ... of the way around. Shares 0 and 1 are the first vertex.
+  /// Sets the n entries of `spread` to the points at the fractions `start`, `start` + 1 / n,
+  /// `start` + 2 / n, ... of the length. Fractions 0 and 1 are the first vertex.
   void spread(double start, std::span<Eigen::Vector3d> spread) const;
 
  private:
   std::vector<Eigen::Vector3d> points_;
-  std::vector<double> lengths_;  ///< from the first point to each
+  std::vector<double> lengths_;  ///< arc length from the first point to each point
 };
 
-/// The centre, normal and radius of a loop. They are integrals over its length, so that it does not
-/// matter how finely it is divided.
+/// The centre, normal and radius of a loop. They are integrals over its length, so they do not
+/// depend on its subdivision.
 struct LoopFrame {
   Eigen::Vector3d center;  ///< mean
-  /// Unit vector, the direction of the area vector, or of the least width if the loop encloses no
-  /// area. Seen from its tip the loop runs counter-clockwise, so that a part with this boundary,
-  /// its surface on the left, stands on that side.
+  /// Unit vector in the direction of the area vector or, if the loop encloses almost no area, of
+  /// the smallest extent. The loop is counterclockwise about the normal, so that a part with the
+  /// loop as boundary and its surface on the left is on this side.
   Eigen::Vector3d normal;
   double radius = 0.0;  ///< root mean square distance from the centre
 };
 LoopFrame loop_frame(const LoopCurve& curve);
 
-/// Returns the positions of a loop's vertices.
 std::vector<Eigen::Vector3d> loop_points(const BoundaryLoop& loop,
                                          std::span<const Eigen::Vector3d> positions);
 
 double loop_length(const BoundaryLoop& loop, std::span<const Eigen::Vector3d> positions);
 
-/// Returns `map` applied to each of `points`.
 std::vector<Eigen::Vector3d> transformed(std::span<const Eigen::Vector3d> points,
                                          const Eigen::Affine3d& map);
 

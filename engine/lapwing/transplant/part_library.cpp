@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Distinguishes part pictures from textures.
+// Distinguishes preview images from textures.
 constexpr std::string_view kMaker = "Lapwing, picture of a part";
 
 fs::path details_path(const fs::path& path) {
@@ -33,7 +33,7 @@ void require_loop(std::size_t loop, const std::vector<BoundaryLoop>& loops,
                    count_loops(loops) + ", counted from 0");
 }
 
-// Returns the loop number in the details, or none without them.
+// Returns the loop index from the file NAME.json, or nothing if there is no such file.
 std::optional<std::size_t> loop_in_details(const fs::path& path) {
   std::error_code missing;
   if (!fs::exists(path, missing)) return std::nullopt;
@@ -49,7 +49,7 @@ std::size_t longest(const std::vector<BoundaryLoop>& loops,
   return static_cast<std::size_t>(std::ranges::max_element(loops, {}, length) - loops.begin());
 }
 
-// `path` is the mesh file, or only the part's name.
+// `path` is the mesh file or only the name of the part.
 Part part_of(Mesh mesh, const fs::path& path, std::optional<std::size_t> loop,
              const std::string& loop_where) {
   Part part;
@@ -86,7 +86,7 @@ void require_name(const std::string& name) {
   }
 }
 
-// Writes the part into the folder under that name.
+// Writes the part to `folder` as `name`.
 AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
                      const std::string& extension) {
   AddedPart added{std::move(part), {}};
@@ -94,7 +94,7 @@ AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot create the folder " + folder.string() + ": " + error.message());
   added.part.name = name;
-  // replace_extension would cut off what follows a dot in the name.
+  // Do not use replace_extension, which would remove a suffix of the name after a dot.
   added.part.mesh_path = folder / (name + extension);
   std::vector<fs::path> files = part_files(folder);
   std::erase_if(files, [&](const fs::path& file) { return file.stem() != name; });

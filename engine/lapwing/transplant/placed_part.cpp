@@ -56,7 +56,8 @@ BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
 }
 
-// Returns the volume enclosed by the surface and a fan over its loop: below 0 if it is inside out.
+// Returns the signed volume enclosed by the surface and a fan over its loop. It is negative if the
+// surface is inside out.
 double volume(const Mesh& part, const Vector3d& center) {
   double sum = 0.0;
   for (const Triangle& t : part.topology().triangles) {
@@ -66,15 +67,14 @@ double volume(const Mesh& part, const Vector3d& center) {
   return sum / 6.0;
 }
 
-// Reverses the faces and the loop.
 void turn(PlacedPart& part) {
   turn_inside_out(part.mesh);
   std::reverse(part.loop.begin() + 1, part.loop.end());
   part.turned = true;
 }
 
-// A part that rises from its loop encloses a volume with a sign. A sheet does not, and counts as
-// right side out.
+// Returns whether the enclosed volume is clearly negative. A flat part encloses almost no volume
+// and is never inside out.
 bool is_inside_out(const PlacedPart& part, const std::string& where) {
   constexpr double kLeastRise = 0.1;
   const LoopFrame loop = loop_frame(LoopCurve(loop_points(part.loop, part.mesh.positions), where));
@@ -105,10 +105,11 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
   return part;
 }
 
-// Returns the loop's vertices at an edge that has no face of the rest on its other side.
+// Returns the vertices of loop edges that have no face of the rest on the other side.
 VertexSet without_other_side(const BoundaryLoop& loop, const CutPiece& rest,
                              std::span<const Index> numbers) {
-  std::vector<Index> next(rest.vertices.size(), kNoIndex);  // along the loop, numbers of the rest
+  std::vector<Index> next(rest.vertices.size(), kNoIndex);  // next vertex along the loop, in the
+                                                            // rest
   std::vector<Index> open;
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Index from = numbers[loop[k]];
@@ -197,7 +198,7 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   }
   transform(part.mesh, part.motion);
   if (determinant < 0.0) std::reverse(part.loop.begin() + 1, part.loop.end());
-  // Loops that are joined run in opposite directions.
+  // Two loops that are joined must have opposite directions.
   const auto normal = [&](std::span<const Vector3d> points, const std::string& name) {
     return loop_frame(LoopCurve(points, name)).normal;
   };

@@ -11,29 +11,29 @@
 
 namespace lapwing {
 
-/// The hole that a target region leaves in a mesh.
+/// The hole that the removal of a target region leaves in a mesh.
 struct Hole {
-  std::vector<Triangle> triangles;  ///< the removed ones, in vertices of the mesh
-  BoundaryLoop loop;                ///< their boundary, with them on its left, likewise
+  std::vector<Triangle> triangles;  ///< the removed triangles, as vertices of the mesh
+  BoundaryLoop loop;  ///< their boundary, with the triangles on its left, as vertices of the mesh
   CutPiece rest;
-  BoundaryLoop rest_loop;  ///< the same loop reversed, from the same vertex, in vertices of `rest`
+  BoundaryLoop rest_loop;  ///< `loop` reversed, with the same first vertex, as vertices of `rest`
 };
 
-/// Cuts `region` from `mesh`. Throws InputError, naming the region, if it contains no whole face or
-/// all of them, if its boundary is not one loop, or if it reaches the mesh's own boundary.
+/// Removes `region` from `mesh`. Throws InputError, naming the region, if it contains no whole face
+/// or all faces, if its boundary is not one loop, or if it reaches the boundary of the mesh.
 Hole cut_hole(const RegionSpec& region, const Mesh& mesh);
 
-/// A part at its place on the host.
+/// A part in its final position on the host.
 struct PlacedPart {
   Mesh mesh;
   BoundaryLoop loop;
-  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  ///< from its original place
-  bool turned = false;                                   ///< it was inside out and is reversed
-  std::vector<std::string> notes;                        ///< messages to the user
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  ///< from the original position
+  bool turned = false;             ///< whether its faces were reversed because it was inside out
+  std::vector<std::string> notes;  ///< messages to the user
 };
 
-/// Cuts, turns and places the part of `request` from `source`. Throws InputError, naming the part,
-/// if it lacks a boundary loop or the requested one, is not finite, or is flattened by its place.
+/// Cuts the part of `request` from `source`, reverses it if it is inside out, and places it. Throws
+/// InputError, naming the part, if it lacks the boundary loop, is not finite, or becomes flat.
 PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
                       const Hole& hole);
 

@@ -22,10 +22,11 @@ using Eigen::Vector3d;
 
 constexpr int kPasses = 3;
 
-// Limit of the ratio of sizes between a mapped ring and its source; the scale is clamped to it.
+// Upper bound of the ratio between the sizes of a ring and of its image; the scale is clamped to it
+// and to its inverse.
 constexpr double kLargestRatio = 4.0;
 
-// Returns the smooth positions on which areas and angles are computed.
+// Returns the smooth positions from which areas and angles are computed.
 Positions geometry_of(std::span<const Vector3d> positions, const Topology& topology,
                       const VertexSet& region, const TransplantOptions& options) {
   return Fairing(positions, topology, region, options.weights).smooth(shape_size(options));
@@ -90,7 +91,7 @@ class SeamReconstruction {
   const Progress& progress_;
 
   SeamZone zone_;
-  std::vector<double> cut_distances_;  // per vertex of the host, from the hole's rim inwards
+  std::vector<double> cut_distances_;  // per host vertex: distance from the rim inside the cut
   std::vector<SurfacePoint> points_;   // per vertex of the joined mesh: its point on the host
   Positions host_geometry_;
   std::optional<Fairing> host_fairing_;
@@ -99,16 +100,17 @@ class SeamReconstruction {
   std::unique_ptr<SystemPattern> pattern_;
   std::unique_ptr<LaplacianSystem> system_;
   std::vector<SurfacePoint> on_host_;    // per vertex of the rings
-  std::vector<SurfacePoint> on_itself_;  // likewise, on the joined mesh
+  std::vector<SurfacePoint> on_itself_;  // per vertex of the rings, on the joined mesh
   std::vector<double> shares_;           // w, per row
-  std::vector<Vector3d> rest_;           // delta_D, per row; the part's own are delta_S
+  std::vector<Vector3d> rest_;           // delta_D, per row; delta_S on the part
   std::vector<Vector3d> sampled_;        // delta_U, per row
   SmoothSurface smooth_host_;
   SmoothSurface smooth_start_;
   TransplantResult result_;
 };
 
-// Maps D to the host: the host's vertices to themselves, the transition to the removed region.
+// Maps D to the host: host vertices to themselves, vertices of the transition to the removed
+// region.
 void SeamReconstruction::lay_collars() {
   const auto [below, above] =
       seam_collars(host_, joined_, zone_.seam, cut_distances_, options_.transition.width, where_);
@@ -154,7 +156,7 @@ void SeamReconstruction::make_system() {
   rest_ = laplacians_of(joined_.positions);
 }
 
-// Returns the shape without any detail.
+// Returns the shape, without features smaller than shape_size.
 SmoothSurface SeamReconstruction::smoothed(const Fairing& fairing,
                                            std::span<const Vector3d> positions,
                                            const Topology& topology) const {
@@ -166,8 +168,8 @@ SmoothSurface SeamReconstruction::smoothed(const Fairing& fairing,
   return result;
 }
 
-// Returns the correlation of host and joined mesh in the features between detail and shape, 0 to 1.
-// It is 1 if the part is what was cut out, and small if a horn replaces an ear.
+// Returns the correlation, from 0 to 1, of host and joined mesh for features between detail and
+// shape. It is 1 if the part equals the removed region, and small if a horn replaces an ear.
 double SeamReconstruction::agreement(std::span<const Vector3d> between_on_host,
                                      std::span<const Vector3d> between) const {
   double common = 0.0;
@@ -185,7 +187,8 @@ double SeamReconstruction::agreement(std::span<const Vector3d> between_on_host,
   return most > 0.0 ? std::clamp(common / most, 0.0, 1.0) : 1.0;
 }
 
-// Returns the host's offset from its shape: detail, and `agreement` times the features in between.
+// Returns the host's offset from its shape: its detail plus `agreement` times the features between
+// detail and shape.
 std::vector<Vector3d> SeamReconstruction::host_detail() const {
   const double size = detail_size(options_);
   const Positions host_fine = host_fairing_->smooth(host_.positions, size);
@@ -203,7 +206,7 @@ std::vector<Vector3d> SeamReconstruction::host_detail() const {
   return detail;
 }
 
-// Fairs the same part of the host as of the joined mesh.
+// Fairs the host in the region that corresponds to the faired region of the joined mesh.
 void SeamReconstruction::smooth_geometry() {
   cut_distances_ = distances_in_cut(host_);
   VertexSet region;
@@ -219,7 +222,7 @@ void SeamReconstruction::smooth_geometry() {
   fairing_.emplace(joined_.geometry, joined_.topology, zone_.region.roi, options_.weights);
 }
 
-// Returns L x, per row.
+// Returns L x, one vector per row.
 std::vector<Vector3d> SeamReconstruction::laplacians_of(std::span<const Vector3d> positions) const {
   std::vector<Vector3d> result(rings().row_count(), Vector3d::Zero());
   for (std::size_t r = 0; r < result.size(); ++r) {
@@ -241,7 +244,7 @@ void SeamReconstruction::sample() {
     kernels_.sample_mapped_laplacians(mapped, options_.sampling, detail, sampled_);
     return;
   }
-  // Densities do not depend on how finely the host is triangulated.
+  // Densities, unlike Laplacians, do not depend on the edge lengths of the host.
   const auto weights = laplacian_weights(host_.topology, host_geometry_, options_.weights);
   std::vector<Index> all;
   for (Index v = 0; v < host_.positions.size(); ++v) all.push_back(v);
@@ -266,7 +269,7 @@ std::vector<Matrix3d> SeamReconstruction::frames(std::span<const SurfacePoint> p
                          {positions, normals}, T);
   for (Matrix3d& t : T) {
     const double ratio = t.col(0).norm();
-    // A ring that is a point has no frame.
+    // A ring that is a single point has no frame.
     if (ratio > 0.0) {
       t *= std::clamp(ratio, 1.0 / kLargestRatio, kLargestRatio) / ratio;
     } else {
@@ -276,8 +279,8 @@ std::vector<Matrix3d> SeamReconstruction::frames(std::span<const SurfacePoint> p
   return T;
 }
 
-// Returns the factor from the sampled value to the Laplacian of ring r: 1 for whole Laplacians, the
-// size of the ring on the host for densities.
+// Returns the factor that turns a sampled value into the Laplacian of ring r: 1 for Laplacians; for
+// densities, r^2 / 4 with the radius of the ring on the host.
 double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
   if (options_.sampling == MappedSampling::one_ring) return 1.0;
   double square = 0.0;
@@ -287,7 +290,7 @@ double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
   return 0.25 * square / T.col(0).squaredNorm();
 }
 
-// Returns the Laplacians that the surface should have if its low frequencies are those of `now`.
+// Returns the target Laplacians of the surface if its smooth shape is `now`.
 std::vector<Vector3d> SeamReconstruction::wanted(const SmoothSurface& now) const {
   const std::vector<Matrix3d> from_part = frames(on_itself_, smooth_start_, now);
   std::vector<Vector3d> on_host_side = laplacians_of(now.positions);

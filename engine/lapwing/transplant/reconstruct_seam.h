@@ -20,67 +20,68 @@ struct TransplantHost {
   std::span<const Eigen::Vector3d> positions;
   const Topology& topology;
   std::span<const Triangle> cut;  ///< the triangles to remove
-  BoundaryLoop hole;              ///< their boundary, with them on its left
+  BoundaryLoop hole;              ///< boundary of `cut`, with these triangles on its left
 };
 
-/// Host and part as one mesh, D in the paper: zipped, with the part as it was placed.
+/// The mesh of host, strip and placed part before the reconstruction, D in the paper.
 struct TransplantJoined {
   std::span<const Eigen::Vector3d> positions;
   const Topology& topology;
-  /// The positions smoothed around the seam (`smooth_seam`). Areas, angles and maps are computed on
-  /// these, since a strip between two loops may be folded.
+  /// The positions smoothed around the seam (`smooth_seam`). Areas, angles and maps are computed
+  /// from these positions, because the strip may be folded.
   std::span<const Eigen::Vector3d> geometry;
-  std::span<const Index> host_vertices;  ///< per vertex: its number in the host, or kNoIndex
-  std::size_t host_faces = 0;            ///< faces below this number are the host's
-  /// Per vertex that is not the host's: geodesic distance on the part from its loop; 0 between the
-  /// loops.
+  std::span<const Index> host_vertices;  ///< per vertex: the vertex of the host, or kNoIndex
+  std::size_t host_faces = 0;            ///< number of faces of the host, which come first
+  /// Per vertex that is not in the host: geodesic distance on the part from its loop; 0 in the
+  /// strip.
   std::span<const double> depths;
   double gap = 0.0;  ///< mean distance between the loops
 };
 
-/// Options of `reconstruct_seam`. Extents are lengths.
+/// Options of `reconstruct_seam`. `padding` and `belt` are lengths.
 struct TransplantOptions {
-  /// The blend over the part, from its loop: 0 is the host, 1 the part.
+  /// Weight of the part, as a function of the distance from its loop: 0 is the host, 1 the part.
   Transition transition;
-  double padding = 0.0;  ///< free beyond the transition, and on the host's side of the seam
-  double belt = 0.0;     ///< held beyond the padding, with weight 1
+  /// Width of the free zone beyond the transition, and of the free zone of the host.
+  double padding = 0.0;
+  double belt = 0.0;  ///< width of the belt beyond the padding, held with weight 1
   LaplacianWeights weights = LaplacianWeights::cotangent;
   MappedSampling sampling = MappedSampling::one_ring;
 };
 
 /// The result of `reconstruct_seam`.
 struct TransplantResult {
-  Positions positions;  ///< of the whole joined mesh; unchanged bit for bit outside `region`
+  Positions positions;  ///< positions of the joined mesh; bitwise unchanged outside `region`
   VertexSet region;     ///< all unknowns
-  VertexSet belt;       ///< of these, those that are held
+  VertexSet belt;       ///< the vertices of `region` that are held
   double relative_residual = 0.0;
-  double last_change = 0.0;  ///< largest motion of a vertex in the last pass, in mean edge lengths
-  bool sampled_host = true;  ///< false if hole or part is too small to have an inside to sample
-  std::size_t flipped = 0;   ///< triangles that the two maps to the square turned over
+  /// Largest displacement of a vertex in the last pass, in mean edge lengths.
+  double last_change = 0.0;
+  bool sampled_host = true;  ///< false if hole or part is too small for a collar
+  std::size_t flipped = 0;   ///< number of triangles that the two maps to the square flipped
 };
 
-/// Computes `joined.geometry` without reading it: fairs the positions (Fairing) of all free and
-/// held vertices by twice the width of the free zone. Throws what `Fairing` throws.
+/// Computes `joined.geometry`, which it does not read: fairs all free and held vertices, with twice
+/// the width of the free zone as length. Throws the errors of `Fairing`.
 Positions smooth_seam(const TransplantHost& host, const TransplantJoined& joined,
                       const TransplantOptions& options);
 
 /// Reconstructs the surface around the seam of a transplant (paper section 6). Solves
 ///     (L'L + W) u = L' ((1 - w) (delta(D smooth) + T_U xi_U) + w T_S delta_S - delta(D))
-/// for the displacement u of D, with one n x n factor. w is the transition's share, and delta_S are
-/// the Laplacians of the part as it was placed. xi_U are the Laplacians of the host's offset from
-/// its shape. They are sampled at the point of the host that corresponds to each vertex of D. A
-/// host vertex corresponds to itself, a vertex of the transition to a point on the collar of the
-/// removed region. Both collars are mapped to the unit square from the same seam, with their cuts
-/// aligned. T_U and T_S = s R rotate with the shapes, from host and part to the result, whose shape
-/// is updated in two more passes.
+/// for the displacement u of D, with one factor of an n x n matrix. w is the value of the
+/// transition, delta_S are the Laplacians of the placed part, and xi_U those of the host's detail.
+/// xi_U is sampled at the host point of each vertex of D: a host vertex itself, or for a vertex of
+/// the transition, a point on the collar of the removed region. Both collars have the same seam and
+/// are mapped to the unit square with aligned cuts. T_U and T_S = s R map the frames of host and
+/// part to those of the result, whose smooth shape is updated in two more passes.
 ///
-/// Shape is larger than twice the free zone's width, detail smaller than half of it. The host's
-/// detail is transferred whole, as in coating. Features in between are as large as what was cut
-/// out. With all of the host's Laplacians, as in the paper, an ear that was cut off bends the horn
-/// that replaces it. So these are transferred only as far as host and joined mesh agree. A part
-/// placed where it was cut from stays there. Throws InputError, naming `where`, if the transition
-/// reaches another boundary or a handle, and SolverError if the system is singular. Stages
-/// "collars", "laplacian", "sample", "solve".
+/// Features larger than twice the width of the free zone are shape; features smaller than half of
+/// it are detail. The host's detail is transferred completely, as in coating. Features between both
+/// sizes are about as large as the removed region. If they were transferred completely, as in the
+/// paper, a removed ear would bend the horn that replaces it, so they are multiplied by the
+/// correlation of host and joined mesh. A part at its original position does not move. Throws
+/// InputError, naming `where`, if the transition reaches another boundary or a topological handle,
+/// and SolverError if the system is singular. Stages "collars", "laplacian", "sample", "solve".
 TransplantResult reconstruct_seam(const TransplantHost& host, const TransplantJoined& joined,
                                   const TransplantOptions& options, Kernels& kernels,
                                   const std::string& where, StageTimings& timings,

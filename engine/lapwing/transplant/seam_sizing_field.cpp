@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Returns the points of both loops, numbered as the corners of a strip.
+// Returns the points of both loops, indexed like the corners of Bridge::triangles.
 std::vector<Vector3d> corners_of(std::span<const Vector3d> host, std::span<const Vector3d> part) {
   std::vector<Vector3d> corners(host.begin(), host.end());
   corners.insert(corners.end(), part.begin(), part.end());
@@ -36,8 +36,8 @@ double smallest_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-// Returns the mean length of the edges from `v` to the finite ring vertices for which `counts`
-// holds.
+// Returns the mean length of the edges from `v` to the finite neighbours for which `counts` returns
+// true.
 template <class Counts>
 double mean_ring_edge(Index v, const Topology& topology, std::span<const Vector3d> positions,
                       const Counts& counts) {
@@ -107,7 +107,7 @@ SeamSizingField::SeamSizingField(std::span<const Vector3d> positions, const Topo
     in_zone[v] = 1;
     region_.push_back(v);
     if (on_rim) continue;
-    // The strip's edges belong neither to the part nor to the host.
+    // Exclude the edges of the strip, which belong neither to the part nor to the host.
     lengths_[v] = mean_ring_edge(v, topology, positions, [&](Index j) { return !is_host(j); });
     part_edges.push_back(lengths_[v]);
   }

@@ -11,32 +11,33 @@
 
 namespace lapwing {
 
-/// Returns the mean distance between two loops along the edges of `bridge`; welded pairs count as
-/// 0.
+/// Returns the mean length of the edges of `bridge` between both loops. Welded pairs have length 0.
 double strip_width(const Bridge& bridge, std::span<const Eigen::Vector3d> host,
                    std::span<const Eigen::Vector3d> part);
 
-/// Returns whether the strip's triangles may stay: few are slivers, and the strip is not much wider
-/// than the loops' edges are long.
+/// Returns whether the strip needs no remeshing: few of its triangles are slivers, and its width is
+/// not much larger than the loops' edge lengths.
 bool is_even(const Bridge& bridge, std::span<const Eigen::Vector3d> host,
              std::span<const Eigen::Vector3d> part);
 
-/// The sizing field around a seam between two meshes of different scales (paper section 6). It goes
-/// from the host's edge length at its rim to the part's own at the transition's inner end.
+/// The sizing field around a seam between two meshes of different scales (paper section 6). The
+/// edge length changes from that of the host at the seam to that of the part at the end of the
+/// transition.
 class SeamSizingField {
  public:
-  /// `host_vertices` and `depths` are as in TransplantJoined, `width` is that of the transition.
+  /// `host_vertices` and `depths` are as in TransplantJoined; `width` is the width of the
+  /// transition.
   SeamSizingField(std::span<const Eigen::Vector3d> positions, const Topology& topology,
                   std::span<const Index> host_vertices, std::span<const double> depths,
                   double width);
 
-  /// The vertices of the strip and of the part's side of the transition, both loops included.
+  /// Returns the vertices of the strip and of the transition on the part, including both loops.
   const VertexSet& region() const { return region_; }
 
-  /// Returns whether the edge lengths of host and part differ by a factor above kScaleRatio.
+  /// Returns whether the edge lengths of host and part differ by more than the factor kScaleRatio.
   bool asks_for_remeshing() const;
 
-  /// Estimates the number of triangles in the region after remeshing it to these lengths.
+  /// Returns the estimated number of triangles in the region after remeshing.
   double expected_triangles(std::span<const Eigen::Vector3d> positions) const;
 
   /// Returns the target edge length near `point`.

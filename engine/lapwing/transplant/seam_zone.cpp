@@ -10,11 +10,12 @@
 namespace lapwing {
 namespace {
 
-// Largest share of a hole's depth that its collar covers. The middle of a small hole would
-// otherwise be mapped to a whole side of the square.
+// Largest fraction of a hole's depth that its collar covers. With a larger fraction, the centre of
+// a small hole would be mapped to a whole side of the square.
 constexpr double kDeepest = 0.8;
 
-// Fine enough to lose little of a transition, coarse enough to reach a tenth of it in few tries.
+// Factor between successive widths, and number of tries. The smallest tried width is about a tenth
+// of the first.
 constexpr double kNarrower = 0.85;
 constexpr int kMostTries = 15;
 
@@ -34,7 +35,7 @@ Collar collar_of_part(const TransplantJoined& joined, const BoundaryLoop& seam, 
       piece.push_back(joined.topology.triangles[t]);
     }
   }
-  // The collar contains the triangles between the loops, however narrow it is.
+  // The collar always contains the triangles between the loops, even if the width is 0.
   const double reach = std::max(width, 1e-9 * bounds_of(joined.positions).diagonal());
   return make_collar(piece, seam, depths, reach, where);
 }

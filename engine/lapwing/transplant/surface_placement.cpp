@@ -23,20 +23,21 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 constexpr std::size_t kSnapPoints = 96;
 constexpr int kSteps = 60;
-// The iteration ends at a smaller step, in radii of the loop.
+// The iteration stops if a step is smaller than this, in radii of the loop.
 constexpr double kLeastStep = 1e-11;
-// If the cosine between the surface's normal and the loop's is below this, the point is on the back
-// of a sheet. Above it, the surface may be a neck that the loop surrounds.
+// If the cosine between the normals of surface and loop is below this, the point is on the back of
+// a sheet. A higher threshold would also exclude a neck that the loop surrounds.
 constexpr double kBehind = -0.7;
-// Below this distance, in radii, the surface's normal is more reliable than the direction to it.
+// Below this distance, in radii, the normal of the surface is more reliable than the direction to
+// the nearest point.
 constexpr double kTouching = 1e-7;
-// A step that increases the distances is halved down to this share.
+// A step that increases the distances is halved at most down to this fraction.
 constexpr double kLeastShare = 1.0 / 64.0;
-// Eigenvalues below this share of the largest are dropped: their motions slide along the surface
-// and would have to be large to change the distances.
+// Eigenvalues below this fraction of the largest are ignored: their motions slide along the surface
+// and hardly change the distances.
 constexpr double kIdle = 1e-3;
 
-// Returns the triangles with finite corners as one group.
+// Returns one group that contains all triangles with finite corners.
 Adjacency usable(std::span<const Triangle> triangles, std::span<const Vector3d> positions,
                  const std::string& where) {
   Adjacency groups;
@@ -51,7 +52,7 @@ Adjacency usable(std::span<const Triangle> triangles, std::span<const Vector3d> 
   return groups;
 }
 
-// Returns `share` of the motion `step`, for a loop with that frame.
+// Returns the rigid motion of the step `share` * `step` for a loop with the frame `frame`.
 Eigen::Affine3d motion_of(const Vector6d& step, double share, const LoopFrame& frame) {
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
   const double angle = step.tail<3>().norm();
@@ -86,15 +87,15 @@ Eigen::Affine3d place_at(const Eigen::Affine3d& placement, std::span<const Eigen
 }
 
 // The linear least-squares problem of one step, in radii of the loop. The unknowns are a
-// translation and a rotation about its centre.
+// translation and a rotation about the loop's centre.
 struct SurfaceSnap::Contacts {
   Matrix6d normal_matrix = Matrix6d::Zero();
   Vector6d right_side = Vector6d::Zero();
   double squares = 0.0;
 
   Vector6d step() const {
-    // The matrix is symmetric and positive semidefinite, so these are its eigenvectors. Eigen's
-    // eigenvalue solver takes ten times as long to compile.
+    // The matrix is symmetric positive semidefinite, so its singular vectors are its eigenvectors.
+    // Eigen's eigenvalue solver would take ten times as long to compile.
     const Eigen::JacobiSVD<Matrix6d> modes(normal_matrix, Eigen::ComputeFullV);
     Vector6d result = Vector6d::Zero();
     for (int m = 0; m < 6; ++m) {
@@ -124,7 +125,7 @@ SurfaceSnap::Contacts SurfaceSnap::contacts(std::span<const Vector3d> points,
   Index hint = kNoIndex;
   for (const Vector3d& p : points) {
     TrianglePoint nearest = surface_.find(0, p, Vector3d::Zero(), hint);
-    if (nearest.triangle == kNoIndex) continue;  // too far away to square the distance
+    if (nearest.triangle == kNoIndex) continue;  // so far that the squared distance overflows
     if (normals_[nearest.triangle].dot(frame.normal) < kBehind) {
       nearest = surface_.find(0, p, frame.normal);
     }

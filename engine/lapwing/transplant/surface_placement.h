@@ -12,47 +12,46 @@
 
 namespace lapwing {
 
-/// A place on a surface where a user puts a part.
+/// A user-defined position of a part on a surface.
 struct SurfacePlace {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward; of any length but 0
-  double rotate_degrees = 0.0;  ///< about the normal, on top of `placement`'s; right-handed
-  double scale = 1.0;           ///< about the point, on top of `placement`'s; above 0
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward; any positive length
+  double rotate_degrees = 0.0;  ///< about the normal, in addition to `placement`; right-handed
+  double scale = 1.0;           ///< about the point, in addition to `placement`; positive
 };
 
-/// Returns `placement`, a similarity, changed so that the part stands on the surface: the centre of
-/// its boundary loop is at `place.point`, and the loop's normal (LoopFrame) points along
-/// `place.normal`. The rotation is the least one, so that a part that follows a path in small steps
-/// does not spin. `part` is the loop before `placement`, in order with its surface on its left.
-/// Throws InputError, naming `where`, as LoopCurve does, for a normal of length 0, for numbers that
-/// are not finite, and for a scale not above 0.
+/// Returns `placement`, a similarity transform, changed so that the centre of the part's boundary
+/// loop is at `place.point` and the loop's normal (LoopFrame) has the direction of `place.normal`.
+/// The change uses the smallest possible rotation, so that a part that follows a path in small
+/// steps does not spin. `part` is the loop before `placement`, in order, with its surface on the
+/// left. Throws InputError, naming `where`, as LoopCurve does, and if the normal has length 0, a
+/// number is not finite, or the scale is not positive.
 Eigen::Affine3d place_at(const Eigen::Affine3d& placement, std::span<const Eigen::Vector3d> part,
                          const SurfacePlace& place, const std::string& where);
 
-/// Moves parts that were placed by hand onto a surface. Threads may share an object.
+/// Moves parts that were placed by hand onto a surface. Thread-safe.
 class SurfaceSnap {
  public:
-  /// O(n log n) in the triangles. Ignores triangles with a corner that is not finite. Throws
-  /// InputError, naming `where`, if no other is left.
+  /// O(n log n) for n triangles. Ignores triangles with a corner that is not finite. Throws
+  /// InputError, naming `where`, if no finite triangle is left.
   SurfaceSnap(std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions,
               const std::string& where);
 
-  /// Returns `placement` followed by the least rigid motion that brings the part's loop onto the
-  /// surface. Gauss-Newton steps minimize the sum of the squared distances of points spread evenly
-  /// over the loop, as far as they can if the loop does not fit. On a plane this is a move along
-  /// its normal and a tilt, without sliding or spinning. Triangles that face against the loop's
-  /// normal are avoided if possible, so that a thin sheet is not approached from behind. `part` is
-  /// the loop before `placement`, in order with its surface on its left. Throws InputError, naming
-  /// `where`, as LoopCurve does.
+  /// Returns `placement` followed by a small rigid motion of the part's loop onto the surface.
+  /// Gauss-Newton steps minimize the sum of squared distances from the surface over evenly spaced
+  /// points of the loop. On a plane, the motion is a translation along the normal and a tilt,
+  /// without sliding or spinning. Avoids triangles that face opposite to the loop's normal, so that
+  /// the loop does not snap to the back of a thin sheet. `part` is the loop before `placement`, in
+  /// order, with its surface on the left. Throws InputError, naming `where`, as LoopCurve does.
   Eigen::Affine3d snap(const Eigen::Affine3d& placement, std::span<const Eigen::Vector3d> part,
                        const std::string& where) const;
 
  private:
   struct Contacts;
-  /// `points` are on a loop with that frame.
+  /// `points` are on a loop with the frame `frame`.
   Contacts contacts(std::span<const Eigen::Vector3d> points, const LoopFrame& frame) const;
 
-  std::vector<Eigen::Vector3d> normals_;  ///< per triangle, unit length; 0 without area
+  std::vector<Eigen::Vector3d> normals_;  ///< per triangle, unit length; zero if degenerate
   ClosestPoint surface_;
 };
 

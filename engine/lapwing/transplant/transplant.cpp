@@ -39,8 +39,8 @@ BridgeLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
 struct Assembly {
   Mesh mesh;
   Positions geometry;                // smooth around the seam
-  std::vector<Index> host_vertices;  // per vertex: its number in the host, or kNoIndex
-  std::vector<double> depths;        // per vertex: distance from the part's loop, 0 off the part
+  std::vector<Index> host_vertices;  // per vertex: the vertex of the host, or kNoIndex
+  std::vector<double> depths;        // per vertex: distance on the part from its loop; 0 elsewhere
   double gap = 0.0;
   double depth = 0.0;  // largest distance on the part from its loop
 };
@@ -126,7 +126,7 @@ void TransplantRun::assemble() {
   report.place = part.motion.matrix().topRows<3>();
 }
 
-// Measures on the part as it was placed, so that the strip does not count.
+// Measures the distances on the placed part, without the strip.
 void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
                                    const PlacedPart& part) {
   const auto distances = geodesic_distances(part.mesh.topology(), part.mesh.positions, part.loop);
@@ -137,8 +137,8 @@ void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
   }
 }
 
-// Returns the requested lengths, or defaults from the size of the hole. Scales all of them down if
-// the part is too short.
+// Returns the requested lengths, or defaults from the size of the hole. If the part is too short,
+// scales all lengths down.
 TransplantOptions TransplantRun::options() {
   const TransplantParameters& parameters = request_.parameters;
   TransplantOptions options;
@@ -169,7 +169,7 @@ TransplantOptions TransplantRun::options() {
   return options;
 }
 
-// Narrows a default width if holes or handles are close to the seam.
+// Reduces a default width if holes or topological handles are close to the seam.
 void TransplantRun::narrow(TransplantOptions& chosen) const {
   const TransplantParameters& parameters = request_.parameters;
   if (parameters.transition) return;
@@ -202,7 +202,8 @@ void TransplantRun::remesh() {
                   "make the part smaller, give \"transition\" a smaller \"width\", or set "
                   "\"remesh\" to \"none\"");
   timed("remesh", [&] {
-    // Remeshes the smooth surface. Extra attributes carry the joined mesh's positions and depths.
+    // Remesh the smooth surface. Extra attributes interpolate the positions and depths of the
+    // joined mesh.
     Mesh smooth = joined_.mesh;
     smooth.positions = joined_.geometry;
     auto& extras = smooth.edit_attributes().vertex_extras;
@@ -297,7 +298,7 @@ void TransplantRun::reconstruct() {
   hand_over(std::move(seam));
 }
 
-// Returns the 99th percentile of the angles between face normals at edges that end on the rim.
+// Returns the 99th percentile of the angles between face normals at edges with an end on the rim.
 double TransplantRun::seam_degrees(const Positions& positions) const {
   std::vector<char> on_rim(host_mesh_.vertex_count(), 0);
   for (const Index v : hole_.loop) on_rim[v] = 1;

@@ -14,19 +14,19 @@
 
 namespace lapwing {
 
-/// How a part is placed: by fitting its loop to that of the hole, or by a move from its position in
-/// the file. If a move has no pivot, it is about the centre of the part's loop.
+/// Placement of a part: a fit of its loop to the hole's loop, or a move from its position in the
+/// file. The default pivot of a move is the centre of the part's loop.
 using PartPlace = std::variant<LoopFit, Move>;
 
-/// Parameters of a transplant. Lengths are those of the host.
+/// Parameters of a transplant. Lengths are in units of the host.
 struct TransplantParameters {
   /// The transition from the host's detail to the part's detail, which begins at the part's loop.
-  /// By default, it is smooth. Its width is half the radius of the hole, or less if other holes or
-  /// handles are close.
+  /// By default, it is smooth, and its width is half the radius of the hole, or less if other holes
+  /// or topological handles are close.
   std::optional<Transition> transition = {};
   std::optional<double> padding =
-      {};                           ///< free width beside it; default: half the transition's width
-  std::optional<double> belt = {};  ///< width of the belt outside; default: 1/4 of the transition
+      {};  ///< width of the free zone next to the transition; default: half the transition's width
+  std::optional<double> belt = {};  ///< width of the belt; default: 1/4 of the transition's width
   LaplacianWeights weights = LaplacianWeights::cotangent;
   MappedSampling sampling = MappedSampling::linear;
   Remeshing remesh = Remeshing::automatic;
@@ -37,10 +37,10 @@ struct TransplantParameters {
 /// meshes. {"op": "transplant"} in recipes.
 struct TransplantRequest {
   std::optional<RegionSpec> part_region =
-      {};                                ///< what to cut from the part's mesh; default: all of it
+      {};  ///< region to cut from the part's mesh; default: the whole mesh
   std::optional<std::size_t> loop = {};  ///< boundary loop to join; default: the longest
   PartPlace place = {};
-  bool snap = false;  ///< moves the part's loop onto the mesh, as little as possible
+  bool snap = false;  ///< whether to move the part's loop onto the mesh by a small motion
   RegionSpec target_region = {};
   TransplantParameters parameters = {};
   std::string where = "transplant";  ///< as in RegionSpec; ignored by ==

@@ -20,8 +20,8 @@ class Sweep {
     std::ranges::stable_sort(order_, {}, [&](Index i) { return points_[i][axis_]; });
   }
 
-  // Returns the point nearest to `p` within `reach`, the first of equally near ones, or kNoIndex.
-  // Sets `reach` to its distance.
+  // Returns the first of the points nearest to `p` within `reach`, or kNoIndex. Sets `reach` to its
+  // distance.
   Index nearest(const Vector3d& p, double& reach) const {
     Index best = kNoIndex;
     const auto middle =
@@ -48,7 +48,7 @@ class Sweep {
   std::vector<Index> order_;
 };
 
-// Returns the axis along which the points spread most.
+// Returns the axis along which the bounding box of all points is largest.
 Eigen::Index widest_axis(Points a, Points b) {
   Bounds bounds = bounds_of(a);
   const Bounds other = bounds_of(b);
@@ -59,7 +59,7 @@ Eigen::Index widest_axis(Points a, Points b) {
   return axis;
 }
 
-// Returns, per vertex, `share` times the shorter of its two edges.
+// Returns, per vertex, `share` times the length of its shorter edge.
 std::vector<double> reaches(Points loop, double share) {
   std::vector<double> reach(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -70,8 +70,8 @@ std::vector<double> reaches(Points loop, double share) {
   return reach;
 }
 
-// Returns the largest subset of `pairs` that contains `origin` and whose second entries ascend from
-// there, modulo `part_size`. `pairs` ascend by their first entry.
+// Returns the largest subset of `pairs` that contains pair `origin` and whose second entries ascend
+// from there, modulo `part_size`. `pairs` must ascend by their first entry.
 std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t origin,
                                     std::size_t part_size) {
   const std::size_t count = pairs.size();
@@ -79,7 +79,7 @@ std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t 
     const Index second = pairs[(origin + k) % count][1];
     return (second + part_size - pairs[origin][1]) % part_size;
   };
-  // ends[l] is the pair with the smallest place that ends an ascending sequence of l + 1 pairs.
+  // ends[l]: of all ascending sequences of l + 1 pairs, the last pair with the smallest position.
   std::vector<std::size_t> ends{0};
   std::vector<std::size_t> before(count, 0);
   for (std::size_t k = 1; k < count; ++k) {
@@ -102,8 +102,8 @@ std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t 
   return kept;
 }
 
-// Number of origins tried for the largest subset. A bad origin loses at most the pairs out of order
-// with it, and few pairs are out of order at all.
+// Number of origins that are tried for the largest subset. An unsuitable origin loses only pairs
+// that are out of order, which are few.
 constexpr std::size_t kOrigins = 16;
 
 }  // namespace
