@@ -41,7 +41,8 @@ RealRun good_run(const std::string& mesh) {
           "",
           outcome(0, 1.5, 0.02),
           outcome(0, 2.0, 0.1),
-          outcome(0, 1.25, 0.03)};
+          outcome(0, 1.25, 0.03),
+          outcome(0, 1.5, 0.02)};
 }
 
 // In the order of the summary.
@@ -165,6 +166,28 @@ TEST(RealSummary, TheLinearResponseIsHeldToMeasuresOfItsOwn) {
   EXPECT_THAT(summary.figures[kDraggedEdges].exceptions[0].name, HasSubstr("mesh 1.off"));
 }
 
+TEST(RealSummary, TotalsCountTheEditsInWhichAMethodIsClearlyBetterThanLapwing) {
+  std::vector<RealRun> runs = good_runs(4);
+  runs[0].smooth_arap = outcome(1, 1.34, 0.0179);  // better by more than a tenth
+  runs[1].smooth_arap = outcome(0, 1.36, 0.0181);
+  runs[1].smooth_arap.settled = false;
+  runs[1].smooth_arap.constraint_error = 0.25;
+  runs[2].smooth_arap = failed("singular matrix");
+  runs[3].ours.flipped_triangles = 2;
+  runs[3].smooth_arap.detail_error = 0.03;
+  const RealTotals totals = summary_of(runs).totals.at(2);
+  EXPECT_EQ(totals.name, "Smooth ARAP");
+  EXPECT_EQ(totals.measured, 3u);
+  EXPECT_EQ(totals.settled, 2u);
+  EXPECT_EQ(totals.with_flips, 1u);
+  EXPECT_EQ(totals.constraint_error, 0.25);
+  ASSERT_EQ(totals.comparisons.size(), 3u);
+  for (const RealTotals::Comparison& each : totals.comparisons) {
+    EXPECT_EQ(each.better, 1u) << each.measure;
+    EXPECT_EQ(each.worse, each.measure == "largest edge" ? 0u : 1u) << each.measure;
+  }
+}
+
 TEST(RealSummary, NoRunsMeetNothing) {
   for (const RealFigure& figure : summary_of({}).figures) {
     EXPECT_FALSE(figure.met());
@@ -187,12 +210,14 @@ TEST(RealTable, KeepsTheEndOfALongName) {
 
 TEST(RealTable, SaysAtTheEndWhatIsNotThere) {
   RealRun run = good_run("cow.off");
-  run.ours.settled = false;
-  EXPECT_THAT(line_of(run), HasSubstr(" lift* "));
+  run.smooth_arap.settled = false;
+  EXPECT_THAT(line_of(run), HasSubstr(" *1.50\n"));
   run.arap = failed("not a manifold");
   EXPECT_THAT(line_of(run), HasSubstr("CGAL: not a manifold\n"));
   run.linear = failed("no memory");
-  EXPECT_THAT(line_of(run), HasSubstr("linear: no memory; CGAL: not a manifold\n"));
+  run.smooth_arap = failed("singular matrix");
+  EXPECT_THAT(line_of(run), HasSubstr("linear: no memory; CGAL: not a manifold; Smooth ARAP: "
+                                      "singular matrix\n"));
 }
 
 TEST(RealTable, NamesExceptionsBelowTheirFigure) {
@@ -203,6 +228,20 @@ TEST(RealTable, NamesExceptionsBelowTheirFigure) {
   EXPECT_THAT(text, HasSubstr("NOT met  largest edge within 1.3 times ARAP's: 1 of 2 (50%), at "
                               "least 95%\n      knot.off lift: 7.00, ARAP 1.25\n"));
   EXPECT_THAT(text, HasSubstr("met      settled: 2 of 2 (100%), at least 98%\n"));
+}
+
+TEST(RealTable, NamesTheTotalsOfEachMethod) {
+  RealReport report;
+  report.runs = good_runs(2);
+  report.runs[0].ours.constraint_error = 0.0025;
+  report.runs[1].smooth_arap.detail_error = 0.01;
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("  Lapwing: 2 edits, 2 settled, 0 with flipped triangles, "
+                              "constraints within 0.250%\n  ARAP: "));
+  EXPECT_THAT(text,
+              HasSubstr("  Smooth ARAP: 2 edits, 2 settled, 0 with flipped triangles, "
+                        "constraints within 0%\n      better / worse than Lapwing by a tenth: "
+                        "flips 0 / 0, largest edge 0 / 0, detail error 1 / 0\n"));
 }
 
 TEST(RealTable, CountsFilesThatArePassedOverForTheSameReason) {
@@ -219,6 +258,7 @@ RealReport small_real_report() {
   report.runs = {good_run("cow.off"), good_run("knot.off")};
   report.runs[0].arap = failed("not a manifold");
   report.runs[1].ours.settled = false;
+  report.runs[1].smooth_arap.constraint_error = 0.125;
   report.passed_over = {{"box.obj", "too small"}};
   return report;
 }
@@ -234,10 +274,13 @@ TEST(RealJson, KeepsWhyAnOutcomeIsNotThere) {
   EXPECT_EQ(report.runs[0].arap.failure, "not a manifold");
   EXPECT_TRUE(report.runs[0].ours.measured);
   EXPECT_EQ(report.passed_over[0].why, "too small");
+  EXPECT_EQ(report.runs[1].smooth_arap.constraint_error, 0.125);
 }
 
 TEST(RealJson, HoldsTheSummary) {
-  EXPECT_THAT(to_json(small_real_report()), HasSubstr("\"run\":\"knot.off lift\""));
+  const std::string json = to_json(small_real_report());
+  EXPECT_THAT(json, HasSubstr("\"run\":\"knot.off lift\""));
+  EXPECT_THAT(json, HasSubstr("Smooth ARAP"));
 }
 
 TEST(RealJson, RefusesOtherFormats) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <functional>
@@ -12,6 +13,8 @@ namespace {
 
 // Detail errors closer than this are the same.
 constexpr double kSameDetail = 1e-6;
+// A measure is better if it is less than this factor times the other.
+constexpr double kClearlyLess = 0.9;
 
 std::string full_name(const RealRun& run) {
   return run.mesh + " " + run.motion;
@@ -96,6 +99,53 @@ RealFigure dragged_flips_figure(const std::vector<RealRun>& runs) {
       [](const RealRun& run) { return std::to_string(run.linear.flipped_triangles); });
 }
 
+RealTotals totals_of(const std::vector<RealRun>& runs, const char* name,
+                     RealOutcome RealRun::*method) {
+  RealTotals totals{.name = name};
+  RealTotals::Comparison flips{"flips"};
+  RealTotals::Comparison edges{"largest edge"};
+  RealTotals::Comparison details{"detail error"};
+  const auto compare = [](RealTotals::Comparison& comparison, bool better, bool worse) {
+    comparison.better += better ? 1 : 0;
+    comparison.worse += worse ? 1 : 0;
+  };
+  for (const RealRun& run : runs) {
+    const RealOutcome& theirs = run.*method;
+    const RealOutcome& ours = run.ours;
+    if (!theirs.measured) continue;
+    ++totals.measured;
+    if (theirs.settled) ++totals.settled;
+    if (theirs.flipped_triangles > 0) ++totals.with_flips;
+    totals.constraint_error = std::max(totals.constraint_error, theirs.constraint_error);
+    if (!ours.measured) continue;
+    const auto less = [](double a, double b) { return a < kClearlyLess * b - kSameDetail; };
+    compare(flips, theirs.flipped_triangles<ours.flipped_triangles, theirs.flipped_triangles> ours
+                       .flipped_triangles);
+    compare(edges, less(theirs.largest_edge, ours.largest_edge),
+            less(ours.largest_edge, theirs.largest_edge));
+    compare(details, less(theirs.detail_error, ours.detail_error),
+            less(ours.detail_error, theirs.detail_error));
+  }
+  if (method != &RealRun::ours) totals.comparisons = {flips, edges, details};
+  return totals;
+}
+
+// Returns the totals of a method in a line, and below it the comparison with Lapwing.
+std::string totals_text(const RealTotals& totals) {
+  std::string text = "  " + totals.name + ": " + std::to_string(totals.measured) + " edits, " +
+                     std::to_string(totals.settled) + " settled, " +
+                     std::to_string(totals.with_flips) +
+                     " with flipped triangles, constraints within " +
+                     short_number(100.0 * totals.constraint_error) + "%\n";
+  const char* separator = "      better / worse than Lapwing by a tenth: ";
+  for (const RealTotals::Comparison& each : totals.comparisons) {
+    text += separator + each.measure + " " + std::to_string(each.better) + " / " +
+            std::to_string(each.worse);
+    separator = ", ";
+  }
+  return text + (totals.comparisons.empty() ? "" : "\n");
+}
+
 // Returns the reasons for missing results.
 std::string reasons_of(const RealRun& run) {
   if (!run.failure.empty()) return run.failure;
@@ -106,33 +156,34 @@ std::string reasons_of(const RealRun& run) {
   add("ours", run.ours.failure);
   add("linear", run.linear.failure);
   add("CGAL", run.arap.failure);
+  add("Smooth ARAP", run.smooth_arap.failure);
   return text;
 }
 
 // Widths in characters.
-constexpr std::size_t kMesh = 29;
+constexpr std::size_t kMesh = 20;
 constexpr std::size_t kMotion = 5;
-constexpr std::size_t kVertices = 8;
-constexpr std::size_t kFlips = 5;
-constexpr std::size_t kMeasure = 8;
+constexpr std::size_t kFlips = 6;
+constexpr std::size_t kEdge = 5;
+constexpr std::size_t kMeasure = 7;
+constexpr std::size_t kMethod = kFlips + kEdge + 2 * kMeasure;
 
-// Prints values below 1 with four decimals, others with three digits.
-std::string ratio_text(double value) {
-  if (value > 99'999.0) return ">99999";
-  if (value >= 1.0) return short_number(value);
+// Prints values below 1 with four decimals, others with three digits. Large values do not exceed
+// the `width` of a column.
+std::string ratio_text(double value, std::size_t width) {
+  if (value >= 1'000.0) return padded_left(">999", width);
+  if (value >= 1.0) return padded_left(short_number(value), width);
   std::array<char, 16> text;
   std::snprintf(text.data(), text.size(), "%.4f", value);
-  return text.data();
+  return padded_left(text.data(), width);
 }
 
-// Returns the table cells of one measure: those of Lapwing's results and that of ARAP.
-std::string cells(const RealRun& run, std::size_t width,
-                  const std::function<std::string(const RealOutcome&)>& text) {
-  std::string line;
-  for (const RealOutcome* outcome : {&run.ours, &run.arap}) {
-    line += padded_left(outcome->measured ? text(*outcome) : "-", width);
-  }
-  return line;
+// Returns the table cells of one method.
+std::string cells(const RealOutcome& outcome) {
+  if (!outcome.measured) return padded_left("-", kMethod);
+  return padded_left(std::to_string(outcome.flipped_triangles), kFlips) +
+         ratio_text(outcome.largest_edge, kEdge) + ratio_text(outcome.detail_error, kMeasure) +
+         padded_left((outcome.settled ? "" : "*") + short_number(outcome.solve_ms), kMeasure);
 }
 
 // Shortens a path in front, because its end says more.
@@ -186,31 +237,27 @@ RealSummary summary_of(const std::vector<RealRun>& runs) {
                                        &RealOutcome::detail_error, 1.0, kSameDetail),
                      dragged_edges_figure(runs),
                      dragged_flips_figure(runs)};
+  summary.totals = {totals_of(runs, "Lapwing", &RealRun::ours),
+                    totals_of(runs, "ARAP", &RealRun::arap),
+                    totals_of(runs, "Smooth ARAP", &RealRun::smooth_arap)};
   return summary;
 }
 
 std::string real_heading() {
-  const std::size_t names = kMesh + kMotion + kVertices;
-  std::string groups = padded_right("*: did not settle", names) + padded_left("flips", 2 * kFlips);
-  std::string titles = padded_right("mesh", kMesh + kMotion) + padded_left("vertices", kVertices) +
-                       padded_left("ours", kFlips) + padded_left("ARAP", kFlips);
-  for (const char* title : {"largest edge", "detail error", "ms"}) {
-    groups += padded_left(title, 2 * kMeasure);
-    titles += padded_left("ours", kMeasure) + padded_left("ARAP", kMeasure);
+  std::string groups = padded_right("*: did not settle", kMesh + kMotion);
+  std::string titles = padded_right("mesh", kMesh + kMotion);
+  for (const char* method : {"Lapwing", "ARAP", "Smooth ARAP"}) {
+    groups += padded_left(method, kMethod);
+    titles += padded_left("flips", kFlips) + padded_left("edge", kEdge) +
+              padded_left("detail", kMeasure) + padded_left("ms", kMeasure);
   }
   return groups + "\n" + titles + "\n";
 }
 
 std::string line_of(const RealRun& run) {
-  const bool ran_out = run.ours.measured && !run.ours.settled;
   const std::string reasons = reasons_of(run);
-  return padded_right(clipped_in_front(run.mesh), kMesh) +
-         padded_right(run.motion + (ran_out ? "*" : ""), kMotion) +
-         padded_left(std::to_string(run.vertices), kVertices) +
-         cells(run, kFlips, [](const auto& o) { return std::to_string(o.flipped_triangles); }) +
-         cells(run, kMeasure, [](const auto& o) { return ratio_text(o.largest_edge); }) +
-         cells(run, kMeasure, [](const auto& o) { return ratio_text(o.detail_error); }) +
-         cells(run, kMeasure, [](const auto& o) { return short_number(o.solve_ms); }) +
+  return padded_right(clipped_in_front(run.mesh), kMesh) + padded_right(run.motion, kMotion) +
+         cells(run.ours) + cells(run.arap) + cells(run.smooth_arap) +
          (reasons.empty() ? "" : "\n      " + reasons) + "\n";
 }
 
@@ -228,6 +275,8 @@ std::string text_of(const RealReport& report) {
                                   " (" + percent(share) + ")") +
             ", " + figure.target + "\n" + noted_lines(figure.exceptions);
   }
+  text += "\n";
+  for (const RealTotals& totals : summary.totals) text += totals_text(totals);
   if (!summary.failures.empty()) text += "\n  failures\n" + noted_lines(summary.failures);
   if (!report.passed_over.empty()) {
     text += "\n  files that are no subjects\n" + noted_lines(by_reason(report.passed_over));
