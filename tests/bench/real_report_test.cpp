@@ -166,28 +166,6 @@ TEST(RealSummary, TheLinearResponseIsHeldToMeasuresOfItsOwn) {
   EXPECT_THAT(summary.figures[kDraggedEdges].exceptions[0].name, HasSubstr("mesh 1.off"));
 }
 
-TEST(RealSummary, TotalsCountTheEditsInWhichAMethodIsClearlyBetterThanLapwing) {
-  std::vector<RealRun> runs = good_runs(4);
-  runs[0].smooth_arap = outcome(1, 1.34, 0.0179);  // better by more than a tenth
-  runs[1].smooth_arap = outcome(0, 1.36, 0.0181);
-  runs[1].smooth_arap.settled = false;
-  runs[1].smooth_arap.constraint_error = 0.25;
-  runs[2].smooth_arap = failed("singular matrix");
-  runs[3].ours.flipped_triangles = 2;
-  runs[3].smooth_arap.detail_error = 0.03;
-  const RealTotals totals = summary_of(runs).totals.at(2);
-  EXPECT_EQ(totals.name, "Smooth ARAP");
-  EXPECT_EQ(totals.measured, 3u);
-  EXPECT_EQ(totals.settled, 2u);
-  EXPECT_EQ(totals.with_flips, 1u);
-  EXPECT_EQ(totals.constraint_error, 0.25);
-  ASSERT_EQ(totals.comparisons.size(), 3u);
-  for (const RealTotals::Comparison& each : totals.comparisons) {
-    EXPECT_EQ(each.better, 1u) << each.measure;
-    EXPECT_EQ(each.worse, each.measure == "largest edge" ? 0u : 1u) << each.measure;
-  }
-}
-
 TEST(RealSummary, NoRunsMeetNothing) {
   for (const RealFigure& figure : summary_of({}).figures) {
     EXPECT_FALSE(figure.met());
@@ -211,7 +189,7 @@ TEST(RealTable, KeepsTheEndOfALongName) {
 TEST(RealTable, SaysAtTheEndWhatIsNotThere) {
   RealRun run = good_run("cow.off");
   run.smooth_arap.settled = false;
-  EXPECT_THAT(line_of(run), HasSubstr(" *1.50\n"));
+  EXPECT_THAT(line_of(run), HasSubstr(" *0 1.50"));
   run.arap = failed("not a manifold");
   EXPECT_THAT(line_of(run), HasSubstr("CGAL: not a manifold\n"));
   run.linear = failed("no memory");
@@ -230,18 +208,22 @@ TEST(RealTable, NamesExceptionsBelowTheirFigure) {
   EXPECT_THAT(text, HasSubstr("met      settled: 2 of 2 (100%), at least 98%\n"));
 }
 
-TEST(RealTable, NamesTheTotalsOfEachMethod) {
+TEST(RealTable, CountsTheEditsInWhichAMethodIsBetterThanLapwing) {
   RealReport report;
-  report.runs = good_runs(2);
+  report.runs = good_runs(4);
   report.runs[0].ours.constraint_error = 0.0025;
-  report.runs[1].smooth_arap.detail_error = 0.01;
+  report.runs[0].smooth_arap = outcome(1, 1.34, 0.0179);  // edges and details better by a tenth
+  report.runs[1].smooth_arap = outcome(0, 1.36, 0.0181);
+  report.runs[1].smooth_arap.settled = false;
+  report.runs[2].smooth_arap = failed("singular matrix");
+  report.runs[3].smooth_arap.detail_error = 0.03;
   const std::string text = text_of(report);
-  EXPECT_THAT(text, HasSubstr("  Lapwing: 2 edits, 2 settled, 0 with flipped triangles, "
+  EXPECT_THAT(text, HasSubstr("  Lapwing: 4 edits, 4 settled, 0 with flipped triangles, "
                               "constraints within 0.250%\n  ARAP: "));
   EXPECT_THAT(text,
-              HasSubstr("  Smooth ARAP: 2 edits, 2 settled, 0 with flipped triangles, "
+              HasSubstr("  Smooth ARAP: 3 edits, 2 settled, 1 with flipped triangles, "
                         "constraints within 0%\n      better / worse than Lapwing by a tenth: "
-                        "flips 0 / 0, largest edge 0 / 0, detail error 1 / 0\n"));
+                        "flips 0 / 1, largest edge 1 / 0, detail error 1 / 1\n"));
 }
 
 TEST(RealTable, CountsFilesThatArePassedOverForTheSameReason) {
@@ -278,9 +260,7 @@ TEST(RealJson, KeepsWhyAnOutcomeIsNotThere) {
 }
 
 TEST(RealJson, HoldsTheSummary) {
-  const std::string json = to_json(small_real_report());
-  EXPECT_THAT(json, HasSubstr("\"run\":\"knot.off lift\""));
-  EXPECT_THAT(json, HasSubstr("Smooth ARAP"));
+  EXPECT_THAT(to_json(small_real_report()), HasSubstr("\"run\":\"knot.off lift\""));
 }
 
 TEST(RealJson, RefusesOtherFormats) {

@@ -74,20 +74,6 @@ void to_json(Json& json, const RealFigure& figure) {
           {"target", figure.target}, {"met", figure.met()},   {"exceptions", figure.exceptions}};
 }
 
-void to_json(Json& json, const RealTotals::Comparison& comparison) {
-  json = {
-      {"measure", comparison.measure}, {"better", comparison.better}, {"worse", comparison.worse}};
-}
-
-void to_json(Json& json, const RealTotals& totals) {
-  json = {{"name", totals.name},
-          {"measured", totals.measured},
-          {"settled", totals.settled},
-          {"with_flips", totals.with_flips},
-          {"constraint_error", six_digits(totals.constraint_error)},
-          {"beside_lapwing", totals.comparisons}};
-}
-
 std::string to_json(const RealReport& report) {
   const RealSummary summary = summary_of(report.runs);
   Json passed_over = Json::array();
@@ -107,7 +93,6 @@ std::string to_json(const RealReport& report) {
                           {"runs", summary.runs},
                           {"compared", summary.compared},
                           {"figures", summary.figures},
-                          {"totals", summary.totals},
                           {"failures", summary.failures}}}});
 }
 

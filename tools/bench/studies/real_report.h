@@ -74,28 +74,11 @@ struct RealFigure {
   bool met() const;  ///< also false if there are no runs
 };
 
-/// What one method did in all runs.
-struct RealTotals {
-  std::string name;
-  std::size_t measured = 0;
-  std::size_t settled = 0;
-  std::size_t with_flips = 0;
-  double constraint_error = 0.0;  ///< the largest
-  /// A measure of the method in comparison with Lapwing's, in runs of both.
-  struct Comparison {
-    std::string measure;
-    std::size_t better = 0;  ///< less than 0.9 times Lapwing's; for flips, any less
-    std::size_t worse = 0;
-  };
-  std::vector<Comparison> comparisons;  ///< empty for Lapwing
-};
-
 struct RealSummary {
   std::size_t meshes = 0;
   std::size_t runs = 0;
   std::size_t compared = 0;  ///< number of runs with results of Lapwing and of ARAP
   std::vector<RealFigure> figures;
-  std::vector<RealTotals> totals;  ///< of Lapwing, ARAP and Smooth ARAP
   std::vector<Noted> failures;  ///< runs in which a method failed
 };
 
@@ -110,7 +93,8 @@ std::string real_heading();
 /// reasons. A star means that a method reached its maximum number of iterations.
 std::string line_of(const RealRun& run);
 
-/// Returns the summary for a terminal: figures with exceptions, failures and files passed over.
+/// Returns the summary for a terminal: figures with exceptions, totals of each method, failures and
+/// files passed over.
 std::string text_of(const RealReport& report);
 
 /// Writes the report as JSON of format "lapwing-bench real 3", one run per line, with the summary,

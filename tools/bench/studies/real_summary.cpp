@@ -99,51 +99,34 @@ RealFigure dragged_flips_figure(const std::vector<RealRun>& runs) {
       [](const RealRun& run) { return std::to_string(run.linear.flipped_triangles); });
 }
 
-RealTotals totals_of(const std::vector<RealRun>& runs, const char* name,
-                     RealOutcome RealRun::*method) {
-  RealTotals totals{.name = name};
-  RealTotals::Comparison flips{"flips"};
-  RealTotals::Comparison edges{"largest edge"};
-  RealTotals::Comparison details{"detail error"};
-  const auto compare = [](RealTotals::Comparison& comparison, bool better, bool worse) {
-    comparison.better += better ? 1 : 0;
-    comparison.worse += worse ? 1 : 0;
+// Returns the totals of a method, and in how many runs it is better or worse than Lapwing.
+std::string totals_of(const std::vector<RealRun>& runs, const std::string& name,
+                      RealOutcome RealRun::*method) {
+  const auto count = [&](const auto& holds) {
+    return std::to_string(std::count_if(runs.begin(), runs.end(), [&](const RealRun& run) {
+      return (run.*method).measured && run.ours.measured && holds(run.*method, run.ours);
+    }));
   };
-  for (const RealRun& run : runs) {
-    const RealOutcome& theirs = run.*method;
-    const RealOutcome& ours = run.ours;
-    if (!theirs.measured) continue;
-    ++totals.measured;
-    if (theirs.settled) ++totals.settled;
-    if (theirs.flipped_triangles > 0) ++totals.with_flips;
-    totals.constraint_error = std::max(totals.constraint_error, theirs.constraint_error);
-    if (!ours.measured) continue;
-    const auto less = [](double a, double b) { return a < kClearlyLess * b - kSameDetail; };
-    compare(flips, theirs.flipped_triangles<ours.flipped_triangles, theirs.flipped_triangles> ours
-                       .flipped_triangles);
-    compare(edges, less(theirs.largest_edge, ours.largest_edge),
-            less(ours.largest_edge, theirs.largest_edge));
-    compare(details, less(theirs.detail_error, ours.detail_error),
-            less(ours.detail_error, theirs.detail_error));
-  }
-  if (method != &RealRun::ours) totals.comparisons = {flips, edges, details};
-  return totals;
-}
-
-// Returns the totals of a method in a line, and below it the comparison with Lapwing.
-std::string totals_text(const RealTotals& totals) {
-  std::string text = "  " + totals.name + ": " + std::to_string(totals.measured) + " edits, " +
-                     std::to_string(totals.settled) + " settled, " +
-                     std::to_string(totals.with_flips) +
-                     " with flipped triangles, constraints within " +
-                     short_number(100.0 * totals.constraint_error) + "%\n";
-  const char* separator = "      better / worse than Lapwing by a tenth: ";
-  for (const RealTotals::Comparison& each : totals.comparisons) {
-    text += separator + each.measure + " " + std::to_string(each.better) + " / " +
-            std::to_string(each.worse);
-    separator = ", ";
-  }
-  return text + (totals.comparisons.empty() ? "" : "\n");
+  // Returns "better / worse" for a measure.
+  const auto beside = [&](auto measure) {
+    const auto less = [=](const RealOutcome& a, const RealOutcome& b) {
+      return static_cast<double>(a.*measure) <
+             kClearlyLess * static_cast<double>(b.*measure) - kSameDetail;
+    };
+    return count(less) + " / " + count([=](const auto& a, const auto& b) { return less(b, a); });
+  };
+  double error = 0.0;
+  for (const RealRun& run : runs) error = std::max(error, (run.*method).constraint_error);
+  std::string text =
+      "  " + name + ": " + count([](const auto&, const auto&) { return true; }) + " edits, " +
+      count([](const auto& a, const auto&) { return a.settled; }) + " settled, " +
+      count([](const auto& a, const auto&) { return a.flipped_triangles > 0; }) +
+      " with flipped triangles, constraints within " + short_number(100.0 * error) + "%\n";
+  if (method == &RealRun::ours) return text;
+  return text + "      better / worse than Lapwing by a tenth: flips " +
+         beside(&RealOutcome::flipped_triangles) + ", largest edge " +
+         beside(&RealOutcome::largest_edge) + ", detail error " +
+         beside(&RealOutcome::detail_error) + "\n";
 }
 
 // Returns the reasons for missing results.
@@ -181,9 +164,10 @@ std::string ratio_text(double value, std::size_t width) {
 // Returns the table cells of one method.
 std::string cells(const RealOutcome& outcome) {
   if (!outcome.measured) return padded_left("-", kMethod);
-  return padded_left(std::to_string(outcome.flipped_triangles), kFlips) +
+  const std::string star = outcome.settled ? "" : "*";
+  return padded_left(star + std::to_string(outcome.flipped_triangles), kFlips) +
          ratio_text(outcome.largest_edge, kEdge) + ratio_text(outcome.detail_error, kMeasure) +
-         padded_left((outcome.settled ? "" : "*") + short_number(outcome.solve_ms), kMeasure);
+         padded_left(short_number(outcome.solve_ms), kMeasure);
 }
 
 // Shortens a path in front, because its end says more.
@@ -237,9 +221,6 @@ RealSummary summary_of(const std::vector<RealRun>& runs) {
                                        &RealOutcome::detail_error, 1.0, kSameDetail),
                      dragged_edges_figure(runs),
                      dragged_flips_figure(runs)};
-  summary.totals = {totals_of(runs, "Lapwing", &RealRun::ours),
-                    totals_of(runs, "ARAP", &RealRun::arap),
-                    totals_of(runs, "Smooth ARAP", &RealRun::smooth_arap)};
   return summary;
 }
 
@@ -275,8 +256,9 @@ std::string text_of(const RealReport& report) {
                                   " (" + percent(share) + ")") +
             ", " + figure.target + "\n" + noted_lines(figure.exceptions);
   }
-  text += "\n";
-  for (const RealTotals& totals : summary.totals) text += totals_text(totals);
+  text += "\n" + totals_of(report.runs, "Lapwing", &RealRun::ours) +
+          totals_of(report.runs, "ARAP", &RealRun::arap) +
+          totals_of(report.runs, "Smooth ARAP", &RealRun::smooth_arap);
   if (!summary.failures.empty()) text += "\n  failures\n" + noted_lines(summary.failures);
   if (!report.passed_over.empty()) {
     text += "\n  files that are no subjects\n" + noted_lines(by_reason(report.passed_over));
