@@ -41,7 +41,8 @@ RealRun good_run(const std::string& mesh) {
           "",
           outcome(0, 1.5, 0.02),
           outcome(0, 2.0, 0.1),
-          outcome(0, 1.25, 0.03)};
+          outcome(0, 1.25, 0.03),
+          outcome(0, 1.5, 0.02)};
 }
 
 // In the order of the summary.
@@ -187,12 +188,14 @@ TEST(RealTable, KeepsTheEndOfALongName) {
 
 TEST(RealTable, SaysAtTheEndWhatIsNotThere) {
   RealRun run = good_run("cow.off");
-  run.ours.settled = false;
-  EXPECT_THAT(line_of(run), HasSubstr(" lift* "));
+  run.smooth_arap.settled = false;
+  EXPECT_THAT(line_of(run), HasSubstr(" *0 1.50"));
   run.arap = failed("not a manifold");
   EXPECT_THAT(line_of(run), HasSubstr("CGAL: not a manifold\n"));
   run.linear = failed("no memory");
-  EXPECT_THAT(line_of(run), HasSubstr("linear: no memory; CGAL: not a manifold\n"));
+  run.smooth_arap = failed("singular matrix");
+  EXPECT_THAT(line_of(run), HasSubstr("linear: no memory; CGAL: not a manifold; Smooth ARAP: "
+                                      "singular matrix\n"));
 }
 
 TEST(RealTable, NamesExceptionsBelowTheirFigure) {
@@ -203,6 +206,24 @@ TEST(RealTable, NamesExceptionsBelowTheirFigure) {
   EXPECT_THAT(text, HasSubstr("NOT met  largest edge within 1.3 times ARAP's: 1 of 2 (50%), at "
                               "least 95%\n      knot.off lift: 7.00, ARAP 1.25\n"));
   EXPECT_THAT(text, HasSubstr("met      settled: 2 of 2 (100%), at least 98%\n"));
+}
+
+TEST(RealTable, CountsTheEditsInWhichAMethodIsBetterThanLapwing) {
+  RealReport report;
+  report.runs = good_runs(4);
+  report.runs[0].ours.constraint_error = 0.0025;
+  report.runs[0].smooth_arap = outcome(1, 1.34, 0.0179);  // edges and details better by a tenth
+  report.runs[1].smooth_arap = outcome(0, 1.36, 0.0181);
+  report.runs[1].smooth_arap.settled = false;
+  report.runs[2].smooth_arap = failed("singular matrix");
+  report.runs[3].smooth_arap.detail_error = 0.03;
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("  Lapwing: 4 edits, 4 settled, 0 with flipped triangles, "
+                              "constraints within 0.250%\n  ARAP: "));
+  EXPECT_THAT(text,
+              HasSubstr("  Smooth ARAP: 3 edits, 2 settled, 1 with flipped triangles, "
+                        "constraints within 0%\n      better / worse than Lapwing by a tenth: "
+                        "flips 0 / 1, largest edge 1 / 0, detail error 1 / 1\n"));
 }
 
 TEST(RealTable, CountsFilesThatArePassedOverForTheSameReason) {
@@ -219,6 +240,7 @@ RealReport small_real_report() {
   report.runs = {good_run("cow.off"), good_run("knot.off")};
   report.runs[0].arap = failed("not a manifold");
   report.runs[1].ours.settled = false;
+  report.runs[1].smooth_arap.constraint_error = 0.125;
   report.passed_over = {{"box.obj", "too small"}};
   return report;
 }
@@ -234,6 +256,7 @@ TEST(RealJson, KeepsWhyAnOutcomeIsNotThere) {
   EXPECT_EQ(report.runs[0].arap.failure, "not a manifold");
   EXPECT_TRUE(report.runs[0].ours.measured);
   EXPECT_EQ(report.passed_over[0].why, "too small");
+  EXPECT_EQ(report.runs[1].smooth_arap.constraint_error, 0.125);
 }
 
 TEST(RealJson, HoldsTheSummary) {

@@ -170,12 +170,13 @@ struct Studies {
 // Adds the subcommands. Parsing writes to `studies`, which must outlive it.
 void add_studies(CLI::App& app, Studies& studies) {
   auto* real = app.add_subcommand(
-      "real", "two edits of every real mesh, settled and linear, beside CGAL's ARAP");
+      "real", "two edits of every real mesh, settled and linear, beside ARAP and Smooth ARAP");
   real->add_option("PATH", studies.real.paths, "mesh files, and folders to search for them")
       ->capture_default_str();
   real->add_option("--only", studies.real.only, "only meshes with this in their names");
   real->add_option("--most-vertices", studies.real.most_vertices, "pass over larger meshes");
-  real->add_option("--arap-iterations", studies.real.arap_iterations, "of CGAL's, at most")
+  real->add_option("--arap-iterations", studies.real.arap_iterations,
+                   "of ARAP and Smooth ARAP, at most")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   real->add_option("--seconds", studies.real.seconds, "that a mesh may take")

@@ -21,6 +21,7 @@
 #include "run/host.h"
 #include "studies/ends_motion.h"
 #include "studies/real_report.h"
+#include "studies/smooth_arap.h"
 #include "studies/studies.h"
 
 namespace lapwing::bench {
@@ -39,6 +40,21 @@ struct RealEdit {
   Affine3d map;
   std::size_t run;  // index of the edit's run in RealMesh::runs
 };
+
+// Returns the largest distance of a vertex of the belt or the handle from its prescribed position,
+// over the largest prescribed displacement.
+double constraint_error(const RealEdit& edit, const Positions& positions) {
+  const Positions& rest = edit.mesh.positions;
+  double error = 0.0;
+  double displacement = 0.0;
+  for (const Index v : edit.region.belt) error = std::max(error, (positions[v] - rest[v]).norm());
+  for (const Index v : edit.region.handles[0]) {
+    const Eigen::Vector3d prescribed = edit.map * rest[v];
+    error = std::max(error, (positions[v] - prescribed).norm());
+    displacement = std::max(displacement, (prescribed - rest[v]).norm());
+  }
+  return error / displacement;
+}
 
 // Only the linear response, which drags use.
 DeformOptions linear_options() {
@@ -72,6 +88,7 @@ void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutco
   outcome.detail_error = std::isnan(measures.detail_error) ? 0.0 : measures.detail_error;
   outcome.edge_stretch = measures.edge_stretch;
   outcome.largest_edge = largest_edge_ratio(edit.region.roi, edit.mesh.topology(), rest, positions);
+  outcome.constraint_error = constraint_error(edit, positions);
   outcome.measured = measures.all_finite && std::isfinite(outcome.detail_error) &&
                      std::isfinite(outcome.edge_stretch) && std::isfinite(outcome.largest_edge);
   if (!outcome.measured) throw SolverError("not finite");
@@ -91,6 +108,26 @@ void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutc
   measure_outcome(edit, result.positions, outcome);
 }
 
+// Iterates from rest with a method that alternates between rotations and positions, already
+// prepared.
+template <class Arap>
+void iterate(Arap& arap, const RealEdit& edit, int most_iterations, RealOutcome& outcome) {
+  const Stopwatch solving;
+  arap.move(std::array{edit.map});
+  constexpr double kArapTolerance = 1e-6;  // relative change of the energy
+  outcome.iterations = arap.iterate(most_iterations, kArapTolerance);
+  outcome.solve_ms = solving.elapsed_ms();
+  outcome.settled = outcome.iterations < most_iterations;
+  measure_outcome(edit, arap.positions(), outcome);
+}
+
+void deform_by_smooth_arap(const RealEdit& edit, int most_iterations, RealOutcome& outcome) {
+  const Stopwatch preparing;
+  SmoothArap arap(edit.mesh, edit.region);
+  outcome.prepare_ms = preparing.elapsed_ms();
+  iterate(arap, edit, most_iterations, outcome);
+}
+
 void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int most_iterations,
                     [[maybe_unused]] RealOutcome& outcome) {
 #ifdef LAPWING_HAVE_CGAL
@@ -98,13 +135,7 @@ void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int 
   const auto arap = make_cgal_arap(edit.mesh, edit.region, ArapVariant::original);
   arap->prepare();
   outcome.prepare_ms = preparing.elapsed_ms();
-  const Stopwatch solving;
-  arap->move(std::array{edit.map});
-  constexpr double kArapTolerance = 1e-6;  // relative change of the energy
-  outcome.iterations = arap->iterate(most_iterations, kArapTolerance);
-  outcome.solve_ms = solving.elapsed_ms();
-  outcome.settled = outcome.iterations < most_iterations;
-  measure_outcome(edit, arap->positions(), outcome);
+  iterate(*arap, edit, most_iterations, outcome);
 #else
   throw Error("not built with CGAL");
 #endif
@@ -202,6 +233,9 @@ void run_real_mesh(const fs::path& path, const std::string& name, const RealBenc
   deform_all(&RealRun::arap, [most](const RealEdit& edit, RealOutcome& outcome) {
     deform_by_cgal(edit, most, outcome);
   });
+  deform_all(&RealRun::smooth_arap, [most](const RealEdit& edit, RealOutcome& outcome) {
+    deform_by_smooth_arap(edit, most, outcome);
+  });
 }
 
 struct MeshFile {
@@ -279,7 +313,7 @@ RealMesh run_apart(const MeshFile& file, const RealBench& settings) {
   }
   for (RealRun& run : mesh.runs) {
     if (!run.failure.empty()) continue;
-    for (RealOutcome* outcome : {&run.ours, &run.linear, &run.arap}) {
+    for (RealOutcome* outcome : {&run.ours, &run.linear, &run.arap, &run.smooth_arap}) {
       if (!outcome->measured && outcome->failure.empty()) outcome->failure = failure;
     }
   }

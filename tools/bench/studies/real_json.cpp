@@ -5,7 +5,7 @@
 namespace lapwing::bench {
 namespace {
 
-const char* const kFormat = "lapwing-bench real 2";
+const char* const kFormat = "lapwing-bench real 3";
 
 }  // namespace
 
@@ -22,6 +22,7 @@ void to_json(Json& json, const RealOutcome& outcome) {
           {"largest_edge", six_digits(outcome.largest_edge)},
           {"detail_error", six_digits(outcome.detail_error)},
           {"edge_stretch", six_digits(outcome.edge_stretch)},
+          {"constraint_error", six_digits(outcome.constraint_error)},
           {"prepare_ms", six_digits(outcome.prepare_ms)},
           {"solve_ms", six_digits(outcome.solve_ms)}};
 }
@@ -38,14 +39,17 @@ void from_json(const Json& json, RealOutcome& outcome) {
   json.at("largest_edge").get_to(outcome.largest_edge);
   json.at("detail_error").get_to(outcome.detail_error);
   json.at("edge_stretch").get_to(outcome.edge_stretch);
+  json.at("constraint_error").get_to(outcome.constraint_error);
   json.at("prepare_ms").get_to(outcome.prepare_ms);
   json.at("solve_ms").get_to(outcome.solve_ms);
 }
 
 void to_json(Json& json, const RealRun& run) {
-  json = {{"mesh", run.mesh},           {"motion", run.motion},     {"vertices", run.vertices},
-          {"triangles", run.triangles}, {"left_out", run.left_out}, {"failure", run.failure},
-          {"ours", run.ours},           {"linear", run.linear},     {"arap", run.arap}};
+  json = {{"mesh", run.mesh},         {"motion", run.motion},
+          {"vertices", run.vertices}, {"triangles", run.triangles},
+          {"left_out", run.left_out}, {"failure", run.failure},
+          {"ours", run.ours},         {"linear", run.linear},
+          {"arap", run.arap},         {"smooth_arap", run.smooth_arap}};
 }
 
 void from_json(const Json& json, RealRun& run) {
@@ -58,6 +62,7 @@ void from_json(const Json& json, RealRun& run) {
   json.at("ours").get_to(run.ours);
   json.at("linear").get_to(run.linear);
   json.at("arap").get_to(run.arap);
+  json.at("smooth_arap").get_to(run.smooth_arap);
 }
 
 void to_json(Json& json, const Noted& noted) {

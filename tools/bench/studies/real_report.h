@@ -18,6 +18,9 @@ struct RealOutcome {
   double largest_edge = 0.0;  ///< length over rest length of the most stretched edge
   double detail_error = 0.0;
   double edge_stretch = 0.0;  ///< root mean square of the relative change of lengths
+  /// The largest distance of a vertex of the belt or the handle from its prescribed position, over
+  /// the largest prescribed displacement. 0 if the constraints are exact.
+  double constraint_error = 0.0;
   double prepare_ms = 0.0;
   double solve_ms = 0.0;
 };
@@ -33,6 +36,7 @@ struct RealRun {
   RealOutcome ours;          ///< the recipe's defaults
   RealOutcome linear;        ///< the linear response alone
   RealOutcome arap;          ///< CGAL's as-rigid-as-possible deformation
+  RealOutcome smooth_arap;   ///< SmoothArap
 };
 
 /// The result of one file.
@@ -86,13 +90,14 @@ RealSummary summary_of(const std::vector<RealRun>& runs);
 std::string real_heading();
 
 /// Returns one run as a line of 100 columns. If results are missing, a second line gives the
-/// reasons. A star means that Lapwing's minimizer reached its maximum number of iterations.
+/// reasons. A star means that a method reached its maximum number of iterations.
 std::string line_of(const RealRun& run);
 
-/// Returns the summary for a terminal: figures with exceptions, failures and files passed over.
+/// Returns the summary for a terminal: figures with exceptions, totals of each method, failures and
+/// files passed over.
 std::string text_of(const RealReport& report);
 
-/// Writes the report as JSON of format "lapwing-bench real 2", one run per line, with the summary,
+/// Writes the report as JSON of format "lapwing-bench real 3", one run per line, with the summary,
 /// which is not read back. Numbers have six significant digits.
 std::string to_json(const RealReport& report);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <functional>
@@ -12,6 +13,8 @@ namespace {
 
 // Detail errors closer than this are the same.
 constexpr double kSameDetail = 1e-6;
+// A measure is better if it is less than this factor times the other.
+constexpr double kClearlyLess = 0.9;
 
 std::string full_name(const RealRun& run) {
   return run.mesh + " " + run.motion;
@@ -96,6 +99,36 @@ RealFigure dragged_flips_figure(const std::vector<RealRun>& runs) {
       [](const RealRun& run) { return std::to_string(run.linear.flipped_triangles); });
 }
 
+// Returns the totals of a method, and in how many runs it is better or worse than Lapwing.
+std::string totals_of(const std::vector<RealRun>& runs, const std::string& name,
+                      RealOutcome RealRun::*method) {
+  const auto count = [&](const auto& holds) {
+    return std::to_string(std::count_if(runs.begin(), runs.end(), [&](const RealRun& run) {
+      return (run.*method).measured && run.ours.measured && holds(run.*method, run.ours);
+    }));
+  };
+  // Returns "better / worse" for a measure.
+  const auto beside = [&](auto measure) {
+    const auto less = [=](const RealOutcome& a, const RealOutcome& b) {
+      return static_cast<double>(a.*measure) <
+             kClearlyLess * static_cast<double>(b.*measure) - kSameDetail;
+    };
+    return count(less) + " / " + count([=](const auto& a, const auto& b) { return less(b, a); });
+  };
+  double error = 0.0;
+  for (const RealRun& run : runs) error = std::max(error, (run.*method).constraint_error);
+  std::string text =
+      "  " + name + ": " + count([](const auto&, const auto&) { return true; }) + " edits, " +
+      count([](const auto& a, const auto&) { return a.settled; }) + " settled, " +
+      count([](const auto& a, const auto&) { return a.flipped_triangles > 0; }) +
+      " with flipped triangles, constraints within " + short_number(100.0 * error) + "%\n";
+  if (method == &RealRun::ours) return text;
+  return text + "      better / worse than Lapwing by a tenth: flips " +
+         beside(&RealOutcome::flipped_triangles) + ", largest edge " +
+         beside(&RealOutcome::largest_edge) + ", detail error " +
+         beside(&RealOutcome::detail_error) + "\n";
+}
+
 // Returns the reasons for missing results.
 std::string reasons_of(const RealRun& run) {
   if (!run.failure.empty()) return run.failure;
@@ -106,33 +139,35 @@ std::string reasons_of(const RealRun& run) {
   add("ours", run.ours.failure);
   add("linear", run.linear.failure);
   add("CGAL", run.arap.failure);
+  add("Smooth ARAP", run.smooth_arap.failure);
   return text;
 }
 
 // Widths in characters.
-constexpr std::size_t kMesh = 29;
+constexpr std::size_t kMesh = 20;
 constexpr std::size_t kMotion = 5;
-constexpr std::size_t kVertices = 8;
-constexpr std::size_t kFlips = 5;
-constexpr std::size_t kMeasure = 8;
+constexpr std::size_t kFlips = 6;
+constexpr std::size_t kEdge = 5;
+constexpr std::size_t kMeasure = 7;
+constexpr std::size_t kMethod = kFlips + kEdge + 2 * kMeasure;
 
-// Prints values below 1 with four decimals, others with three digits.
-std::string ratio_text(double value) {
-  if (value > 99'999.0) return ">99999";
-  if (value >= 1.0) return short_number(value);
+// Prints values below 1 with four decimals, others with three digits. Large values do not exceed
+// the `width` of a column.
+std::string ratio_text(double value, std::size_t width) {
+  if (value >= 1'000.0) return padded_left(">999", width);
+  if (value >= 1.0) return padded_left(short_number(value), width);
   std::array<char, 16> text;
   std::snprintf(text.data(), text.size(), "%.4f", value);
-  return text.data();
+  return padded_left(text.data(), width);
 }
 
-// Returns the table cells of one measure: those of Lapwing's results and that of ARAP.
-std::string cells(const RealRun& run, std::size_t width,
-                  const std::function<std::string(const RealOutcome&)>& text) {
-  std::string line;
-  for (const RealOutcome* outcome : {&run.ours, &run.arap}) {
-    line += padded_left(outcome->measured ? text(*outcome) : "-", width);
-  }
-  return line;
+// Returns the table cells of one method.
+std::string cells(const RealOutcome& outcome) {
+  if (!outcome.measured) return padded_left("-", kMethod);
+  const std::string star = outcome.settled ? "" : "*";
+  return padded_left(star + std::to_string(outcome.flipped_triangles), kFlips) +
+         ratio_text(outcome.largest_edge, kEdge) + ratio_text(outcome.detail_error, kMeasure) +
+         padded_left(short_number(outcome.solve_ms), kMeasure);
 }
 
 // Shortens a path in front, because its end says more.
@@ -190,27 +225,20 @@ RealSummary summary_of(const std::vector<RealRun>& runs) {
 }
 
 std::string real_heading() {
-  const std::size_t names = kMesh + kMotion + kVertices;
-  std::string groups = padded_right("*: did not settle", names) + padded_left("flips", 2 * kFlips);
-  std::string titles = padded_right("mesh", kMesh + kMotion) + padded_left("vertices", kVertices) +
-                       padded_left("ours", kFlips) + padded_left("ARAP", kFlips);
-  for (const char* title : {"largest edge", "detail error", "ms"}) {
-    groups += padded_left(title, 2 * kMeasure);
-    titles += padded_left("ours", kMeasure) + padded_left("ARAP", kMeasure);
+  std::string groups = padded_right("*: did not settle", kMesh + kMotion);
+  std::string titles = padded_right("mesh", kMesh + kMotion);
+  for (const char* method : {"Lapwing", "ARAP", "Smooth ARAP"}) {
+    groups += padded_left(method, kMethod);
+    titles += padded_left("flips", kFlips) + padded_left("edge", kEdge) +
+              padded_left("detail", kMeasure) + padded_left("ms", kMeasure);
   }
   return groups + "\n" + titles + "\n";
 }
 
 std::string line_of(const RealRun& run) {
-  const bool ran_out = run.ours.measured && !run.ours.settled;
   const std::string reasons = reasons_of(run);
-  return padded_right(clipped_in_front(run.mesh), kMesh) +
-         padded_right(run.motion + (ran_out ? "*" : ""), kMotion) +
-         padded_left(std::to_string(run.vertices), kVertices) +
-         cells(run, kFlips, [](const auto& o) { return std::to_string(o.flipped_triangles); }) +
-         cells(run, kMeasure, [](const auto& o) { return ratio_text(o.largest_edge); }) +
-         cells(run, kMeasure, [](const auto& o) { return ratio_text(o.detail_error); }) +
-         cells(run, kMeasure, [](const auto& o) { return short_number(o.solve_ms); }) +
+  return padded_right(clipped_in_front(run.mesh), kMesh) + padded_right(run.motion, kMotion) +
+         cells(run.ours) + cells(run.arap) + cells(run.smooth_arap) +
          (reasons.empty() ? "" : "\n      " + reasons) + "\n";
 }
 
@@ -228,6 +256,9 @@ std::string text_of(const RealReport& report) {
                                   " (" + percent(share) + ")") +
             ", " + figure.target + "\n" + noted_lines(figure.exceptions);
   }
+  text += "\n" + totals_of(report.runs, "Lapwing", &RealRun::ours) +
+          totals_of(report.runs, "ARAP", &RealRun::arap) +
+          totals_of(report.runs, "Smooth ARAP", &RealRun::smooth_arap);
   if (!summary.failures.empty()) text += "\n  failures\n" + noted_lines(summary.failures);
   if (!report.passed_over.empty()) {
     text += "\n  files that are no subjects\n" + noted_lines(by_reason(report.passed_over));

@@ -10,17 +10,17 @@ struct RealBench {
   std::vector<std::string> paths{"build/models"};  ///< mesh files, and folders to search for them
   std::string only;                                ///< only meshes with this in their names
   std::size_t most_vertices = 0;                   ///< larger meshes are passed over; 0: no limit
-  int arap_iterations = 300;                       ///< maximum number of iterations
+  int arap_iterations = 300;  ///< maximum number of iterations, also of Smooth ARAP
   double seconds = 120.0;                          ///< time limit of a mesh
   std::string show;                                ///< a file of --json to show; measures nothing
   std::string json;  ///< output file for all runs and the summary; empty: none
 };
 
 /// Moves one end of every mesh that has at least 100 vertices by two motions
-/// (`studies/ends_motion.h`). Computes the same measures for three results: that of a recipe with
-/// default settings, the linear response without settling, and CGAL's as-rigid-as-possible
-/// deformation. Then counts the runs that meet the engine's targets and lists the exceptions. Each
-/// mesh runs in a separate process.
+/// (`studies/ends_motion.h`). Computes the same measures for four results: that of a recipe with
+/// default settings, the linear response without settling, CGAL's as-rigid-as-possible deformation,
+/// and SmoothArap. Then counts the runs that meet the engine's targets and lists the exceptions.
+/// Each mesh runs in a separate process.
 void bench_real(const RealBench& settings);
 
 struct ConstraintsBench {
