@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,12 @@ inline constexpr std::size_t kLongestMessage = 80 * 24;
 /// middle, since a message begins with its place and ends with the next step. All text from other
 /// programs, file names and file contents is shown through this function.
 std::string printable(std::string_view text, std::size_t longest = kLongestMessage);
+
+/// Returns whether `text` is valid UTF-8.
+bool is_utf8(std::string_view text);
+
+/// Returns names for a message, such as "'Left', 'Right' and 'Top'". Lists at most five.
+std::string quoted_list(std::span<const std::string> names);
 
 /// Returns `number` with thousands separators, such as "14,290".
 inline std::string grouped(std::size_t number) {
