@@ -86,7 +86,7 @@ TEST_F(GltfScene, OnlyRequiredExtensionsThatLeaveTheShapeAloneAreAccepted) {
     write_file(R"({"mesh":0})", R"("extensionsRequired":[")" + extension + R"("],)");
   };
   for (const char* name : {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp",
-                           "KHR_materials_unlit", "KHR_lights_punctual"}) {
+                           "KHR_materials_unlit", "KHR_lights_punctual", "KHR_technique_webgl"}) {
     requiring(name);
     EXPECT_EQ(read().face_count(), 2U) << name;
   }

@@ -46,9 +46,9 @@ bool leaves_shape(std::string_view extension) {
       "EXT_structural_metadata", "KHR_animation_pointer",
       "KHR_interactivity",       "KHR_xmp",
       "KHR_xmp_json_ld",         "CESIUM_primitive_outline"};
-  constexpr std::array<std::string_view, 7> kPrefixes{
-      "EXT_lights_",    "EXT_materials_", "KHR_audio", "KHR_lights_",
-      "KHR_materials_", "MSFT_packing_",  "VRM"};
+  constexpr std::array<std::string_view, 8> kPrefixes{
+      "EXT_lights_",    "EXT_materials_", "KHR_audio",     "KHR_lights_",
+      "KHR_materials_", "KHR_technique",  "MSFT_packing_", "VRM"};
   return std::ranges::find(kNames, extension) != kNames.end() ||
          std::ranges::any_of(
              kPrefixes, [&](std::string_view prefix) { return extension.starts_with(prefix); });
