@@ -1,5 +1,8 @@
 #include "lapwing/base/printable_text.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
@@ -57,6 +60,15 @@ TEST(PrintableText, IsNotCutWithinACharacter) {
     EXPECT_LE(shown.size(), longest);
     EXPECT_EQ(printable(shown), shown) << "still UTF-8";
   }
+}
+
+TEST(PrintableText, ListsAtMostFiveNames) {
+  const std::vector<std::string> names{"a", "b", "c", "d", "e", "f"};
+  const std::span<const std::string> all(names);
+  EXPECT_EQ(quoted_list(all.first(1)), "'a'");
+  EXPECT_EQ(quoted_list(all.first(2)), "'a' and 'b'");
+  EXPECT_EQ(quoted_list(all.first(5)), "'a', 'b', 'c', 'd' and 'e'");
+  EXPECT_EQ(quoted_list(all), "'a', 'b', 'c', 'd' and 2 more");
 }
 
 TEST(PrintableText, IsWhatEveryErrorSays) {

@@ -176,6 +176,27 @@ TEST_F(FilesOfTheCommandLine, PointCloudsAreRefusedByEditsAndNamedByTheOthers) {
   }
 }
 
+TEST_F(FilesOfTheCommandLine, ObjectsThatAreNotReadAreNoted) {
+  succeed("convert tube.obj tube.gltf");
+  std::string text = read("tube.gltf");
+  const std::string nodes = R"("nodes":[{"mesh":0,)";
+  ASSERT_NE(text.find(nodes), std::string::npos);
+  text.insert(text.find(nodes) + nodes.size() - 10,
+              R"({"mesh":0,"name":"hidden","scale":[0,0,0]},)");
+  text.replace(text.find(R"("nodes":[0])"), 11, R"("nodes":[0,1])");
+  write("two.gltf", text);
+  for (const char* const command :
+       {"check two.gltf", "info two.gltf", "convert two.gltf a.obj", "render two.gltf -o a.png",
+        "peel two.gltf --detail-size 1 -o a.ply",
+        "deform two.gltf --roi all --belt 0 --handle near:0,0,6,1 --translate 0.5,0,0 --device cpu "
+        "--save b.gltf"}) {
+    EXPECT_THAT(succeed(command),
+                AllOf(HasSubstr("note: "), HasSubstr("two.gltf: 'hidden' has a scale of 0")))
+        << command;
+  }
+  EXPECT_THAT(read("b.gltf"), HasSubstr(R"("name":"hidden","scale":[0,0,0])"));
+}
+
 TEST_F(FilesOfTheCommandLine, TriangleStripsAreEditedAsStrips) {
   const std::string strips =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"

@@ -138,15 +138,18 @@ TEST_F(Conversion, AnObjComesBackFromAGlbWithItsMaterials) {
   folder_.file("skin.png", png);
   convert_obj(
       "newmtl red\nKd 1 0 0\nd 0.5\nnewmtl skin\nKd 0 0 0\n"
-      "map_Kd -s 2 4 -o 0.5 -0.25 skin.png\n",
+      "map_Kd -s 2 4 -o 0.5 -0.25 -clamp on skin.png\n",
       "a.glb");
   // glTF measures v downwards. With v = 1 - v_gltf, 4 v - 0.25 = 1 - (4 v_gltf - 2.75).
   EXPECT_THAT(content_of(folder_ / "a.glb"),
               AllOf(HasSubstr(R"("offset":[0.5,-2.75],"scale":[2,4])"),
                     HasSubstr(R"("extensionsUsed":["KHR_texture_transform"])"),
+                    HasSubstr(R"("samplers":[{"wrapS":33071,"wrapT":33071}],"textures":)"
+                              R"([{"source":0,"sampler":0}])"),
                     HasSubstr(R"("alphaMode":"BLEND")")));
   fs::create_directory(folder_ / "back");
-  write_mesh(read_mesh(folder_ / "a.glb"), folder_ / "back/b.obj");
+  EXPECT_THAT(write_mesh(read_mesh(folder_ / "a.glb"), folder_ / "back/b.obj").not_carried,
+              IsEmpty());
   EXPECT_THAT(content_of(folder_ / "back/b.obj"),
               AllOf(HasSubstr("mtllib b.mtl\n"), HasSubstr("o left\nusemtl red\nf "),
                     HasSubstr("o right\nusemtl skin\nf "), Not(HasSubstr("\ng "))));
@@ -162,6 +165,23 @@ TEST_F(Conversion, AnObjComesBackFromAGlbWithItsMaterials) {
   EXPECT_EQ(materials[1].image, "skin.png");
   EXPECT_EQ(materials[1].uv_scale, Eigen::Vector2d(2, 4));
   EXPECT_EQ(materials[1].uv_offset, Eigen::Vector2d(0.5, -0.25));
+  EXPECT_TRUE(materials[1].is_clamped);
+}
+
+TEST_F(Conversion, AnImageThatIsClampedAndRepeatedHasTwoTextures) {
+  folder_.file("skin.png", encode_png(kImage));
+  convert_obj("newmtl red\nmap_Kd -clamp on skin.png\nnewmtl skin\nmap_Kd skin.png\n", "a.glb");
+  EXPECT_THAT(content_of(folder_ / "a.glb"),
+              HasSubstr(R"("textures":[{"source":0,"sampler":0},{"source":0}],"images":[{"name")"));
+}
+
+TEST_F(Conversion, NamesThatAreNotUtf8AreReported) {
+  const Mesh mesh = read_mesh(folder_.file(
+      "a.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\ng T\xFCr\nusemtl Gr\xFCn\nf 1 2 3\ng M\u00F6we\nf 1 2 3\n"));
+  EXPECT_THAT(write_mesh(mesh, folder_ / "a.glb").not_carried,
+              ElementsAre(HasSubstr("names that are not UTF-8, 'T\\xFCr' and 'Gr\\xFCn': glTF")));
+  EXPECT_THAT(write_mesh(mesh, folder_ / "b.obj").not_carried, IsEmpty());
 }
 
 TEST_F(Conversion, ObjectsOfAnObjAreItsGroups) {
@@ -255,6 +275,55 @@ TEST_F(Conversion, AFarMeshOfBinaryFractionsReadsBackExactly) {
   for (std::size_t c = 0; c < mesh.face_vertices().size(); ++c) {
     EXPECT_EQ(back.positions[back.face_vertices()[c]], mesh.positions[mesh.face_vertices()[c]]);
   }
+}
+
+// A triangle whose image is `bytes`. `texture` and `transform` are members of the texture and of
+// the reference to it, and `members` those of the document, each with a comma.
+std::string textured_triangle(const std::string& bytes, const std::string& texture,
+                              const std::string& transform, const std::string& members) {
+  test::GltfSample sample;
+  sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  sample.add(std::vector<float>{0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+  sample.add(std::vector<char>(bytes.begin(), bytes.end()), 5120, "SCALAR", bytes.size());
+  return sample.glb(
+      members +
+      R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,)"
+      R"("TEXCOORD_0":1},"material":0}]}],"materials":[{"name":"m","pbrMetallicRoughness":)"
+      R"({"baseColorTexture":{)" +
+      transform + R"("index":0}}}],"textures":[{)" + texture +
+      R"(}],"images":[{"name":"skin","bufferView":2}])");
+}
+
+TEST_F(Conversion, AnImageOfAnotherFormatIsKeptAndNamedIfItIsNotShown) {
+  const std::string webp = "RIFF1234WEBPVP8 ";
+  const Mesh mesh = read_mesh(folder_.file(
+      "a.glb", textured_triangle(webp, R"("extensions":{"EXT_texture_webp":{"source":0}})", "",
+                                 R"("extensionsUsed":["EXT_texture_webp"],)"
+                                 R"("extensionsRequired":["EXT_texture_webp"],)")));
+  const FileColors colors = colors_of("a.glb");
+  EXPECT_THAT(colors.notes, ElementsAre(HasSubstr("skin.webp: cannot read")));
+  EXPECT_THAT(write_mesh(mesh, folder_ / "b.obj").not_carried, IsEmpty());
+  EXPECT_THAT(content_of(folder_ / "b.mtl"), HasSubstr("map_Kd skin.webp\n"));
+  EXPECT_EQ(content_of(folder_ / "skin.webp"), webp);
+  EXPECT_THAT(write_mesh(mesh, folder_ / "b.gltf").not_carried,
+              ElementsAre(HasSubstr("an image of a material: skin.webp")));
+}
+
+TEST_F(Conversion, WaysToShowAnImageThatMtlLacksAreNoted) {
+  const std::string png = encode_png(kImage);
+  const auto notes_for = [&](const std::string& transform, const std::string& sampler) {
+    folder_.file("a.glb", textured_triangle(png, R"("source":0,"sampler":0)", transform,
+                                            R"("samplers":[{)" + sampler + "}],"));
+    return write_mesh(read_mesh(folder_ / "a.glb"), folder_ / "b.obj").notes;
+  };
+  EXPECT_THAT(notes_for("", R"("magFilter":9728)"), IsEmpty());
+  EXPECT_THAT(notes_for("", R"("wrapS":33648,"wrapT":33648)"),
+              ElementsAre(AllOf(HasSubstr("/samplers/0: the image of material 'm' is repeated"),
+                                HasSubstr("REPEAT or CLAMP_TO_EDGE"))));
+  EXPECT_THAT(notes_for("", R"("wrapS":33071)"), ElementsAre(HasSubstr("/samplers/0")));
+  EXPECT_THAT(content_of(folder_ / "b.mtl"), HasSubstr("map_Kd skin.png"));
+  EXPECT_THAT(notes_for(R"("extensions":{"KHR_texture_transform":{"rotation":1}},)", ""),
+              ElementsAre(HasSubstr("the image of material 'm' is not rotated")));
 }
 
 TEST_F(Conversion, EmbeddedImagesOfAnyNameAreWrittenBesideTheObj) {

@@ -108,7 +108,7 @@ TEST_F(FileColorsOf, FacesBeyondAClampedImageAreNoted) {
   EXPECT_THAT(
       read_obj("mtllib a.mtl\n").notes,
       ElementsAre(HasSubstr("faces of material 'a' are partly beyond their image (1), which "
-                            "-clamp shows only once; here it is repeated")));
+                            "their file clamps; here it is repeated")));
 }
 
 TEST_F(FileColorsOf, NumbersOfAnOffThatAreNotShownAreNoted) {

@@ -51,7 +51,7 @@ TEST_F(GltfInstances, NodesOfOneMeshAreTwoObjects) {
   EXPECT_EQ(read("two.glb#m").vertex_count(), 8U) << "all objects of that mesh";
 
   const WriteReport report = write_mesh(mesh, folder_ / "two.obj");
-  EXPECT_THAT(report.not_carried, Contains(HasSubstr("meshes that several nodes share (1)")));
+  EXPECT_THAT(report.not_carried, Contains(HasSubstr("meshes that several objects share (1)")));
   EXPECT_THAT(content_of(folder_ / "two.obj"), AllOf(HasSubstr("o R\n"), HasSubstr("o L\n")));
   EXPECT_EQ(read("two.obj").positions, mesh.positions);
 }
@@ -139,6 +139,103 @@ TEST_F(GltfInstances, NewTrianglesOfOneAppearInAllOfThem) {
   EXPECT_EQ(read("c.glb").face_count(), 3U);
   EXPECT_EQ(read("c.glb#Right").face_count(), 1U);
   EXPECT_EQ(read("c.glb#Left").positions[0].z(), 1.0);
+}
+
+// A node at (0, 10, 0) with three instances of a square (EXT_mesh_gpu_instancing). The second is
+// turned by 180 degrees about z, and the third has twice the size.
+class GltfGpuInstances : public GltfInstances {
+ protected:
+  void SetUp() override { write_instanced(false); }
+
+  void write_instanced(bool has_hidden) const {
+    Square square;
+    const auto moves =
+        square.sample.add(std::vector<float>{0, 0, 0, 3, 0, 0, 6, 0, 1}, 5126, "VEC3", 3);
+    const auto turns =
+        square.sample.add(std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 127, 0, 0, 0, 0, 127}, 5120,
+                          "VEC4", 3, R"(,"normalized":true)");
+    const float size = has_hidden ? 0.0F : 2.0F;
+    const auto scales =
+        square.sample.add(std::vector<float>{1, 1, 1, 1, 1, 1, size, size, size}, 5126, "VEC3", 3);
+    folder_.file(
+        "two.glb",
+        square.sample.glb(
+            R"("extensionsUsed":["EXT_mesh_gpu_instancing"],"nodes":[{"name":"T","mesh":0,)"
+            R"("translation":[0,10,0],"extensions":{"EXT_mesh_gpu_instancing":{"attributes":)"
+            R"({"TRANSLATION":)" +
+            std::to_string(moves) + R"(,"ROTATION":)" + std::to_string(turns) + R"(,"SCALE":)" +
+            std::to_string(scales) + R"(}}}}],"materials":[{}],"meshes":[{"primitives":[)" +
+            square.primitive + "]}]"));
+  }
+};
+
+TEST_F(GltfGpuInstances, AreObjects) {
+  const Mesh mesh = read();
+  EXPECT_THAT(mesh.attributes().groups,
+              ElementsAre("T (instance 0)", "T (instance 1)", "T (instance 2)"));
+  ASSERT_EQ(mesh.vertex_count(), 12U);
+  // The corner (1, 1, 0) of the square.
+  EXPECT_LT((mesh.positions[2] - Eigen::Vector3d(1, 11, 0)).norm(), 1e-12);
+  EXPECT_LT((mesh.positions[6] - Eigen::Vector3d(2, 9, 0)).norm(), 1e-12);
+  EXPECT_LT((mesh.positions[10] - Eigen::Vector3d(8, 12, 1)).norm(), 1e-12);
+  EXPECT_EQ(read("two.glb#T").vertex_count(), 12U);
+  EXPECT_EQ(read("two.glb#T (instance 2)").positions[2], mesh.positions[10]);
+  EXPECT_THAT(write_mesh(mesh, folder_ / "two.obj").not_carried,
+              ElementsAre(HasSubstr("meshes that several objects share (1)")));
+}
+
+TEST_F(GltfGpuInstances, ShowAnEditOfOneOfThem) {
+  Mesh mesh = read("two.glb#T (instance 2)");
+  mesh.positions[2].z() += 4.0;
+  EXPECT_THAT(write_mesh(mesh, folder_ / "moved.glb").notes,
+              ElementsAre(HasSubstr("the mesh of 'T (instance 2)' is also shown by "
+                                    "'T (instance 0)' and 'T (instance 1)'")));
+  EXPECT_NEAR(read("moved.glb").positions[2].z(), 2.0, 1e-6);
+  EXPECT_NEAR(read("moved.glb").positions[10].z(), 5.0, 1e-6);
+}
+
+TEST_F(GltfGpuInstances, CannotDiffer) {
+  Mesh mesh = read();
+  mesh.positions[2].z() += 1.0;
+  mesh.positions[6].z() += 2.0;
+  const auto message = [&](const Mesh& edited) {
+    return error_message<InputError>(
+        [&] { write_mesh(edited, folder_ / "b.glb", {.original_file = read().source}); });
+  };
+  EXPECT_THAT(message(mesh), AllOf(HasSubstr("is an instance of a node"),
+                                   HasSubstr("edit one instance, which changes all of them")));
+  EXPECT_THAT(message(without_last_face(mesh)), HasSubstr("is an instance of a node"));
+
+  const Mesh one = read("two.glb#T (instance 1)");
+  write_mesh(without_last_face(one), folder_ / "c.glb", {.original_file = one.source});
+  EXPECT_EQ(read("c.glb").face_count(), 3U);
+}
+
+TEST_F(GltfGpuInstances, WithAScaleOfZeroAreLeftOut) {
+  write_instanced(true);
+  EXPECT_EQ(read().vertex_count(), 8U);
+  EXPECT_THAT(reading_notes(read()), ElementsAre(HasSubstr("'T (instance 2)' has a scale of 0")));
+}
+
+TEST_F(GltfGpuInstances, HaveOneTransformEach) {
+  const auto message = [&](const std::string& attributes) {
+    Square square;
+    const auto moves = square.sample.add(std::vector<float>{0, 0, 0, 3, 0, 0}, 5126, "VEC3", 2);
+    const auto scales = square.sample.add(std::vector<float>{1, 1, 1}, 5126, "VEC3", 1);
+    const auto empty =
+        square.sample.add_accessor(R"("componentType":5126,"type":"VEC3","count":1000000000)");
+    EXPECT_THAT((std::vector<std::size_t>{moves, scales, empty}), ElementsAre(4, 5, 6));
+    folder_.file("bad.glb", square.sample.glb(
+                                R"("nodes":[{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":)"
+                                R"({"attributes":{)" +
+                                attributes + R"(}}}}],"materials":[{}],"meshes":[{"primitives":[)" +
+                                square.primitive + "]}]"));
+    return error_message<InputError>([&] { read("bad.glb"); });
+  };
+  EXPECT_THAT(message(R"("TRANSLATION":4,"SCALE":5)"),
+              HasSubstr("/SCALE: the accessor has 1 elements, but there are 2 instances"));
+  EXPECT_THAT(message(R"("ROTATION":4)"), HasSubstr("expected an accessor of 4 numbers"));
+  EXPECT_THAT(message(R"("TRANSLATION":6)"), HasSubstr("the accessor has no buffer view"));
 }
 
 }  // namespace

@@ -128,6 +128,9 @@ inline Mesh without_last_face(const Mesh& mesh) {
   MeshAttributes& attributes = cut.edit_attributes();
   attributes.face_groups.pop_back();
   attributes.face_materials.pop_back();
+  for (auto* corners : {&attributes.corner_uvs, &attributes.corner_normals}) {
+    if (!corners->empty()) corners->resize(faces.vertices.size());
+  }
   return cut;
 }
 

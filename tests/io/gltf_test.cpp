@@ -459,7 +459,7 @@ TEST(Gltf, WhatIsWrongIsNamed) {
   EXPECT_THAT(message(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"no.bin"}]})"),
               AllOf(HasSubstr("/buffers/0/uri"), HasSubstr("there is no file 'no.bin'")));
   EXPECT_THAT(message(square.sample.glb(square.rest(R"(,"scale":[0,1,1])"))),
-              HasSubstr("'Flag' has a scale that is zero"));
+              HasSubstr("'Flag' has a scale of 0"));
   std::string beyond = good;
   beyond.replace(beyond.find(R"("byteLength":72)"), 15, R"("byteLength":71)");
   EXPECT_THAT(message(beyond), AllOf(HasSubstr("/accessors/0"), HasSubstr("beyond the end")));

@@ -1,6 +1,7 @@
 """Results and meshes as Python objects: copies, pickles, what notebooks show, and messages."""
 
 import copy
+import json
 import os
 import pickle
 import re
@@ -232,3 +233,14 @@ def test_a_note_says_why_a_software_device_is_not_used(tube, ends):
     assert on_gpu or "`--device" not in " ".join(result.notes)
     cpu = lapwing.deform(tube, handles=[(ends[1], np.eye(4))], device="cpu")
     assert on_gpu or (result.vertices == cpu.vertices).all()
+
+
+def test_reading_warns_of_objects_that_are_left_out(tube, tmp_path):
+    lapwing.write(tmp_path / "a.gltf", tube)
+    document = json.loads((tmp_path / "a.gltf").read_text())
+    document["nodes"].append({"mesh": 0, "name": "hidden", "scale": [0, 0, 0]})
+    document["scenes"][0]["nodes"].append(1)
+    (tmp_path / "a.gltf").write_text(json.dumps(document))
+    with pytest.warns(UserWarning, match="'hidden' has a scale of 0") as caught:
+        assert lapwing.read(tmp_path / "a.gltf").vertex_count == tube.vertex_count
+    assert caught[0].filename == __file__

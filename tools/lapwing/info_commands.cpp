@@ -75,6 +75,7 @@ void check_mesh(const CheckArguments& a) {
   files.reads("MESH", a.mesh, true);
   files.writes_mesh("--fix", a.fix);
   DamagedMesh damaged = read_damaged_mesh(a.mesh);
+  for (const std::string& line : damaged.file->notes) note(line);
   if (!damaged.defects.empty()) {
     std::printf("%s\nWhat can be read\n", format(damaged.defects).c_str());
   }
@@ -97,7 +98,7 @@ void add_info(CLI::App& app) {
     std::printf("lapwing %s\n", LAPWING_VERSION);
     print_devices();
     if (mesh->empty()) return;
-    const Mesh loaded = read_mesh(*mesh);
+    const Mesh loaded = read_with_notes(*mesh);
     std::printf("%s\n%s", shown(*mesh).c_str(), format(check(loaded).statistics).c_str());
   });
 }

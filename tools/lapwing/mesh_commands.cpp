@@ -39,7 +39,7 @@ void convert(const ConvertArguments& a) {
   WriteOptions options{.feature_angle_degrees = a.feature_angle_degrees};
   if (a.ascii) options.encoding = Encoding::ascii;
   if (a.binary) options.encoding = Encoding::little_endian;
-  const Mesh mesh = read_mesh(a.from);
+  const Mesh mesh = read_with_notes(a.from);
   if (mesh.face_count() == 0) warn_without_surface(mesh, a.from);
   print_notes(write_mesh(mesh, a.to, options));
 }
@@ -55,7 +55,7 @@ void subdivide_mesh(const SubdivideArguments& a) {
   OutputFiles files;
   files.reads("MESH", a.mesh, true);
   files.writes_mesh("--output", a.output);
-  Mesh mesh = read_mesh(a.mesh);
+  Mesh mesh = read_with_notes(a.mesh);
   warn_without_surface(mesh, a.mesh);
   require_subdividable(mesh, a.times);
   for (int i = 0; i < a.times; ++i) mesh = a.smooth ? loop_subdivide(mesh) : subdivide(mesh);
@@ -81,7 +81,7 @@ void remesh_mesh(const RemeshArguments& a) {
   OutputFiles files;
   files.reads("MESH", a.mesh, true);
   files.writes_mesh("--output", a.output);
-  const Mesh mesh = read_mesh(a.mesh);
+  const Mesh mesh = read_with_notes(a.mesh);
   RemeshRequest request = a.request;
   request.region = region_spec("--region", a.region);
   request.where = "--scale";

@@ -37,6 +37,12 @@ void warn(const std::string& text) {
   say_with_word("warning", kYellow, text);
 }
 
+Mesh read_with_notes(const std::filesystem::path& path) {
+  Mesh mesh = read_mesh(path);
+  for (const std::string& line : reading_notes(mesh)) note(line);
+  return mesh;
+}
+
 void warn_without_surface(const Mesh& mesh, const std::string& path) {
   const std::string why = why_no_surface(mesh);
   if (!why.empty()) warn(path + " has no surface: " + why);

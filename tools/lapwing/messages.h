@@ -20,6 +20,9 @@ void warn(const std::string& text);
 /// Prints a warning if `mesh`, which was read from `path`, has no surface. A point cloud has none.
 void warn_without_surface(const Mesh& mesh, const std::string& path);
 
+/// Reads a mesh (read_mesh), and prints the notes of the reader.
+Mesh read_with_notes(const std::filesystem::path& path);
+
 /// Prints the report of a written file to standard error. Lost data are warnings.
 void print_notes(const WriteReport& report);
 

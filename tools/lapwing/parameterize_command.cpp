@@ -60,7 +60,7 @@ void parameterize_mesh(const ParameterizeArguments& arguments) {
   files.reads("MESH", arguments.mesh, true);
   files.writes_mesh("--output", arguments.output);
   files.writes_picture("--picture", arguments.picture);
-  const Mesh mesh = read_mesh(arguments.mesh);
+  const Mesh mesh = read_with_notes(arguments.mesh);
   const Parameterized result = parameterize(mesh, request_of(arguments));
   print(result);
   FileReplacements written;

@@ -86,7 +86,7 @@ void cut(const CutArguments& a) {
   files.reads("MESH", a.mesh, true);
   files.writes_mesh("--output", a.part);
   files.writes_mesh("--rest", a.rest);
-  const Mesh mesh = read_mesh(a.mesh);
+  const Mesh mesh = read_with_notes(a.mesh);
   const VertexSet region = resolve(region_spec("--region", a.region), mesh);
   const CutPiece part = cut_out(mesh, region, "--region");
   // Write either both files or none.

@@ -49,7 +49,7 @@ void peel_mesh(const PeelArguments& a) {
   OutputFiles files;
   files.reads("MESH", a.mesh, true);
   files.writes_mesh("--output", a.output);
-  const Mesh mesh = read_mesh(a.mesh);
+  const Mesh mesh = read_with_notes(a.mesh);
   const PeelRequest request = request_of(a);
   const Peeled peeled = peel(mesh, request);
   print_notes(write_mesh(carrying(a.coating, mesh, request, peeled), a.output));

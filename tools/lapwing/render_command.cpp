@@ -95,7 +95,7 @@ struct RenderArguments {
 };
 
 Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
-  Mesh rest = read_mesh(path);
+  Mesh rest = read_with_notes(path);
   if (rest.vertex_count() != mesh.vertex_count()) {
     throw InputError(path + " has " + std::to_string(rest.vertex_count()) +
                      " vertices, but the mesh to draw has " + std::to_string(mesh.vertex_count()) +
@@ -164,7 +164,7 @@ void render(const RenderArguments& arguments) {
   require_places(arguments);
   const std::string color = color_of(arguments);
   arguments.picture.request();  // throws if an option is invalid
-  const Mesh mesh = read_mesh(arguments.mesh);
+  const Mesh mesh = read_with_notes(arguments.mesh);
   warn_without_surface(mesh, arguments.mesh);
   std::optional<Mesh> rest;
   if (!arguments.rest.empty()) rest = read_rest_pose(arguments.rest, mesh);

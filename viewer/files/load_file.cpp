@@ -25,7 +25,11 @@ OpenedMesh read(const fs::path& path, const Progress& progress) {
   OpenedMesh opened{path.filename().string(), triangulated(read_mesh(path), progress),
                     stamp_of(path)};
   report_progress(progress, "colours", 0.0);
-  opened.colors = std::make_shared<const FilePaint>(read_file_colors(*opened.mesh, path));
+  FileColors colors = read_file_colors(*opened.mesh, path);
+  // The window shows the notes about the mesh together with those about its colours.
+  const std::vector<std::string> notes = reading_notes(*opened.mesh);
+  colors.notes.insert(colors.notes.begin(), notes.begin(), notes.end());
+  opened.colors = std::make_shared<const FilePaint>(std::move(colors));
   return opened;
 }
 

@@ -84,4 +84,25 @@ std::string printable(std::string_view text, std::size_t longest) {
   return out.size() <= longest ? out : shortened(out, longest);
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const Character c = decode(text);
+    if (!c.valid) return false;
+    text.remove_prefix(c.bytes);
+  }
+  return true;
+}
+
+std::string quoted_list(std::span<const std::string> names) {
+  constexpr std::size_t kMostNames = 5;
+  const std::size_t shown = names.size() > kMostNames ? kMostNames - 1 : names.size();
+  std::string list;
+  for (std::size_t k = 0; k < shown; ++k) {
+    if (k > 0) list += k + 1 == names.size() ? " and " : ", ";
+    list += "'" + names[k] + "'";
+  }
+  if (shown < names.size()) list += " and " + grouped(names.size() - shown) + " more";
+  return list;
+}
+
 }  // namespace lapwing

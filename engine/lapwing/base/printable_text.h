@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,12 @@ inline constexpr std::size_t kLongestMessage = 80 * 24;
 /// and ends with the next step. Use it for all text from other programs, file names and file
 /// contents.
 std::string printable(std::string_view text, std::size_t longest = kLongestMessage);
+
+/// Returns whether `text` is valid UTF-8.
+bool is_utf8(std::string_view text);
+
+/// Returns names for a message, such as "'Left', 'Right' and 'Top'". Lists at most five.
+std::string quoted_list(std::span<const std::string> names);
 
 /// Returns `number` with thousands separators, such as "14,290".
 inline std::string grouped(std::size_t number) {

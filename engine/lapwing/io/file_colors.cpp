@@ -220,7 +220,7 @@ class FileColorReader {
       }
       if (beyond[m] > 0) {
         notes_.push_back(faces + "are partly beyond their image (" + grouped(beyond[m]) +
-                         "), which -clamp shows only once; here it is repeated");
+                         "), which their file clamps; here it is repeated");
       }
     }
   }

@@ -9,6 +9,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
+#include "lapwing/io/gltf_instances.h"
 #include "lapwing/io/writing.h"
 
 namespace lapwing {
@@ -316,6 +317,7 @@ void GltfNumbers::add_separate_meshes(std::span<const TextEdits> changes, TextEd
 }
 
 std::size_t GltfNumbers::separate(std::size_t object) {
+  require_own_node(layout_.objects[object]);
   separate_.push_back(object);
   return mesh_count_ + separate_.size() - 1;
 }

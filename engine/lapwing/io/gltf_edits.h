@@ -73,7 +73,8 @@ class GltfNumbers {
            std::size_t element, const Eigen::Vector3d& values);
 
   /// Appends a copy of the mesh of object `object` to the list of meshes, and makes the object show
-  /// it. Returns the index of the copy. Call `set` with this index at least once.
+  /// it. Returns the index of the copy. Call `set` with this index at least once. Throws what
+  /// `require_own_node` throws.
   std::size_t separate(std::size_t object);
 
   /// Returns the appender for the first buffer. Throws InputError if there is no buffer.

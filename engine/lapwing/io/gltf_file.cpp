@@ -1,5 +1,8 @@
 #include "lapwing/io/gltf_file.h"
 
+#include <algorithm>
+#include <array>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/paths.h"
@@ -25,20 +28,45 @@ void append_chunk(std::string& out, std::uint32_t type, std::string_view bytes, 
   out.append(filled - bytes.size(), filler);
 }
 
-// Throws InputError if the file requires a compression, which hides its positions.
-void refuse_compression(const JsonNode& root) {
+// Extensions of textures that name an image in another format than PNG and JPEG.
+constexpr std::array<std::string_view, 4> kImageExtensions{
+    "EXT_texture_avif", "EXT_texture_webp", "KHR_texture_basisu", "MSFT_texture_dds"};
+
+bool is_compression(std::string_view extension) {
+  return extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
+         extension == "KHR_meshopt_compression";
+}
+
+// Returns whether an extension changes neither positions nor triangles nor the number of objects,
+// so that a mesh can be edited without knowing the extension.
+bool leaves_shape(std::string_view extension) {
+  constexpr std::array<std::string_view, 10> kNames{
+      "EXT_feature_metadata",    "EXT_instance_features",
+      "EXT_mesh_features",       "EXT_mesh_manifold",
+      "EXT_structural_metadata", "KHR_animation_pointer",
+      "KHR_interactivity",       "KHR_xmp",
+      "KHR_xmp_json_ld",         "CESIUM_primitive_outline"};
+  constexpr std::array<std::string_view, 8> kPrefixes{
+      "EXT_lights_",    "EXT_materials_", "KHR_audio",     "KHR_lights_",
+      "KHR_materials_", "KHR_technique",  "MSFT_packing_", "VRM"};
+  return std::ranges::find(kNames, extension) != kNames.end() ||
+         std::ranges::any_of(
+             kPrefixes, [&](std::string_view prefix) { return extension.starts_with(prefix); });
+}
+
+// Throws InputError if the file requires an extension that could change the shape of the mesh.
+void require_supported_extensions(const JsonNode& root) {
   const auto required = root.find("extensionsRequired");
   if (!required) return;
   for (const JsonNode& node : required->elements()) {
     const std::string name = node.string();
-    if (name == "KHR_draco_mesh_compression") {
-      node.fail(
-          "meshes compressed by Draco are not supported; export the file without compression");
+    if (is_carried_extension(name) || leaves_shape(name)) continue;
+    if (is_compression(name)) {
+      node.fail("data compressed by " + name +
+                " cannot be read; export the file without compression");
     }
-    if (name == "EXT_meshopt_compression" || name == "KHR_meshopt_compression") {
-      node.fail(
-          "buffers compressed by meshopt are not supported; export the file without compression");
-    }
+    node.fail("the file requires the extension " + name +
+              ", which is not supported; export the file without this extension");
   }
 }
 
@@ -58,7 +86,7 @@ GltfFile::GltfFile(const SourceFile& file)
   if (!version || !version->is_string() || !version->string().starts_with("2.")) {
     root_.fail("the file is not glTF 2.0; export it again as glTF 2.0");
   }
-  refuse_compression(root_);
+  require_supported_extensions(root_);
   read_buffers();
 }
 
@@ -169,13 +197,36 @@ std::vector<std::string> gltf_material_names(const JsonNode& root) {
   return names;
 }
 
+void require_no_compressed_copy(const JsonNode& root) {
+  const auto used = root.find("extensionsUsed");
+  if (!used) return;
+  for (const JsonNode& node : used->elements()) {
+    if (!node.is_string() || !is_compression(node.string())) continue;
+    node.fail("the file has a second copy of its data, compressed by " + node.string() +
+              ", which the edit would not change; save another format, or export the file without "
+              "compression");
+  }
+}
+
+bool is_carried_extension(std::string_view extension) {
+  return extension == kInstancingExtension || extension == "KHR_mesh_quantization" ||
+         extension == "KHR_texture_transform" ||
+         std::ranges::find(kImageExtensions, extension) != kImageExtensions.end();
+}
+
 std::optional<std::size_t> base_color_image(const JsonNode& root, const JsonNode& material) {
   const auto surface = material.find("pbrMetallicRoughness");
   const auto texture = surface ? surface->find("baseColorTexture") : std::nullopt;
   const auto number = texture ? texture->find("index") : std::nullopt;
   const auto textures = number ? root.find("textures") : std::nullopt;
   const auto found = textures ? textures->element(number->count()) : std::nullopt;
-  const auto source = found ? found->find("source") : std::nullopt;
+  auto source = found ? found->find("source") : std::nullopt;
+  const auto extensions = found ? found->find("extensions") : std::nullopt;
+  for (const std::string_view name : kImageExtensions) {
+    // The image without an extension is PNG or JPEG, so it is preferred.
+    if (source || !extensions) break;
+    if (const auto extension = extensions->find(name)) source = extension->find("source");
+  }
   const auto images = source ? root.find("images") : std::nullopt;
   if (!images || !images->element(source->count())) return {};
   return source->count();

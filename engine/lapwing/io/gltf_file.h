@@ -29,9 +29,9 @@ struct GltfBuffer {
 /// bytes of `file`, which must outlive it.
 class GltfFile {
  public:
-  /// Throws InputError if the file is not glTF 2.0, or if a buffer is missing, too short or
-  /// compressed; the message says what to do. Reads no buffer from outside the file's folder.
-  /// Throws IoError if a buffer cannot be read.
+  /// Throws InputError if the file is not glTF 2.0, if it requires an extension that is not
+  /// supported, or if a buffer is missing, too short or compressed; the message says what to do.
+  /// Reads no buffer from outside the file's folder. Throws IoError if a buffer cannot be read.
   explicit GltfFile(const SourceFile& file);
 
   const SourceFile& source() const { return source_; }
@@ -72,12 +72,28 @@ inline constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeaderSize = 12;
 inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
+/// An extension that shows the mesh of a node several times, each time with another transform.
+inline constexpr std::string_view kInstancingExtension = "EXT_mesh_gpu_instancing";
+
+/// Returns whether the readers use the data of an extension, so that a conversion to another format
+/// carries it.
+bool is_carried_extension(std::string_view extension);
+
+/// Throws InputError if the file has its data a second time, compressed. Other programs would show
+/// that copy, without an edit of the first one.
+void require_no_compressed_copy(const JsonNode& root);
+
+/// The wrap modes of a sampler that have an equivalent in MTL files: -clamp off and on.
+inline constexpr std::size_t kGltfRepeat = 10497;
+inline constexpr std::size_t kGltfClampToEdge = 33071;
+
 /// Returns a unique name for each material. A material without a name is called "material 3". If an
 /// earlier material is also called "Skin", the name is "Skin (material 3)".
 std::vector<std::string> gltf_material_names(const JsonNode& root);
 
 /// Returns the index of the image that a material uses as its base colour, or nullopt if it uses
-/// none. Throws InputError if the texture is malformed.
+/// none. The image may have any format, such as WebP (EXT_texture_webp). Throws InputError if the
+/// texture is malformed.
 std::optional<std::size_t> base_color_image(const JsonNode& root, const JsonNode& material);
 /// Returns the indices of the images that materials use as base colours. Ignores malformed
 /// textures.

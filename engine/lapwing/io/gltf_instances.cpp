@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/base/printable_text.h"
 #include "lapwing/io/source_file.h"
 
@@ -85,35 +87,30 @@ std::vector<std::string> others_showing(const GltfLayout& layout,
                                         const std::vector<std::size_t>& edited) {
   std::vector<std::string> names =
       objects_showing(layout.file, layout.objects[edited.front()].mesh);
-  for (const std::size_t object : edited) std::erase(names, layout.objects[object].name);
+  std::set<std::string_view> own;
+  for (const std::size_t object : edited) own.insert(layout.objects[object].name);
+  std::erase_if(names, [&](const std::string& name) { return own.contains(name); });
   return names;
 }
 
-namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNames = 5;
-  const std::size_t shown = names.size() > kMostNames ? kMostNames - 1 : names.size();
-  std::string list;
-  for (std::size_t k = 0; k < shown; ++k) {
-    if (k > 0) list += k + 1 == names.size() ? " and " : ", ";
-    list += "'" + names[k] + "'";
-  }
-  if (shown < names.size()) list += " and " + grouped(names.size() - shown) + " more";
-  return list;
+void require_own_node(const GltfObject& object) {
+  if (!object.is_instance) return;
+  throw InputError(
+      "'" + object.name +
+      "' is an instance of a node (EXT_mesh_gpu_instancing) and cannot differ from the "
+      "other instances; edit one instance, which changes all of them, or save another "
+      "format");
 }
-
-}  // namespace
 
 std::string names_of(const GltfLayout& layout, const std::vector<std::size_t>& objects) {
   std::vector<std::string> names;
   for (const std::size_t object : objects) names.push_back(layout.objects[object].name);
-  return listed(names);
+  return quoted_list(names);
 }
 
 std::string note_of_shared_edit(const GltfLayout& layout, const std::vector<std::size_t>& edited,
                                 const std::vector<std::string>& others) {
-  return "the mesh of " + names_of(layout, edited) + " is also shown by " + listed(others) +
+  return "the mesh of " + names_of(layout, edited) + " is also shown by " + quoted_list(others) +
          ", where the edit appears too; to edit one alone, give it its own mesh first";
 }
 

@@ -24,6 +24,10 @@ std::vector<MovedInstances> moved_instances(const GltfLayout& layout, const Mesh
 std::vector<std::string> others_showing(const GltfLayout& layout,
                                         const std::vector<std::size_t>& edited);
 
+/// Throws InputError if `object` is an instance of a node (EXT_mesh_gpu_instancing), which cannot
+/// get its own mesh.
+void require_own_node(const GltfObject& object);
+
 /// Returns the names of the objects for a message, such as "'Left', 'Right' and 'Top'". Lists at
 /// most five.
 std::string names_of(const GltfLayout& layout, const std::vector<std::size_t>& objects);

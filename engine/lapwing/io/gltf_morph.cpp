@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/printable_text.h"
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/gltf_instances.h"
 #include "lapwing/io/source_file.h"
@@ -265,6 +266,38 @@ class MorphTarget {
 };
 
 }  // namespace
+
+void note_morph_weights(const GltfLayout& layout, std::vector<std::string>& notes) {
+  constexpr std::size_t kMostWeights = 5;
+  const JsonNode& root = layout.file.root();
+  std::vector<std::string> names;
+  std::vector<double> weights;
+  for (const GltfObject& object : layout.objects) {
+    try {
+      auto list = root.at("nodes").at(object.node).find("weights");
+      if (!list) list = root.at("meshes").at(object.mesh).find("weights");
+      std::vector<double> numbers = list ? list->numbers() : std::vector<double>();
+      std::erase(numbers, 0.0);
+      if (numbers.empty()) continue;
+      names.push_back(object.name);
+      weights.insert(weights.end(), numbers.begin(), numbers.end());
+    } catch (const InputError&) {
+      // Malformed weights do not prevent editing the base shape.
+    }
+  }
+  if (names.empty()) return;
+  std::string shown;
+  for (std::size_t k = 0; k < std::min(weights.size(), kMostWeights); ++k) {
+    if (k > 0) shown += ", ";
+    append_number(shown, weights[k]);
+  }
+  if (weights.size() > kMostWeights) shown += ", ...";
+  notes.push_back(layout.file.source().path().string() + ": " + quoted_list(names) +
+                  (names.size() == 1 ? " is" : " are") + " read without the morph weights " +
+                  shown +
+                  ", because an edit changes the base shape; the weights stay in the file. To edit "
+                  "the weighted shape, apply the morph targets first");
+}
 
 void add_morph_target(const GltfLayout& layout, const Mesh& mesh, const std::string& name,
                       GltfNumbers& numbers, TextEdits& edits) {

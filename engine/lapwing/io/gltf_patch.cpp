@@ -241,6 +241,7 @@ class GltfPatch {
 
   std::string main_file() {
     if (edits_.is_empty() && !numbers_.has_changed()) return std::string(source_.bytes());
+    require_no_compressed_copy(layout_.file.root());
     if (!layout_.file.is_binary()) return edits_.applied_to(layout_.file.json().text());
     // This keeps a chunk that no buffer of the document uses.
     std::optional<std::string_view> chunk = layout_.file.chunk();

@@ -22,7 +22,7 @@ struct FileContent {
 ///
 /// Accessors that several meshes share, and positions stored as integers or not at all, are
 /// replaced by new ones (see GltfNumbers). `report` notes images that are not beside the target.
-/// Throws what GltfNumbers throws.
+/// Throws what GltfNumbers throws, and InputError if the data that changes has a compressed copy.
 ///
 /// If `morph_target` is not empty, the positions stay and a morph target is added (see
 /// add_morph_target). If `source` does not

@@ -7,6 +7,7 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/limits.h"
 #include "lapwing/base/srgb.h"
+#include "lapwing/io/gltf_morph.h"
 #include "lapwing/io/gltf_scene.h"
 #include "lapwing/io/reading.h"
 #include "lapwing/mesh/welder.h"
@@ -25,7 +26,8 @@ class GltfReader {
       : source_(file), layout_(std::make_unique<GltfLayout>(file)) {}
 
   Mesh read() {
-    layout_->objects = find_objects(layout_->file, source_.object());
+    layout_->objects = find_objects(layout_->file, source_.object(), source_.notes);
+    note_morph_weights(*layout_, source_.notes);
     attributes_.materials = gltf_material_names(layout_->file.root());
     attributes_.groups_are_objects = true;
     for (std::size_t k = 0; k < layout_->objects.size(); ++k) {
@@ -70,7 +72,7 @@ class GltfReader {
     for (const GltfObject& object : layout_->objects) ++users[object.mesh];
     const auto shared = std::ranges::count_if(users, [](const auto& of) { return of.second > 1; });
     if (shared > 0) {
-      uneditable_.add("meshes that several nodes share", static_cast<std::size_t>(shared));
+      uneditable_.add("meshes that several objects share", static_cast<std::size_t>(shared));
     }
   }
 
@@ -296,11 +298,15 @@ class GltfReader {
 
   void note_the_rest() {
     const JsonNode& root = layout_->file.root();
-    constexpr std::array<std::pair<const char*, const char*>, 3> kLists{
-        {{"animations", "animations"}, {"cameras", "cameras"}, {"extensionsUsed", "extensions"}}};
-    for (const auto& [key, what] : kLists) {
+    for (const char* key : {"animations", "cameras"}) {
       const auto list = root.find(key);
-      if (list && !list->elements().empty()) uneditable_.add(what, list->elements().size());
+      if (list && !list->elements().empty()) uneditable_.add(key, list->elements().size());
+    }
+    if (const auto used = root.find("extensionsUsed")) {
+      for (const JsonNode& extension : used->elements()) {
+        if (!extension.is_string() || is_carried_extension(extension.string())) continue;
+        uneditable_.add("data of the extension " + extension.string());
+      }
     }
     const auto images = root.find("images");
     const std::size_t count = images ? images->elements().size() : 0;

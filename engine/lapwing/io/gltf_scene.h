@@ -11,22 +11,30 @@
 
 namespace lapwing {
 
-/// A node that shows a mesh. Several objects may show the same mesh.
+/// A node that shows a mesh, or an instance of such a node. Several objects may show the same mesh.
 struct GltfObject {
-  std::string name;  ///< name of the node, else of its mesh, else "node 3"; unique in the file
+  /// Name of the node, else of its mesh, else "node 3". An instance of a node is called
+  /// "Tree (instance 0)". Unique in the file.
+  std::string name;
   std::size_t node = 0;
   std::size_t mesh = 0;
   /// From mesh to world coordinates. The identity for a mesh with a skin, which its joints place:
   /// it is edited in its bind pose.
   Eigen::Affine3d to_world = Eigen::Affine3d::Identity();
   bool has_skin = false;
+  /// Whether the node has several such objects (EXT_mesh_gpu_instancing), which have to show the
+  /// same mesh.
+  bool is_instance = false;
 };
 
 /// Returns all objects of the scene, or only those called `name` if it is not empty. Parents come
 /// before children. `name` is the name of a node or, if no node has it, of a mesh. Throws
-/// InputError if no object has that name; the message suggests names. Throws InputError if the
-/// nodes do not form trees, or if a transform is not invertible (scale 0).
-std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name);
+/// InputError if no object has that name; the message suggests names. Objects with a scale of 0
+/// have no surface and are left out. Adds one of `notes` about these, and one about objects outside
+/// the scene. Throws InputError if the nodes do not form trees, if all objects have a scale of 0,
+/// or if a scale is not finite.
+std::vector<GltfObject> find_objects(const GltfFile& file, const std::string& name,
+                                     std::vector<std::string>& notes);
 
 /// Returns the names of all objects that show mesh `mesh`, including those outside the scene.
 std::vector<std::string> objects_showing(const GltfFile& file, std::size_t mesh);

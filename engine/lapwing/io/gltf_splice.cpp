@@ -124,6 +124,7 @@ class Splice {
                        "' has no triangles left, but a glTF mesh needs at least one; keep some");
     }
     if (is_separate) {
+      require_own_node(object);
       const JsonPlace node = text_.element("nodes", object.node);
       edits_.replace(text_.at(node, "mesh"), std::to_string(mesh_count_++));
       if (!new_meshes_.empty()) new_meshes_ += ',';

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <system_error>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/srgb.h"
 #include "lapwing/io/file_bytes.h"
+#include "lapwing/io/gltf_file.h"
 #include "lapwing/io/image.h"
 #include "lapwing/io/mesh_materials.h"
 #include "lapwing/io/paths.h"
@@ -153,6 +155,7 @@ std::vector<FileContent> mtl_files(const MaterialTransfer& materials, const fs::
     text += "map_Kd";
     if (material.uv_scale != Eigen::Vector2d::Ones()) append_pair(text, " -s", material.uv_scale);
     if (material.uv_offset != Eigen::Vector2d::Zero()) append_pair(text, " -o", material.uv_offset);
+    if (material.is_clamped) text += " -clamp on";
     text += " " + as_line(place_image(materials.images[entry.image], target, files)) + "\n";
   }
   files.front().bytes = std::move(text);
@@ -183,7 +186,7 @@ class GltfMaterialWriter {
         target_(target),
         appender_(appender),
         report_(report),
-        texture_of_image_(materials.images.size(), kUnknown) {}
+        number_of_image_(materials.images.size(), kUnknown) {}
 
   GltfMaterials write() {
     std::string list;
@@ -191,6 +194,10 @@ class GltfMaterialWriter {
       append_json(list, material(entry));
     }
     GltfMaterials result{.json = R"("materials":[)" + list + "]", .files = std::move(files_)};
+    if (has_clamped_) {
+      const std::string mode = std::to_string(kGltfClampToEdge);
+      result.json += R"(,"samplers":[{"wrapS":)" + mode + R"(,"wrapT":)" + mode + "}]";
+    }
     if (!images_.empty()) {
       result.json += R"(,"textures":[)" + textures_ + R"(],"images":[)" + images_ + "]";
     }
@@ -204,7 +211,7 @@ class GltfMaterialWriter {
   std::string material(const MaterialTransfer::Entry& entry) {
     const Material& from = entry.material;
     std::string json = R"({"name":)" + quoted_json(from.name);
-    const Index texture = entry.image == kNoIndex ? kNoIndex : texture_of(entry.image);
+    const Index texture = entry.image == kNoIndex ? kNoIndex : texture_of(entry);
     if (!from.color && from.opacity == 1.0F && texture == kNoIndex) return json + "}";
     // Some programs write Kd 0 0 0 for a material with an image, but show the image unchanged.
     const bool is_black = from.color && from.color->isZero();
@@ -236,19 +243,33 @@ class GltfMaterialWriter {
            json_pair(scale.x(), scale.y()) + "}}";
   }
 
-  // Returns the index of the texture for an image, or kNoIndex if the image cannot be read.
-  Index texture_of(Index image) {
-    Index& texture = texture_of_image_[image];
-    if (texture != kUnknown) return texture;
-    texture = kNoIndex;
+  // Returns the index of the texture of a material, or kNoIndex if its image cannot be read.
+  Index texture_of(const MaterialTransfer::Entry& entry) {
+    const Index image = number_of_image(entry.image);
+    if (image == kNoIndex) return kNoIndex;
+    const bool is_clamped = entry.material.is_clamped;
+    const auto [known, is_new] = texture_of_.try_emplace(std::pair(image, is_clamped),
+                                                         static_cast<Index>(texture_of_.size()));
+    if (is_new) {
+      append_json(textures_, R"({"source":)" + std::to_string(image) +
+                                 (is_clamped ? R"(,"sampler":0})" : "}"));
+      has_clamped_ = has_clamped_ || is_clamped;
+    }
+    return known->second;
+  }
+
+  // Returns the index that an image gets in the file, or kNoIndex if it cannot be read.
+  Index number_of_image(Index image) {
+    Index& number = number_of_image_[image];
+    if (number != kUnknown) return number;
+    number = kNoIndex;
     try {
       add_image(as_png_or_jpeg(materials_.images[image]));
     } catch (const InputError& error) {
       report_.not_carried.push_back("an image of a material: " + std::string(error.what()));
-      return texture;
+      return number;
     }
-    append_json(textures_, R"({"source":)" + std::to_string(texture_count_) + "}");
-    return texture = texture_count_++;
+    return number = image_count_++;
   }
 
   static MaterialTransfer::ImageFile as_png_or_jpeg(const MaterialTransfer::ImageFile& image) {
@@ -277,8 +298,10 @@ class GltfMaterialWriter {
   const fs::path& target_;
   GltfAppender& appender_;
   WriteReport& report_;
-  std::vector<Index> texture_of_image_;
-  Index texture_count_ = 0;
+  std::vector<Index> number_of_image_;
+  Index image_count_ = 0;
+  std::map<std::pair<Index, bool>, Index> texture_of_;  // by index of the image and is_clamped
+  bool has_clamped_ = false;
   std::string textures_;
   std::string images_;
   bool has_transform_ = false;

@@ -274,6 +274,7 @@ class GltfMaterialReader {
     if (!image) return;
     read_image(*image, material);
     read_transform(surface->at("baseColorTexture"), material);
+    read_wrap_modes(surface->at("baseColorTexture"), material);
   }
 
   void read_image(std::size_t number, Material& material) {
@@ -353,6 +354,29 @@ class GltfMaterialReader {
     // In glTF v runs downwards.
     material.uv_scale = scale;
     material.uv_offset = {offset.x(), 1.0 - scale.y() - offset.y()};
+    const auto rotation = transform->find("rotation");
+    if (!rotation || rotation->number() == 0.0) return;
+    notes_.push_back(rotation->where() + ": the image of material '" + material.name +
+                     "' is not rotated, because this is not supported; rotate the texture "
+                     "coordinates instead");
+  }
+
+  void read_wrap_modes(const JsonNode& texture, Material& material) const {
+    const std::size_t number = texture.at("index").count();
+    const auto sampler_number = file_.root().at("textures").at(number).find("sampler");
+    if (!sampler_number) return;
+    const JsonNode sampler = file_.root().at("samplers").at(sampler_number->count());
+    const auto mode = [&](const char* key) {
+      const auto node = sampler.find(key);
+      return node ? node->count() : kGltfRepeat;
+    };
+    const std::size_t s = mode("wrapS");
+    const std::size_t t = mode("wrapT");
+    material.is_clamped = s == kGltfClampToEdge && t == kGltfClampToEdge;
+    if (material.is_clamped || (s == kGltfRepeat && t == kGltfRepeat)) return;
+    notes_.push_back(sampler.where() + ": the image of material '" + material.name +
+                     "' is repeated without mirroring or clamping it; give the sampler the same "
+                     "wrap mode in both directions, REPEAT or CLAMP_TO_EDGE");
   }
 
   const GltfFile& file_;
@@ -367,7 +391,9 @@ std::string_view image_extension(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return ".png";
   if (bytes.starts_with("\xFF\xD8")) return ".jpg";
   if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return ".webp";
+  if (bytes.substr(0, 12).ends_with("ftypavif")) return ".avif";
   if (bytes.starts_with("\xABKTX")) return ".ktx2";
+  if (bytes.starts_with("DDS ")) return ".dds";
   return ".image";
 }
 

@@ -22,7 +22,8 @@ struct Material {
   /// of KHR_texture_transform.
   Eigen::Vector2d uv_scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d uv_offset = Eigen::Vector2d::Zero();
-  bool is_clamped = false;         ///< -clamp on: the image is not repeated
+  /// The image is not repeated: -clamp on, or the wrap modes CLAMP_TO_EDGE of a glTF sampler.
+  bool is_clamped = false;
   std::size_t further_images = 0;  ///< other images in an MTL file: map_Bump, map_Ks, ...
 };
 
@@ -39,8 +40,8 @@ std::vector<Material> read_material_library(const std::filesystem::path& path,
 std::vector<Material> read_gltf_materials(const std::filesystem::path& path,
                                           std::vector<std::string>& notes);
 
-/// Returns the file extension for the bytes of an image: ".png", ".jpg", ".webp", ".ktx2", or
-/// ".image" for an unknown format.
+/// Returns the file extension for the bytes of an image: ".png", ".jpg", ".webp", ".avif",
+/// ".ktx2", ".dds", or ".image" for an unknown format.
 std::string_view image_extension(std::string_view bytes);
 
 }  // namespace lapwing

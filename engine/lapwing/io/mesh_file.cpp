@@ -131,6 +131,19 @@ void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
   }
 }
 
+// In JSON, names are UTF-8. Names of other formats need not be.
+void report_names_not_utf8(const MeshAttributes& attributes, WriteReport& report) {
+  std::vector<std::string> names;
+  for (const auto* list : {&attributes.groups, &attributes.materials}) {
+    std::ranges::copy_if(*list, std::back_inserter(names),
+                         [](const std::string& name) { return !is_utf8(name); });
+  }
+  if (names.empty()) return;
+  report.not_carried.push_back("names that are not UTF-8, " + quoted_list(names) +
+                               ": glTF stores their other bytes as U+FFFD; convert the original "
+                               "file to UTF-8 to keep the names");
+}
+
 }  // namespace
 
 namespace {
@@ -143,6 +156,7 @@ std::shared_ptr<SourceFile> open_source(const std::filesystem::path& path) {
 
 Mesh read_from(const std::shared_ptr<SourceFile>& source) {
   Mesh mesh = read_format(*source);
+  for (std::string& note : source->notes) note = printable(note);
   if (!source->defects.empty()) return mesh;
   source->remember_topology(mesh);
   mesh.source = source;
@@ -153,6 +167,10 @@ Mesh read_from(const std::shared_ptr<SourceFile>& source) {
 
 Mesh read_mesh(const std::filesystem::path& path) {
   return read_from(open_source(path));
+}
+
+std::vector<std::string> reading_notes(const Mesh& mesh) {
+  return mesh.source ? mesh.source->notes : std::vector<std::string>();
 }
 
 DamagedMesh read_damaged_mesh(const std::filesystem::path& path) {
@@ -185,6 +203,7 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
                      "the same extension, .glb or .gltf");
   }
   WriteReport report;
+  if (is_gltf(format)) report_names_not_utf8(mesh.attributes(), report);
   std::vector<FileContent> contents;
   if (is_patched) {
     contents = patch(*source, mesh, path, options, report);

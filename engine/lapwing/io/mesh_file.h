@@ -21,8 +21,8 @@ namespace lapwing {
 ///
 /// For a glTF file, "FILE.glb#NAME" selects the object of that name, or all objects that show the
 /// mesh of that name. Without a name, the function reads all objects of the scene in world
-/// coordinates. Each node becomes a group. Skins, morph targets and animations stay in the file; a
-/// mesh with a skin is read in its bind pose.
+/// coordinates. Each object becomes a group. Skins, morph targets and animations stay in the file;
+/// a mesh with a skin is read in its bind pose, and a mesh with morph targets in its base shape.
 ///
 /// Throws IoError if the file cannot be read, and InputError if it is malformed. The message is
 /// "path:line: expected ..., found ..." or, for binary files, "path: byte offset: ...". It says
@@ -31,6 +31,11 @@ namespace lapwing {
 /// (MeshAttributes::uneditable). Time and memory are linear in the file's size, whatever its header
 /// says.
 Mesh read_mesh(const std::filesystem::path& path);
+
+/// Returns notes to the user about data that the reader left out, in printable lines: "a.glb: 'A'
+/// has a scale of 0 ...". Call it right after reading, because an edit of the connectivity drops
+/// the notes.
+std::vector<std::string> reading_notes(const Mesh& mesh);
 
 /// A mesh that was read from a file with possible defects.
 struct DamagedMesh {

@@ -85,6 +85,9 @@ class SourceFile {
   /// Whether `mesh` still has the vertex count and the faces of the file.
   bool describes(const Mesh& mesh) const;
 
+  /// What the reader left out, and the next step; for the user, in printable lines.
+  std::vector<std::string> notes;
+
   /// If true, the reader skips defects and collects them in `defects`.
   bool may_be_damaged = false;
   std::vector<FileDefect> defects;

@@ -83,6 +83,7 @@ void begin_run(const Recipe& recipe, const MeshCache& meshes, Kernels& kernels,
   result.morph_target = recipe.morph_target;
   stage("read", report.timings, progress,
         [&] { result.mesh = *meshes.mesh(recipe.base_directory, recipe.mesh); });
+  result.note(reading_notes(result.mesh));
   result.original = result.mesh.positions;
   result.read_from = result.mesh.source;
   stage("topology", report.timings, progress, [&] { result.mesh.topology(); });

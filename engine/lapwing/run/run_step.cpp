@@ -7,6 +7,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/coating/coat.h"
 #include "lapwing/deform/modifiers/attachments.h"
+#include "lapwing/io/mesh_file.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/transplant/transplant.h"
 
@@ -71,9 +72,10 @@ std::vector<SharedSource> read_sources(std::span<const FileSource> sources, cons
   std::vector<SharedSource> meshes;
   stage("source", timings, on.progress,
         [&] { meshes = read_source_meshes(sources, on.base_directory, on.meshes); });
-  for (const FileSource& source : sources) {
-    if (!source.mesh.empty())
-      on.result.inputs.push_back(split_mesh_path(on.base_directory / source.mesh).file);
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    if (sources[k].mesh.empty()) continue;
+    on.result.inputs.push_back(split_mesh_path(on.base_directory / sources[k].mesh).file);
+    on.result.note(reading_notes(*meshes[k]));
   }
   return meshes;
 }
@@ -131,7 +133,10 @@ StepReport run_step(const TransplantStep& step, const StepContext& on) {
   std::shared_ptr<const Mesh> read;
   stage("part", report.timings, on.progress,
         [&] { read = read_part_mesh(step, on.base_directory, on.meshes); });
-  if (read) result.inputs.push_back(split_mesh_path(on.base_directory / step.part).file);
+  if (read) {
+    result.inputs.push_back(split_mesh_path(on.base_directory / step.part).file);
+    result.note(reading_notes(*read));
+  }
   const Mesh& part = read ? *read : result.mesh;
   const std::string name = read ? step.part.stem().string() : "part";
   Transplanted done = transplant(result.mesh, part, name, step, on.kernels, on.progress);

@@ -26,8 +26,17 @@ std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& pa
 }
 
 Mesh read(const std::filesystem::path& path) {
-  const py::gil_scoped_release unlocked;
-  return read_mesh(path);
+  const Mesh mesh = [&path] {
+    const py::gil_scoped_release unlocked;
+    return read_mesh(path);
+  }();
+  for (const std::string& note : reading_notes(mesh)) {
+    constexpr Py_ssize_t kCallerOfModule = 2;
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), kCallerOfModule) != 0) {
+      throw py::error_already_set();
+    }
+  }
+  return mesh;
 }
 
 Mesh with_vertices(Mesh mesh, const py::object& vertices) {

@@ -13,7 +13,8 @@ Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 
 
 def read(path: Path) -> _core.Mesh:
-    """Reads an OBJ, OFF, PLY, STL or glTF file, with all its data."""
+    """Reads an OBJ, OFF, PLY, STL or glTF file, with all its data. Warns (UserWarning) if parts of
+    the file are left out."""
     return _core.read(os.fspath(path))
 
 
