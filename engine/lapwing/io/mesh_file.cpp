@@ -132,6 +132,19 @@ std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem:
   return {};
 }
 
+// Throws InputError, naming the vertex, if a vertex was moved to a position that is not finite and
+// the format cannot hold it. Positions that are not finite in the source file stay as they are.
+void require_finite_moves(const SourceFile& source, const Mesh& mesh) {
+  const auto is_finite = [](const Eigen::Vector3d& p) { return p.allFinite(); };
+  if (source.format() != MeshFormat::stl && !is_gltf(source.format())) return;
+  if (std::ranges::all_of(mesh.positions, is_finite)) return;
+  const Positions rest = source_positions(source, mesh);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (is_finite(mesh.positions[v]) || are_same(rest[v], mesh.positions[v])) continue;
+    require_float(mesh.positions[v], static_cast<Index>(v), source.format());
+  }
+}
+
 // Returns the source file with the changes, or nothing if it cannot store them.
 std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
                                const std::filesystem::path& path, const WriteOptions& options,
@@ -220,6 +233,7 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
   WriteReport report;
   std::vector<FileContent> contents;
   if (is_patched) {
+    require_finite_moves(*source, mesh);
     contents = patch(*source, mesh, path, options, report);
   }
   const SourceFile* const old = options.original_file.get();
