@@ -133,14 +133,14 @@ std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem:
 }
 
 // Throws InputError, naming the vertex, if a vertex was moved to a position that is not finite and
-// the format cannot hold it. Positions that are not finite in the source file stay as they are.
+// the format cannot hold it. Allows vertices that are not finite in the source file either.
 void require_finite_moves(const SourceFile& source, const Mesh& mesh) {
   const auto is_finite = [](const Eigen::Vector3d& p) { return p.allFinite(); };
   if (source.format() != MeshFormat::stl && !is_gltf(source.format())) return;
   if (std::ranges::all_of(mesh.positions, is_finite)) return;
   const Positions rest = source_positions(source, mesh);
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    if (is_finite(mesh.positions[v]) || are_same(rest[v], mesh.positions[v])) continue;
+    if (is_finite(mesh.positions[v]) || !is_finite(rest[v])) continue;
     require_float(mesh.positions[v], static_cast<Index>(v), source.format());
   }
 }
