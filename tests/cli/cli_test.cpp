@@ -260,6 +260,10 @@ TEST_F(CommandLine, RemeshMakesTrianglesOfOneSizeWhereItIsAsked) {
     EXPECT_THAT(fine.positions, ::testing::Contains(tube.positions[v])) << "above the box";
   }
   succeed("remesh tube.obj --scale 2 --iterations 3 --quiet -o coarse.ply");
+  write("m.mtl", "newmtl red\nKd 1 0 0\n");
+  write("m.obj", "mtllib m.mtl\nusemtl red\n" + read("tube.obj"));
+  EXPECT_THAT(succeed("remesh m.obj --scale 2 -o m.glb"), Not(HasSubstr("not carried over")));
+  EXPECT_THAT(read("m.glb"), HasSubstr(R"("baseColorFactor":[1,0,0,1])"));
   EXPECT_LT(read_mesh(file("coarse.ply")).face_count(), tube.face_count());
 }
 

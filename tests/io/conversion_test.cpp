@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -7,11 +8,13 @@
 
 #include "io/gltf_sample.h"
 #include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
 #include "lapwing/io/file_colors.h"
 #include "lapwing/io/image.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/mesh_materials.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
@@ -182,6 +185,148 @@ TEST_F(Conversion, NamesThatAreNotUtf8AreReported) {
   EXPECT_THAT(write_mesh(mesh, folder_ / "a.glb").not_carried,
               ElementsAre(HasSubstr("names that are not UTF-8, 'T\\xFCr' and 'Gr\\xFCn': glTF")));
   EXPECT_THAT(write_mesh(mesh, folder_ / "b.obj").not_carried, IsEmpty());
+}
+
+// Returns a PLY file of two triangles. `uvs` declares two properties of the vertices.
+std::string textured_ply(const std::string& comments, const std::string& uvs,
+                         const std::string& numbers = "") {
+  const std::string first = numbers.empty() ? "" : " 1";
+  const std::string second = numbers.empty() ? "" : " 0";
+  return "ply\nformat ascii 1.0\n" + comments +
+         "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + uvs +
+         "element face 2\nproperty list uchar int vertex_indices\n" + numbers +
+         "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n1 1 0 1 1\n3 0 1 2" + first + "\n3 1 3 2" +
+         second + "\n";
+}
+
+TEST_F(Conversion, TexturesOfAPlyBecomeMaterials) {
+  folder_.file("my skin.png", encode_png(kImage));
+  for (const std::string uv : {"s t", "u v", "texture_u texture_v"}) {
+    const std::size_t blank = uv.find(' ');
+    const Mesh mesh = read_mesh(
+        folder_.file("a.ply", textured_ply("comment TextureFile my skin.png\n",
+                                           "property float " + uv.substr(0, blank) +
+                                               "\nproperty float " + uv.substr(blank + 1) + "\n")));
+    for (const std::string name : {"b.glb", "there/b.gltf", "there/b.obj"}) {
+      fs::create_directory(folder_ / "there");
+      const WriteReport report = write_mesh(mesh, folder_ / name);
+      EXPECT_THAT(report.not_carried, IsEmpty()) << name;
+      EXPECT_THAT(report.notes, IsEmpty()) << name;
+      const FileColors colors = colors_of(name);
+      EXPECT_THAT(colors.notes, IsEmpty()) << name;
+      ASSERT_THAT(colors.images, SizeIs(1)) << name;
+      EXPECT_EQ(colors.images[0].rgba, kImage.rgba);
+      EXPECT_THAT(materials_of_faces(colors, read_mesh(folder_ / name)), ElementsAre(0, 0));
+    }
+    EXPECT_EQ(content_of(folder_ / "there/my skin.png"), encode_png(kImage));
+    EXPECT_THAT(content_of(folder_ / "there/b.obj"),
+                AllOf(HasSubstr("mtllib b.mtl\n"), HasSubstr("usemtl my skin.png\nf 1/1 2/2 3/3\n"),
+                      Not(HasSubstr("TextureFile"))));
+  }
+}
+
+TEST_F(Conversion, NumberedTexturesOfAPlyStayWithTheirFaces) {
+  const Image other{1, 1, {1, 2, 3, 255}};
+  folder_.file("a.png", encode_png(kImage));
+  folder_.file("b.png", encode_png(other));
+  const Mesh mesh = read_mesh(folder_.file(
+      "a.ply", textured_ply("comment TextureFile a.png\ncomment TextureFile b.png\n",
+                            "property float s\nproperty float t\n", "property int texnumber\n")));
+  EXPECT_THAT(write_mesh(mesh, folder_ / "b.obj").not_carried, IsEmpty());
+  const Mesh obj = read_mesh(folder_ / "b.obj");
+  EXPECT_THAT(obj.attributes().materials, ElementsAre("b.png", "a.png"));
+  const WriteReport back = write_mesh(obj, folder_ / "c.ply", {.encoding = Encoding::ascii});
+  EXPECT_THAT(back.not_carried, ElementsAre(HasSubstr("names and colours of materials (2): PLY")));
+  const FileColors colors = colors_of("c.ply");
+  ASSERT_THAT(colors.materials, SizeIs(2));
+  const std::vector<Index> of_faces = materials_of_faces(colors, read_mesh(folder_ / "c.ply"));
+  EXPECT_EQ(colors.materials[of_faces[0]].name, "b.png");
+  EXPECT_EQ(colors.materials[of_faces[1]].name, "a.png");
+  EXPECT_THAT(colors.images, SizeIs(2));
+}
+
+TEST_F(Conversion, ImagesOfMaterialsBecomeTexturesOfAPly) {
+  folder_.file("skin.png", encode_png(kImage));
+  fs::create_directory(folder_ / "there");
+  const WriteReport report =
+      convert_obj("newmtl red\nKd 1 0 0\nnewmtl skin\nmap_Kd -s 2 2 skin.png\n", "there/a.ply");
+  EXPECT_THAT(report.not_carried,
+              ElementsAre(HasSubstr("names and colours of materials (2): PLY"),
+                          HasSubstr("scales and offsets of images (1): PLY"), HasSubstr("groups")));
+  EXPECT_THAT(report.notes, IsEmpty());
+  EXPECT_EQ(content_of(folder_ / "there/skin.png"), encode_png(kImage));
+  const FileColors colors = colors_of("there/a.ply");
+  ASSERT_THAT(colors.materials, SizeIs(1));
+  EXPECT_EQ(colors.materials[0].name, "skin.png");
+  EXPECT_THAT(materials_of_faces(colors, read_mesh(folder_ / "there/a.ply")),
+              ElementsAre(kNoIndex, 0));
+}
+
+TEST_F(Conversion, TexturesThatCannotBeCarriedAreReported) {
+  const Mesh mesh =
+      read_mesh(folder_.file("a.ply", textured_ply("comment TextureFile none.png\n",
+                                                   "property float s\nproperty float t\n")));
+  for (const std::string name : {"b.off", "b.stl"}) {
+    EXPECT_THAT(write_mesh(mesh, folder_ / name).not_carried,
+                Contains(HasSubstr("colours and images of materials (1)")));
+  }
+  for (const std::string name : {"b.ply", "b.obj", "b.glb"}) {
+    EXPECT_THAT(write_mesh(mesh, folder_ / name).notes,
+                Contains(HasSubstr("image 'none.png' is not beside")));
+  }
+  Mesh unknown = mesh;
+  unknown.source = nullptr;
+  EXPECT_THAT(write_mesh(unknown, folder_ / "b.glb").not_carried,
+              Contains(HasSubstr("the source file of the mesh is unknown")));
+}
+
+TEST_F(Conversion, NumbersThatGltfCannotHoldAreLeftOutAndReported) {
+  const Mesh mesh = read_mesh(
+      folder_.file("a.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\nvt inf 0\nvt 0 nan\nvt 1e300 0\n"
+                   "f 1/1 2/2 3/3\nf 1/1 3/4 2/1\n"));
+  const WriteReport report = write_mesh(mesh, folder_ / "a.glb");
+  EXPECT_THAT(
+      report.not_carried,
+      ElementsAre(HasSubstr("texture coordinates that are not finite, the first at vertex 1 "
+                            "(3): GLB cannot store them")));
+  const Mesh back = read_mesh(folder_ / "a.glb");
+  for (const Eigen::Vector2d& uv : back.attributes().uvs) EXPECT_TRUE(uv.allFinite());
+  EXPECT_THAT(back.attributes().uvs, Contains(Eigen::Vector2d(0.25, 0.5)));
+}
+
+TEST_F(Conversion, VerticesThatAreNotFiniteAreNotedOrRefused) {
+  const Mesh mesh = read_mesh(
+      folder_.file("a.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nv 0 0 inf\nf 1 2 3\nf 1 2 4\n"));
+  for (const std::string name : {"b.ply", "b.off"}) {
+    EXPECT_THAT(write_mesh(mesh, folder_ / name).notes,
+                ElementsAre("non-finite vertices (2, the first is vertex 2): remove them with "
+                            "`lapwing check MESH --fix OUT`"));
+  }
+  EXPECT_THAT(error_message<InputError>([&] { write_mesh(mesh, folder_ / "b.glb"); }),
+              AllOf(HasSubstr("vertex 2 "), HasSubstr("`lapwing check MESH --fix OUT`")));
+}
+
+TEST_F(Conversion, VerticesThatMovedToInfinityAreRefusedInAChangedFile) {
+  for (const std::string name : {"a.stl", "a.glb"}) {
+    write_mesh(grid(2, 2), folder_ / name);
+    Mesh mesh = read_mesh(folder_ / name);
+    const std::string before = content_of(folder_ / name);
+    mesh.positions[3].z() = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(error_message<InputError>([&] { write_mesh(mesh, folder_ / name); }),
+                HasSubstr("vertex 3 "));
+    EXPECT_EQ(content_of(folder_ / name), before);
+  }
+}
+
+TEST_F(Conversion, AFullColourComponentStaysFullThroughLinearLight) {
+  Mesh mesh = grid(1, 1);
+  mesh.edit_attributes().vertex_colors.assign(4, Eigen::Vector4f(1, 0.5F, 0, 1));
+  write_mesh(mesh, folder_ / "a.glb");
+  for (const Eigen::Vector4f& color : read_mesh(folder_ / "a.glb").attributes().vertex_colors) {
+    EXPECT_EQ(color[0], 1.0F);
+    EXPECT_NEAR(color[1], 0.5F, 1e-7F);
+  }
 }
 
 TEST_F(Conversion, ObjectsOfAnObjAreItsGroups) {

@@ -57,6 +57,9 @@ std::string facet(const std::string& corners, const std::string& end = "endloop\
   return "facet normal 0 0 1\nouter loop\n" + corners + end;
 }
 const std::string kFacet = facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
+const std::string kSpelledFacet =
+    "\tFACET NORMAL 0 0 1\n\tOUTERLOOP\n\tVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nEND\tLOOP\n"
+    "END FACET\n";
 
 // Returns an STL file with one triangle, the triangle count `count`, and `more` bytes at the end.
 std::string binary_stl(char count, std::size_t more = 0) {
@@ -104,6 +107,9 @@ const std::array kDamaged{
             kOne},
     Damaged{"a.stl", "solid a\n" + kFacet + facet("vertex 0 0 0\nvertex 1 0", ""), kEnd, "line 9",
             "ends within this facet", kOne},
+    Damaged{"a.stl", "solid a\n" + kFacet + "ends", kEnd, "line 9", "within the word 'ends'", kOne},
+    Damaged{"a.stl", "solid a\n" + kSpelledFacet + "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 5", kEnd,
+            "line 9", "ends within this facet", kOne},
     Damaged{"a.stl", "solid a\n" + kFacet + "facet nor", kEnd, "line 9", "ends within", kOne},
 };
 

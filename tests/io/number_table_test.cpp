@@ -85,7 +85,10 @@ TEST_F(ANumberTable, OfTextNamesTheLineOfWhatIsNoNumber) {
   EXPECT_THAT(column_error(read("a.csv", "1,,3\n")), HasSubstr("a.csv:1: expected a number in "
                                                                "column 2, found nothing"));
   EXPECT_THAT(column_error(read("a.csv", "0,5;0,5;0,1\n")),
-              HasSubstr("a.csv:1: expected numbers, found \"0,5\""));
+              HasSubstr("a.csv:1: expected numbers, found \"0,5\" (write numbers with a decimal "
+                        "point, not a comma)"));
+  EXPECT_THAT(column_error(read("a.csv", "1;0,5;1\n")),
+              HasSubstr("found \"0,5\" (write numbers with a decimal point, not a comma)"));
   EXPECT_THAT(error("a.csv", ""), HasSubstr("the table has no row"));
   EXPECT_THAT(error("a.csv", "x,y\n"), HasSubstr("the table has no row"));
   EXPECT_THAT(error("a.doc", "1,2\n"), HasSubstr("expected a table"));

@@ -122,6 +122,12 @@ TEST_F(Obj, WhatCannotBeEditedIsCounted) {
                           "smoothing groups (1)", "vertex weights (1)"));
 }
 
+TEST_F(Obj, MaterialLibraryWithoutANameIsCounted) {
+  const MeshAttributes a = read("mtllib\nmtllib \t\nv 0 0 0\n").attributes();
+  EXPECT_THAT(a.material_libraries, ::testing::IsEmpty());
+  EXPECT_THAT(a.uneditable, ElementsAre("mtllib statements without a file name (2)"));
+}
+
 TEST_F(Obj, MissingMaterialLibraryIsNoted) {
   const Mesh mesh = read("mtllib a.mtl\nv 0 0 0\n");
   EXPECT_THAT(write_mesh(mesh, folder_ / "b.obj").notes,

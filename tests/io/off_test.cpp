@@ -36,6 +36,36 @@ TEST(Off, PrefixesSayWhatAVertexHolds) {
   EXPECT_EQ(mesh.attributes().uvs[0], Eigen::Vector2d(0.25, 0.75));
 }
 
+class OffPrefixes : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(OffPrefixes, MayBeInAnyOrder) {
+  const MeshAttributes a =
+      read_off_text(GetParam() + "OFF\n1 0 0\n1 2 3  0 0 1  255 0 51 255  0.25 0.75\n")
+          .attributes();
+  EXPECT_THAT(a.normals, ElementsAre(Eigen::Vector3d(0, 0, 1)));
+  EXPECT_THAT(a.vertex_colors, ElementsAre(Eigen::Vector4f(1, 0, 0.2F, 1)));
+  EXPECT_THAT(a.uvs, ElementsAre(Eigen::Vector2d(0.25, 0.75)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OffPrefixes,
+                         ::testing::Values("NCST", "CNST", "STNC", "NSTC", "CSTN"));
+
+TEST(Off, MeshLabWritesColoursBeforeNormals) {
+  const TemporaryFolder folder;
+  Mesh mesh = read_mesh(folder.file("a.off",
+                                    "NCSTOFF\n3 1 0\n0 0 0 255 0 51 255 0 0 1 0.25 0.75 \n"
+                                    "1 0 0 1 0 0 255 0 0 1 0 0 \n0 1 0 0 0 0 255 0 0 1 0 0 \n"
+                                    "3 0 1 2 \n"));
+  const MeshAttributes& a = mesh.attributes();
+  EXPECT_THAT(a.normals, ::testing::Each(Eigen::Vector3d(0, 0, 1)));
+  EXPECT_EQ(a.vertex_colors[0], Eigen::Vector4f(1, 0, 0.2F, 1));
+  EXPECT_EQ(a.uvs[0], Eigen::Vector2d(0.25, 0.75));
+  mesh.positions = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+  write_mesh(mesh, folder / "b.off");
+  EXPECT_THAT(content_of(folder / "b.off"),
+              ::testing::HasSubstr("\n0 0 0 255 0 51 255 1 0 0 0.25 0.75 \n"));
+}
+
 TEST(Off, VertexColoursNeedNotBeDeclared) {
   const auto attributes = [](const std::string& first, const std::string& second) {
     return read_off_text("OFF\n2 0 0\n0 0 0 " + first + "\n1 0 0 " + second + "\n").attributes();

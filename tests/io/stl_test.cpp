@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -5,10 +7,12 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -53,6 +57,45 @@ TEST(Stl, SolidsAreGroups) {
   const Mesh mesh = read_mesh(folder.file("a.stl", text));
   EXPECT_THAT(mesh.attributes().groups, ElementsAre("left arm", "empty", "b"));
   EXPECT_THAT(mesh.attributes().face_groups, ElementsAre(0, 2));
+}
+
+TEST(Stl, KeywordsMayBeSplitJoinedOrInUpperCase) {
+  const TemporaryFolder folder;
+  const std::string corners = "vertex 0 0 0\nvertex 1 0 0\nVERTEX 0 1 0\n";
+  const std::string facet = "facet normal 0 0 1\nouter loop\n" + corners + "end loop\nendfacet\n" +
+                            "FACET\tNORMAL 0 0 1\nOUTERLOOP\n" + corners + "ENDLOOP\nEND FACET\n";
+  const std::string text = "solid a\n" + facet + "end solid a\n\nmade by hand\nSOLID b\n" + facet +
+                           "EndSolid b\nmore text";
+  const Mesh mesh = read_mesh(folder.file("a.stl", text));
+  EXPECT_EQ(mesh.face_count(), 4U);
+  EXPECT_THAT(mesh.attributes().groups, ElementsAre("a", "b"));
+  EXPECT_THAT(mesh.attributes().uneditable, ElementsAre("lines between or after the solids"));
+  Mesh moved = mesh;
+  moved.positions[0].x() = -7.5;
+  write_mesh(moved, folder / "b.stl");
+  EXPECT_THAT(content_of(folder / "b.stl"),
+              AllOf(HasSubstr("vertex -7.5 0 0\n"), HasSubstr("end solid a\n\nmade by hand\n"),
+                    HasSubstr("EndSolid b\nmore text")));
+}
+
+TEST(Stl, ByteOrderMarkIsSkipped) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_mesh(folder.file("a.stl", "\xEF\xBB\xBFsolid\nendsolid\n")).face_count(), 0U);
+}
+
+TEST(Stl, VerticesThatItCannotHoldAreRefusedByTheirNumber) {
+  const TemporaryFolder folder;
+  Mesh mesh = grid(1, 1);
+  mesh.positions[2].y() = 1e39;
+  write_mesh(mesh, folder / "a.stl", kAscii);
+  EXPECT_THAT(error_message<InputError>([&] { write_mesh(mesh, folder / "b.stl"); }),
+              AllOf(HasSubstr("vertex 2 "), HasSubstr("32-bit floats of STL"), HasSubstr("scale")));
+  mesh.positions[2].y() = std::numeric_limits<double>::quiet_NaN();
+  for (const WriteOptions& options : {kAscii, WriteOptions{}}) {
+    EXPECT_THAT(error_message<InputError>([&] { write_mesh(mesh, folder / "b.stl", options); }),
+                AllOf(HasSubstr("vertex 2 "), HasSubstr("`lapwing check MESH --fix OUT`")));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.stl"));
 }
 
 TEST(Stl, AttributeWordsAreCarried) {

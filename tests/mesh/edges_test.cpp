@@ -52,6 +52,16 @@ TEST(Edges, LeaveOutMaskedFacesAndSidesWithoutLength) {
   EXPECT_EQ(edges.edge_of_side[5], kNoIndex);
 }
 
+TEST(Fans, OfAFaceThatRepeatsACornerAreOne) {
+  Mesh mesh = grid(1, 1);
+  for (const auto& face :
+       {std::vector<Index>{0, 1, 3, 2, 0}, {0, 0, 1, 3, 2}, {0, 1, 1, 1, 3, 2}}) {
+    mesh.edit_faces() = {};
+    mesh.add_face(face);
+    EXPECT_THAT(find_fans(mesh, build_edges(mesh)).bow_tie_vertices, ::testing::IsEmpty());
+  }
+}
+
 TEST(TriangleSides, AreListedEdgeByEdge) {
   const std::vector<Triangle> triangles{{3, 1, 0}, {0, 1, 2}};
   const Adjacency edges = sides_by_edge(triangles, 4);

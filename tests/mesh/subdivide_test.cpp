@@ -1,6 +1,7 @@
 #include "lapwing/mesh/subdivide.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -79,6 +80,13 @@ TEST_P(Subdivision, RefusesPolygons) {
   square.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   square.add_face(std::array<Index, 4>{0, 1, 2, 3});
   EXPECT_THAT(error_message<InputError>([&] { GetParam()(square); }), HasSubstr("4 corners"));
+}
+
+TEST_P(Subdivision, RefusesVerticesThatAreNotFinite) {
+  Mesh mesh = grid(2, 2);
+  mesh.positions[4].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error_message<InputError>([&] { GetParam()(mesh); }),
+              ::testing::AllOf(HasSubstr("vertex 4 "), HasSubstr("lapwing check MESH --fix OUT")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Subdivision, ::testing::Values(subdivide, loop_subdivide),

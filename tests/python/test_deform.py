@@ -4,6 +4,8 @@ import inspect
 import os
 import re
 import signal
+import subprocess
+import sys
 import threading
 import time
 import typing
@@ -143,6 +145,15 @@ def test_keys_of_all_operations_are_listed():
     assert all(lapwing.keys(op) in lapwing.keys() for op in _core.operations())
     with pytest.raises(lapwing.InputError, match='unknown operation "bend"; choose one of deform, '):
         lapwing.keys("bend")
+
+
+def test_keys_end_silently_when_their_output_is_closed():
+    keys = subprocess.Popen([sys.executable, "-m", "lapwing", "keys"], stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE)
+    keys.stdout.close()
+    assert keys.stderr.read() == b""
+    keys.stderr.close()
+    assert keys.wait() == -signal.SIGPIPE
 
 
 def test_progress_is_told_and_can_cancel(scan):

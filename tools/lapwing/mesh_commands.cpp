@@ -90,7 +90,7 @@ void remesh_mesh(const RemeshArguments& a) {
     ProgressDisplay display(a.quiet);
     result = remesh(mesh, request, display.callback());
   }
-  print_notes(write_mesh(result.mesh, a.output));
+  print_notes(write_mesh(result.mesh, a.output, {.anew = true, .original_file = mesh.source}));
   for (const std::string& warning : result.warnings) warn(warning);
   if (!a.quiet) print_result(result.before, result.after);
 }

@@ -40,6 +40,9 @@ class FileBytes {
  public:
   /// Reads the whole file. Throws IoError with the system's reason.
   static FileBytes read(const std::filesystem::path& path);
+  /// The same for a mesh, an image or a table. Throws InputError, naming the kind of the file, if
+  /// it is a Git LFS pointer, a web page or a compressed file, whatever its name says.
+  static FileBytes read_data(const std::filesystem::path& path);
 
   std::string_view view() const { return {data_.get(), size_}; }
 

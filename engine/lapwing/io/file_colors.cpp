@@ -22,7 +22,6 @@ constexpr std::size_t kMostImages = 1024;
 // 32-bit words in 128 MiB, less 256 KiB for the table of mip levels.
 constexpr std::uint64_t kMostTexels = (std::uint64_t{1} << 25U) - (std::uint64_t{1} << 16U);
 constexpr std::size_t kMostNotes = 20;
-constexpr std::string_view kTextureComment = "TextureFile ";
 
 // Counts the texels of all mip levels.
 std::uint64_t texels_of(ImageSize size) {
@@ -178,11 +177,10 @@ class FileColorReader {
   }
 
   void take_textures() {
-    for (const std::string& comment : attributes_.comments) {
-      if (!comment.starts_with(kTextureComment)) continue;
+    for (const std::string& name : texture_names(attributes_)) {
       colors_.are_numbered = true;
       FileMaterial& texture = colors_.materials.emplace_back();
-      texture.name = comment.substr(kTextureComment.size());
+      texture.name = name;
       if (has_corners()) texture.image = shelf_.add(texture.name, path_, path_);
     }
   }
@@ -256,13 +254,6 @@ class FileColorReader {
   FileColors colors_;
 };
 
-// Returns the texture of a face. Without the property, all faces have the first one.
-Index texture_of_face(const ExtraAttribute* numbers, std::size_t face, std::size_t count) {
-  const double number = numbers == nullptr ? 0.0 : numbers->values[face];
-  return number >= 0.0 && number < static_cast<double>(count) ? static_cast<Index>(number)
-                                                              : kNoIndex;
-}
-
 }  // namespace
 
 FileColors read_file_colors(const Mesh& mesh, const fs::path& path) {
@@ -285,14 +276,7 @@ std::vector<Index> materials_of_faces(const FileColors& colors, const Mesh& mesh
     }
     return of_faces;
   }
-  const auto numbers =
-      std::ranges::find(attributes.face_extras, "texnumber", &ExtraAttribute::name);
-  std::vector<Index> of_faces(mesh.face_count());
-  for (std::size_t f = 0; f < of_faces.size(); ++f) {
-    of_faces[f] = texture_of_face(numbers == attributes.face_extras.end() ? nullptr : &*numbers, f,
-                                  colors.materials.size());
-  }
-  return of_faces;
+  return textures_of_faces(mesh, colors.materials.size());
 }
 
 }  // namespace lapwing

@@ -176,7 +176,7 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
   }
   buffer.kind = GltfBuffer::Kind::file;
   buffer.path = *path;
-  files_.push_back(std::make_unique<const FileBytes>(FileBytes::read(*path)));
+  files_.push_back(std::make_unique<const FileBytes>(FileBytes::read_data(*path)));
   buffer.bytes = files_.back()->view();
   return buffer;
 }

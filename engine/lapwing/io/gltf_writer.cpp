@@ -45,6 +45,11 @@ void append_float(std::string& out, double value) {
   append_binary(out, value, Scalar::float32, Encoding::little_endian);
 }
 
+// glTF requires components of colours in [0, 1]. NaN becomes 1, as in `unit_colors`.
+float in_range(float component) {
+  return std::isnan(component) ? 1.0F : std::clamp(component, 0.0F, 1.0F);
+}
+
 // Lists the normals that the file stores. The normals of the mesh come first, followed by computed
 // normals for corners without a normal.
 class FileNormals {
@@ -128,14 +133,8 @@ class Primitive {
     if (!is_new) return found->second;
     ++count_;
     const Vector3d local = to_local_ * mesh_.positions[corner.vertex];
-    for (const double x : local) {
-      if (!(std::abs(x) <= double{std::numeric_limits<float>::max()})) {
-        throw InputError("vertex " + std::to_string(corner.vertex) +
-                         " has a coordinate that is not finite in the 32-bit floats of glTF; "
-                         "repair or scale the mesh, or write another format");
-      }
-      append_float(positions_, x);
-    }
+    require_float(local, corner.vertex, MeshFormat::gltf);
+    for (const double x : local) append_float(positions_, x);
     for (std::size_t c = 0; c < 3; ++c) {
       const auto axis = static_cast<Eigen::Index>(c);
       const double x = static_cast<double>(static_cast<float>(local[axis]));
@@ -152,15 +151,15 @@ class Primitive {
     if (!normal.allFinite() || normal.squaredNorm() < 0.5) normal = Vector3d::UnitZ();
     for (const double x : normal) append_float(normals_, x);
     if (has_uvs_) {
-      const Eigen::Vector2d uv =
-          corner.uv == kNoIndex ? Eigen::Vector2d(0.0, 1.0) : a.uvs[corner.uv];
+      const bool has_uv = corner.uv != kNoIndex && is_finite_float(a.uvs[corner.uv]);
+      const Eigen::Vector2d uv = has_uv ? a.uvs[corner.uv] : Eigen::Vector2d(0.0, 1.0);
       append_float(uvs_, uv.x());
       append_float(uvs_, 1.0 - uv.y());  // in glTF v runs downwards
     }
     if (has_colors_) {
       const Eigen::Vector4f& color = a.vertex_colors[corner.vertex];
-      for (int c = 0; c < 3; ++c) append_float(colors_, double{linear_of_srgb(color[c])});
-      append_float(colors_, double{color[3]});
+      for (int c = 0; c < 3; ++c) append_float(colors_, double{linear_of_srgb(in_range(color[c]))});
+      append_float(colors_, double{in_range(color[3])});
     }
   }
 
@@ -255,12 +254,30 @@ std::vector<std::string> add_primitives(const Mesh& mesh, std::span<const std::v
 
 namespace {
 
+// Texture coordinates that are not finite are replaced, because glTF cannot hold them.
+void report_non_finite_uvs(const Mesh& mesh, MeshFormat format, WriteReport& report) {
+  const MeshAttributes& a = mesh.attributes();
+  std::optional<Index> first;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < a.corner_uvs.size(); ++c) {
+    if (a.corner_uvs[c] == kNoIndex || is_finite_float(a.uvs[a.corner_uvs[c]])) continue;
+    if (!first) first = mesh.face_vertices()[c];
+    ++count;
+  }
+  if (!first) return;
+  report_loss(
+      report, format,
+      "texture coordinates that are not finite, the first at vertex " + std::to_string(*first),
+      count);
+}
+
 void report_losses(const Mesh& mesh, MeshFormat format, const Vector3d& origin,
                    WriteReport& report) {
   const MeshAttributes& a = mesh.attributes();
   report_uneditable(report, format, a);
   report_rounding(report, format, mesh, origin);
   report_triangulation(report, format, mesh);
+  report_non_finite_uvs(mesh, format, report);
   report_loss(report, format, "face colours", a.face_colors.size());
   report_loss(report, format, "comments", a.comments.size());
   report_extras(report, format, a);

@@ -197,11 +197,11 @@ class ImageFile {
 }  // namespace
 
 Image read_image(const std::filesystem::path& path) {
-  return decode_image(FileBytes::read(path).view(), path.string());
+  return decode_image(FileBytes::read_data(path).view(), path.string());
 }
 
 ImageSize read_image_size(const std::filesystem::path& path) {
-  return decode_image_size(FileBytes::read(path).view(), path.string());
+  return decode_image_size(FileBytes::read_data(path).view(), path.string());
 }
 
 Image decode_image(std::string_view bytes, const std::string& name) {

@@ -40,7 +40,7 @@ Index number_of_image(const FoundMaterial& found, const fs::path& mesh,
   if (same != images.end()) return static_cast<Index>(same - images.begin());
   if (image.path) {
     try {
-      image.bytes = std::make_shared<const std::string>(FileBytes::read(*image.path).view());
+      image.bytes = std::make_shared<const std::string>(FileBytes::read_data(*image.path).view());
     } catch (const Error& error) {
       report.notes.emplace_back(error.what());
       return kNoIndex;
@@ -50,14 +50,32 @@ Index number_of_image(const FoundMaterial& found, const fs::path& mesh,
   return static_cast<Index>(images.size() - 1);
 }
 
+FoundMaterial texture(const std::string& name, const fs::path& mesh) {
+  return {{.name = name, .color = Eigen::Vector3f::Ones(), .image = name}, mesh};
+}
+
+void erase_texture_numbers(MeshAttributes& attributes) {
+  std::erase_if(attributes.face_extras,
+                [](const ExtraAttribute& extra) { return extra.name == kTextureNumber; });
+}
+
 }  // namespace
 
 MaterialTransfer read_materials(const Mesh& mesh, const fs::path& path, WriteReport& report) {
   MaterialTransfer transfer;
-  const std::vector<std::string>& names = mesh.attributes().materials;
+  std::vector<std::string> names = mesh.attributes().materials;
+  const bool has_textures = names.empty();
+  if (has_textures) names = texture_names(mesh.attributes());
   if (names.empty()) return transfer;
   std::vector<std::optional<FoundMaterial>> found(names.size());
-  if (!path.empty()) found = find_materials(mesh, path, report.notes);
+  if (path.empty()) {
+    report.not_carried.push_back("colours and images of materials (" + grouped(names.size()) +
+                                 "): the source file of the mesh is unknown");
+  } else if (has_textures) {
+    for (std::size_t m = 0; m < names.size(); ++m) found[m] = texture(names[m], path);
+  } else {
+    found = find_materials(mesh, path, report.notes);
+  }
   std::size_t further_images = 0;
   std::size_t images_without_uvs = 0;
   for (std::size_t m = 0; m < names.size(); ++m) {
@@ -123,6 +141,59 @@ std::string place_image(const MaterialTransfer::ImageFile& image, const fs::path
     if (has_content(path, *image.bytes)) return name;
   }
 }
+
+// Returns the number of each face's texture, or -1.
+std::vector<double> texture_numbers(const MaterialTransfer& materials, const Mesh& mesh) {
+  std::vector<double> numbers(mesh.face_count(), -1.0);
+  const std::vector<Index>& of_face = mesh.attributes().face_materials;
+  for (std::size_t f = 0; f < of_face.size(); ++f) {
+    const Index image = of_face[f] == kNoIndex ? kNoIndex : materials.entries[of_face[f]].image;
+    if (image != kNoIndex) numbers[f] = image;
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Mesh with_texture_materials(const Mesh& mesh) {
+  std::vector<std::string> names = texture_names(mesh.attributes());
+  if (names.empty() || !mesh.attributes().materials.empty()) return mesh;
+  Mesh result = mesh;
+  MeshAttributes& a = result.edit_attributes();
+  a.face_materials = textures_of_faces(mesh, names.size());
+  a.materials = std::move(names);
+  std::erase_if(a.comments, [](const std::string& c) { return c.starts_with(kTextureComment); });
+  erase_texture_numbers(a);
+  return result;
+}
+
+std::vector<FileContent> add_ply_textures(const MaterialTransfer& materials, const fs::path& target,
+                                          Mesh& mesh, WriteReport& report) {
+  std::vector<double> numbers = texture_numbers(materials, mesh);
+  MeshAttributes& a = mesh.edit_attributes();
+  std::vector<FileContent> files;
+  for (const MaterialTransfer::ImageFile& image : materials.images) {
+    a.comments.push_back(std::string(kTextureComment) + place_image(image, target, files));
+  }
+  erase_texture_numbers(a);
+  // Without numbers, all faces have the first texture.
+  const bool all_have_first = std::ranges::count(numbers, 0.0) == std::ssize(numbers);
+  if (!materials.images.empty() && !all_have_first) {
+    a.face_extras.push_back({std::string(kTextureNumber), "int", 1, std::move(numbers)});
+  }
+  const auto has_placed_image = [](const MaterialTransfer::Entry& entry) {
+    return entry.image != kNoIndex && (entry.material.uv_scale != Eigen::Vector2d::Ones() ||
+                                       entry.material.uv_offset != Eigen::Vector2d::Zero());
+  };
+  report_loss(report, MeshFormat::ply, "names and colours of materials", a.materials.size());
+  report_loss(report, MeshFormat::ply, "scales and offsets of images",
+              static_cast<std::size_t>(std::ranges::count_if(materials.entries, has_placed_image)));
+  a.materials.clear();
+  a.face_materials.clear();
+  return files;
+}
+
+namespace {
 
 void append_pair(std::string& out, std::string_view option, const Eigen::Vector2d& pair) {
   out += option;

@@ -25,15 +25,25 @@ struct MaterialTransfer {
     Material material;
     Index image = kNoIndex;  ///< index into `images`
   };
-  std::vector<Entry> entries;  ///< one for each of MeshAttributes::materials
+  std::vector<Entry> entries;  ///< one for each of MeshAttributes::materials, or each texture
   std::vector<ImageFile> images;
 };
 
-/// Reads the materials of `mesh`. `path` is the path of its source file, which may no longer exist.
-/// If `path` is empty, the materials have only names. `report` lists all data that could not be
-/// read.
+/// Reads the materials of `mesh`, or its textures if it has no materials. `path` is the path of its
+/// source file, which may no longer exist. If `path` is empty, the materials have only names.
+/// `report` lists all data that could not be read.
 MaterialTransfer read_materials(const Mesh& mesh, const std::filesystem::path& path,
                                 WriteReport& report);
+
+/// Returns `mesh` with materials instead of the textures that its comments name (texture_names), if
+/// it has no other materials. Each has the name of its image.
+Mesh with_texture_materials(const Mesh& mesh);
+
+/// Replaces the materials of `mesh` by textures that a PLY file can name. Returns the images that
+/// are not yet in the folder of `target`. Reports what is lost.
+std::vector<FileContent> add_ply_textures(const MaterialTransfer& materials,
+                                          const std::filesystem::path& target, Mesh& mesh,
+                                          WriteReport& report);
 
 /// Returns the MTL file for the OBJ file `target`, and the images that are not yet in its folder.
 /// If the folder contains another image of the same name, the new image gets a different name.

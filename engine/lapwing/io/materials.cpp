@@ -116,7 +116,7 @@ std::string_view without_options_behind(std::string_view rest, ImageOptions& opt
 class MaterialReader {
  public:
   MaterialReader(const std::filesystem::path& path, std::vector<std::string>& notes)
-      : path_(path), notes_(notes), bytes_(FileBytes::read(path)) {}
+      : path_(path), notes_(notes), bytes_(FileBytes::read_data(path)) {}
 
   std::vector<Material> read() {
     std::string_view text = bytes_.view();

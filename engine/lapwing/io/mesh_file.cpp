@@ -11,6 +11,7 @@
 #include "lapwing/io/gltf_scene.h"
 #include "lapwing/io/gltf_writer.h"
 #include "lapwing/io/material_transfer.h"
+#include "lapwing/io/mesh_materials.h"
 #include "lapwing/io/reading.h"
 #include "lapwing/io/source_file.h"
 #include "lapwing/io/stored_normals.h"
@@ -60,15 +61,21 @@ Encoding choose_encoding(MeshFormat format, const SourceFile* source, const Writ
                                                          : Encoding::little_endian;
 }
 
-// Returns the OBJ file. If the mesh comes from a glTF file with materials, also returns a material
-// library and its images.
+std::filesystem::path path_of(const SourceFile* origin) {
+  return origin == nullptr ? std::filesystem::path() : origin->path();
+}
+
+// Returns the OBJ file. If the mesh has textures, or comes from a glTF file with materials, also
+// returns a material library and its images.
 std::vector<FileContent> write_obj_files(const Mesh& mesh, const std::filesystem::path& path,
                                          const SourceFile* origin, WriteReport& report) {
-  if (mesh.attributes().materials.empty() || origin == nullptr || !is_gltf(origin->format())) {
-    return {{path, write_obj(mesh, report)}};
-  }
-  std::vector<FileContent> library = mtl_files(read_materials(mesh, origin->path(), report), path);
-  Mesh with_library = mesh;
+  Mesh with_library = with_texture_materials(mesh);
+  const bool has_textures =
+      with_library.attributes().materials.size() > mesh.attributes().materials.size();
+  const bool is_from_gltf =
+      !mesh.attributes().materials.empty() && origin != nullptr && is_gltf(origin->format());
+  if (!has_textures && !is_from_gltf) return {{path, write_obj(mesh, report)}};
+  std::vector<FileContent> library = mtl_files(read_materials(mesh, path_of(origin), report), path);
   std::vector<std::string>& libraries = with_library.edit_attributes().material_libraries;
   libraries.insert(libraries.begin(), library.front().path.filename().string());
   std::vector<FileContent> files{{path, write_obj(with_library, report)}};
@@ -76,28 +83,66 @@ std::vector<FileContent> write_obj_files(const Mesh& mesh, const std::filesystem
   return files;
 }
 
+// OBJ, OFF and PLY files can hold vertices that are not finite, but few programs expect them.
+void note_non_finite_vertices(const Mesh& mesh, WriteReport& report) {
+  const auto is_broken = [](const Eigen::Vector3d& p) { return !p.allFinite(); };
+  const auto first = std::ranges::find_if(mesh.positions, is_broken);
+  if (first == mesh.positions.end()) return;
+  report.notes.push_back(
+      "non-finite vertices (" +
+      grouped(static_cast<std::size_t>(std::ranges::count_if(mesh.positions, is_broken))) +
+      ", the first is vertex " + std::to_string(first - mesh.positions.begin()) +
+      "): remove them with `lapwing check MESH --fix OUT`");
+}
+
+// Returns the PLY file, and the images of the materials that it names as textures.
+std::vector<FileContent> write_ply_files(const Mesh& mesh, const std::filesystem::path& path,
+                                         Encoding encoding, const SourceFile* origin,
+                                         WriteReport& report) {
+  if (mesh.attributes().materials.empty()) return {{path, write_ply(mesh, encoding, report)}};
+  Mesh textured = mesh;
+  std::vector<FileContent> images =
+      add_ply_textures(read_materials(mesh, path_of(origin), report), path, textured, report);
+  std::vector<FileContent> files{{path, write_ply(textured, encoding, report)}};
+  std::ranges::move(images, std::back_inserter(files));
+  return files;
+}
+
 // `origin` is the file from which the mesh was made, or null if it is unknown.
 std::vector<FileContent> write_new_file(const Mesh& mesh, const std::filesystem::path& path,
                                         Encoding encoding, double feature_angle_degrees,
                                         const SourceFile* origin, WriteReport& report) {
-  switch (format_of(path)) {
+  const MeshFormat format = format_of(path);
+  if (format != MeshFormat::stl && !is_gltf(format)) note_non_finite_vertices(mesh, report);
+  switch (format) {
     case MeshFormat::obj:
       return write_obj_files(mesh, path, origin, report);
     case MeshFormat::off:
       return {{path, write_off(mesh, report)}};
     case MeshFormat::ply:
-      return {{path, write_ply(mesh, encoding, report)}};
+      return write_ply_files(mesh, path, encoding, origin, report);
     case MeshFormat::stl:
       return {{path, write_stl(mesh, encoding, report)}};
     case MeshFormat::glb:
     case MeshFormat::gltf:
-      return write_gltf(
-          mesh, path,
-          read_materials(mesh, origin == nullptr ? std::filesystem::path() : origin->path(),
-                         report),
-          feature_angle_degrees, report);
+      return write_gltf(with_texture_materials(mesh), path,
+                        read_materials(mesh, path_of(origin), report), feature_angle_degrees,
+                        report);
   }
   return {};
+}
+
+// Throws InputError, naming the vertex, if a vertex was moved to a position that is not finite and
+// the format cannot hold it. Allows vertices that are not finite in the source file either.
+void require_finite_moves(const SourceFile& source, const Mesh& mesh) {
+  const auto is_finite = [](const Eigen::Vector3d& p) { return p.allFinite(); };
+  if (source.format() != MeshFormat::stl && !is_gltf(source.format())) return;
+  if (std::ranges::all_of(mesh.positions, is_finite)) return;
+  const Positions rest = source_positions(source, mesh);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (is_finite(mesh.positions[v]) || !is_finite(rest[v])) continue;
+    require_float(mesh.positions[v], static_cast<Index>(v), source.format());
+  }
 }
 
 // Returns the source file with the changes, or nothing if it cannot store them.
@@ -121,12 +166,13 @@ Mesh with_updated_normals(const Mesh& mesh, const SourceFile* source) {
   return refreshed;
 }
 
-void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
-                            WriteReport& report) {
-  for (const std::string& library : mesh.attributes().material_libraries) {
+// Adds a note for each file that the file `path` names but that is not in its folder.
+void note_missing_files(const std::string& what, const std::vector<std::string>& names,
+                        const std::filesystem::path& path, WriteReport& report) {
+  for (const std::string& name : names) {
     std::error_code error;
-    if (std::filesystem::exists(path.parent_path() / library, error)) continue;
-    report.notes.push_back("material library '" + library + "' is not beside " + path.string() +
+    if (std::filesystem::exists(path.parent_path() / name, error)) continue;
+    report.notes.push_back(what + " '" + name + "' is not beside " + path.string() +
                            "; copy it there");
   }
 }
@@ -206,6 +252,7 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
   if (is_gltf(format)) report_names_not_utf8(mesh.attributes(), report);
   std::vector<FileContent> contents;
   if (is_patched) {
+    require_finite_moves(*source, mesh);
     contents = patch(*source, mesh, path, options, report);
   }
   const SourceFile* const old = options.original_file.get();
@@ -218,7 +265,11 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
                               options.feature_angle_degrees,
                               mesh.source != nullptr ? mesh.source.get() : old, report);
   }
-  if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
+  const MeshAttributes& a = mesh.attributes();
+  if (format == MeshFormat::obj) {
+    note_missing_files("material library", a.material_libraries, path, report);
+  }
+  if (format == MeshFormat::ply) note_missing_files("image", texture_names(a), path, report);
   // The files that a file needs are put in place before it.
   for (auto content = contents.rbegin(); content != contents.rend(); ++content) {
     files.add(content->path, content->bytes);

@@ -104,6 +104,28 @@ class MaterialSearch {
 
 }  // namespace
 
+std::vector<std::string> texture_names(const MeshAttributes& attributes) {
+  std::vector<std::string> names;
+  for (const std::string& comment : attributes.comments) {
+    if (comment.starts_with(kTextureComment))
+      names.push_back(comment.substr(kTextureComment.size()));
+  }
+  return names;
+}
+
+std::vector<Index> textures_of_faces(const Mesh& mesh, std::size_t count) {
+  std::vector<Index> of_faces(mesh.face_count(), count > 0 ? 0 : kNoIndex);
+  const std::vector<ExtraAttribute>& extras = mesh.attributes().face_extras;
+  const auto numbers = std::ranges::find(extras, kTextureNumber, &ExtraAttribute::name);
+  if (numbers == extras.end()) return of_faces;
+  for (std::size_t f = 0; f < of_faces.size(); ++f) {
+    const double number = numbers->values[f];
+    const bool is_known = number >= 0.0 && number < static_cast<double>(count);
+    of_faces[f] = is_known ? static_cast<Index>(number) : kNoIndex;
+  }
+  return of_faces;
+}
+
 std::vector<std::optional<FoundMaterial>> find_materials(const Mesh& mesh, const fs::path& path,
                                                          std::vector<std::string>& notes) {
   return MaterialSearch(mesh.attributes(), path, notes).run();

@@ -3,12 +3,24 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lapwing/io/materials.h"
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
+
+// MeshLab stores the textures of a PLY file as comments, "TextureFile NAME". The face property
+// "texnumber" contains the number of each face's texture, counted from 0.
+inline constexpr std::string_view kTextureComment = "TextureFile ";
+inline constexpr std::string_view kTextureNumber = "texnumber";
+
+/// Returns the names of the images in the comments of a PLY file.
+std::vector<std::string> texture_names(const MeshAttributes& attributes);
+/// Returns the number of each face's texture, or kNoIndex if it is not below `count`. Without the
+/// face property, all faces have the first texture.
+std::vector<Index> textures_of_faces(const Mesh& mesh, std::size_t count);
 
 /// A material and the file that defines it.
 struct FoundMaterial {

@@ -159,6 +159,7 @@ void NumberTable::require_number(std::size_t row, std::size_t column) const {
   throw InputError(place(row) + ": expected a number in column " +
                    (has_name ? in_quotes(header[column]) : std::to_string(column + 1)) +
                    ", found " + (text->empty() ? "nothing" : in_quotes(*text)) +
+                   std::string(hint_of_decimal_comma(*text)) +
                    (header.empty() ? "; correct it (a first or last column without numbers is text)"
                                    : "; correct it"));
 }
@@ -188,8 +189,9 @@ NumberColumns number_columns(const NumberTable& table) {
     std::size_t first = 0;
     while (first < count && table.text_at(r, first)) ++first;
     if (first == count) {
-      throw InputError(table.place(r) + ": expected numbers, found " +
-                       in_quotes(table.text_at(r, 0).value_or("")) +
+      const std::string_view found = table.text_at(r, 0).value_or("");
+      throw InputError(table.place(r) + ": expected numbers, found " + in_quotes(found) +
+                       std::string(hint_of_decimal_comma(found)) +
                        "; only the first line may name the columns");
     }
     std::size_t behind = 0;
@@ -206,7 +208,7 @@ NumberColumns number_columns(const NumberTable& table) {
 
 NumberTable read_number_table(const std::filesystem::path& path) {
   NumberTable table{.name = path.string()};
-  table.bytes = std::make_shared<const FileBytes>(FileBytes::read(path));
+  table.bytes = std::make_shared<const FileBytes>(FileBytes::read_data(path));
   const std::string_view extension = table_extension(path);
   if (extension.empty()) {
     throw InputError(table.name +

@@ -205,7 +205,12 @@ class ObjReader {
     } else if (keyword == "usemtl") {
       materials_.begin(scan_.rest_of_line(), mesh_.face_count());
     } else if (keyword == "mtllib") {
-      attributes_.material_libraries.emplace_back(scan_.rest_of_line());
+      const std::string_view library = scan_.rest_of_line();
+      if (library.empty()) {
+        uneditable_.add("mtllib statements without a file name");
+      } else {
+        attributes_.material_libraries.emplace_back(library);
+      }
     } else {
       read_uneditable(keyword);
     }

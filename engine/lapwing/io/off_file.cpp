@@ -12,11 +12,13 @@ namespace lapwing {
 
 namespace {
 
-// The header word [ST][C][N][4][n]OFF says what each vertex line holds.
+// The header word [ST][C][N][4][n]OFF says what each vertex line holds. Other orders of the
+// prefixes are read too, because MeshLab writes NCSTOFF.
 struct OffHeader {
   bool has_uvs = false;
   bool has_colors = false;
   bool has_normals = false;
+  bool has_colors_first = false;  ///< in vertex lines, colours of 4 numbers precede normals
 };
 
 class OffReader {
@@ -70,19 +72,22 @@ class OffReader {
       scan_.advance();
     }
     std::string_view rest = letters;
-    const auto take = [&rest](std::string_view prefix) {
-      const bool found = rest.starts_with(prefix);
-      if (found) rest.remove_prefix(prefix.size());
-      return found;
+    const auto take = [&rest](std::string_view prefix, bool& has) {
+      if (has || !rest.starts_with(prefix)) return false;
+      rest.remove_prefix(prefix.size());
+      return has = true;
     };
-    header_.has_uvs = take("ST");
-    header_.has_colors = take("C");
-    header_.has_normals = take("N");
+    while (take("ST", header_.has_uvs) || take("C", header_.has_colors) ||
+           take("N", header_.has_normals)) {
+    }
+    header_.has_colors_first =
+        header_.has_colors && header_.has_normals && letters.find('N') < letters.find('C');
     if (rest == "4OFF" || rest == "nOFF" || rest == "4nOFF") {
       file_.fail_at_line(start.offset(),
                          "expected OFF with three coordinates per vertex, found '" + letters + "'");
     }
-    if (rest != "OFF") start.fail_expected("'OFF', 'COFF', 'NOFF' or 'CNOFF'");
+    if (rest != "OFF")
+      start.fail_expected("'OFF', or a form of it such as 'COFF', 'NOFF' or 'STOFF'");
     if (!scan_.at_line_end() && scan_.peek() == 'B') {
       scan_.fail_expected("the counts of an ascii OFF file (binary OFF is not supported)");
     }
@@ -130,12 +135,18 @@ class OffReader {
   void read_vertex() {
     skip_space();
     mesh_.positions.push_back(scan_.triple(file_.positions, "a coordinate of a vertex"));
+    if (header_.has_colors_first && mesh_.vertex_count() == 1) {
+      header_.has_colors_first = is_color_first();
+    }
+    std::array<double, 6> more{};
+    std::size_t count = 0;
+    while (header_.has_colors_first && count < 4) {
+      more[count++] = scan_.number("a colour of a vertex");
+    }
     if (header_.has_normals) {
       attributes_.normals.push_back(scan_.triple(file_.normals, "a coordinate of a normal"));
     }
     const TextScanner behind = scan_;
-    std::array<double, 6> more{};
-    std::size_t count = 0;
     for (; !scan_.at_line_end(); ++count) {
       const double value = scan_.number("a number of a vertex");
       if (count < more.size()) more[count] = value;
@@ -157,6 +168,24 @@ class OffReader {
         undeclared_.back()[k] = more[static_cast<std::size_t>(k)];
       }
     }
+  }
+
+  static bool is_unit_vector(const Eigen::Vector3d& vector) {
+    constexpr double kDigitsOfText = 1e-3;
+    return std::abs(vector.norm() - 1.0) < kDigitsOfText;
+  }
+
+  // Returns whether a colour of 4 numbers precedes the normal of this vertex. MeshLab writes the
+  // prefix N before C but the normal after the colour. Other programs keep the specified order.
+  bool is_color_first() const {
+    TextScanner ahead = scan_;
+    std::array<double, 7> numbers{};
+    for (double& number : numbers) {
+      if (ahead.at_line_end()) return false;
+      number = ahead.number("a number of a vertex");
+    }
+    return is_unit_vector({numbers[4], numbers[5], numbers[6]}) &&
+           !is_unit_vector({numbers[0], numbers[1], numbers[2]});
   }
 
   // Returns whether the file ends before or within the next face. An interrupted download can cause
@@ -188,8 +217,7 @@ class OffReader {
       return color.head<3>().minCoeff() >= 0.0 && color.head<3>().maxCoeff() <= 255.0;
     };
     const auto is_normal = [](const Eigen::Vector4d& color) {
-      constexpr double kRounding = 1e-3;
-      return std::isnan(color[3]) && std::abs(color.head<3>().norm() - 1.0) < kRounding;
+      return std::isnan(color[3]) && is_unit_vector(color.head<3>());
     };
     return undeclared_.size() == vertex_count_ && std::ranges::all_of(undeclared_, is_color) &&
            !std::ranges::all_of(undeclared_, is_normal);

@@ -132,7 +132,6 @@ class PlyWriter {
 
   void report_losses(WriteReport& report) const {
     const MeshAttributes& a = mesh_.attributes();
-    report_materials(report, MeshFormat::ply, a);
     report_groups(report, MeshFormat::ply, a);
     report_uneditable(report, MeshFormat::ply, a);
     if (!normals_) {

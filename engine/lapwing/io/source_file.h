@@ -55,7 +55,7 @@ class SourceFile {
       : path_(std::move(name.file)),
         object_(std::move(name.object)),
         format_(format),
-        bytes_(FileBytes::read(path_)) {}
+        bytes_(FileBytes::read_data(path_)) {}
   SourceFile(const SourceFile&) = delete;
   SourceFile& operator=(const SourceFile&) = delete;
 

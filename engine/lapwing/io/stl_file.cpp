@@ -38,26 +38,42 @@ bool is_ascii(const SourceFile& file) {
     return false;
   }
   if (bytes.substr(0, 1024).find('\0') != std::string_view::npos) return false;
-  TextScanner scan(file, '\0');
+  TextScanner scan(file, '\0', bytes.starts_with("\xEF\xBB\xBF") ? 3U : 0U);
   scan.skip_space();
   return lowered(scan.word()) == "solid";
 }
 
-// Returns the offset of the last "endfacet" in upper or lower case, or 0 if the file has none.
+// Returns the offset of the last "endfacet" or "end facet" in upper or lower case, or 0 if the file
+// has none.
 std::uint64_t find_last_endfacet(std::string_view bytes) {
-  constexpr std::string_view kBackwards = "tecafdne";
-  const auto found =
-      std::search(bytes.rbegin(), bytes.rend(), kBackwards.begin(), kBackwards.end(),
-                  [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-  return found == bytes.rend() ? 0 : static_cast<std::uint64_t>(bytes.rend() - found - 8);
+  constexpr std::string_view kFacet = "facet";
+  constexpr std::string_view kBlanks = " \t";
+  for (std::size_t end = bytes.size(); end >= kFacet.size(); --end) {
+    if (lowered(bytes.substr(end - kFacet.size(), kFacet.size())) != kFacet) continue;
+    std::string_view before = bytes.substr(0, end - kFacet.size());
+    before = before.substr(0, before.find_last_not_of(kBlanks) + 1);
+    if (before.size() >= 3 && lowered(before.substr(before.size() - 3)) == "end") {
+      return before.size() - 3;
+    }
+  }
+  return 0;
 }
 
+// Reads the keywords in upper or lower case, also if blanks separate their parts ("end loop") or
+// if the blank is missing ("outerloop").
 class AsciiStlReader {
  public:
   explicit AsciiStlReader(SourceFile& file) : file_(file), scan_(scan_text(file, '\0')) {}
 
   Mesh read() {
-    for (scan_.skip_space(); !scan_.at_end(); scan_.skip_space()) read_solid();
+    for (scan_.skip_space(); !scan_.at_end(); scan_.skip_space()) {
+      if (attributes_.groups.empty() || begins_solid()) {
+        read_solid();
+      } else {
+        attributes_.uneditable = {"lines between or after the solids"};
+        scan_.next_line();
+      }
+    }
     attributes_.corner_normals.reserve(mesh_.face_vertices().size());
     CancelCheck cancel_check;
     for (Index f = 0; f < mesh_.face_count(); ++f) {
@@ -74,19 +90,35 @@ class AsciiStlReader {
   }
 
  private:
+  // A facet outside of the solids must not be skipped; `read_solid` reports it.
+  bool begins_solid() const {
+    TextScanner ahead = scan_;
+    const std::string word = lowered(ahead.word());
+    return word == "solid" || word == "facet";
+  }
+
   void read_solid() {
     expect("solid");
     attributes_.groups.emplace_back(scan_.rest_of_line());
     for (;;) {
       scan_.skip_space();
       const TextScanner start = scan_;
-      const std::string word = lowered(scan_.word());
+      std::string word = lowered(scan_.word());
+      if (word == "end") word += lowered(scan_.word());
       if (word == "endsolid") break;
       if (word.empty() || word == "solid") {
         file_.report_defect(FileDefectKind::missing_end, start.offset(),
                             "expected 'facet' or 'endsolid', found " +
                                 (word.empty() ? "the end of the file" : "'" + word + "'"));
         scan_ = start;
+        return;
+      }
+      const auto is_cut = [&](std::string_view whole) {
+        return word != whole && whole.starts_with(word) && scan_.at_end();
+      };
+      if (is_cut("endsolid") || is_cut("facet")) {
+        file_.report_defect(FileDefectKind::missing_end, start.offset(),
+                            "the file ends within the word '" + word + "'");
         return;
       }
       if (word != "facet") start.fail_expected("'facet' or 'endsolid'");
@@ -105,15 +137,14 @@ class AsciiStlReader {
     const std::uint64_t start = scan_.offset();
     expect("normal");
     attributes_.normals.push_back(scan_.triple(file_.normals, "a coordinate"));
-    expect("outer");
-    expect("loop");
+    expect("outer", "loop");
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
       polygons_.vertices.push_back(
           welder_.vertex_at(scan_.triple(file_.positions, "a coordinate")));
     }
-    expect("endloop");
-    expect("endfacet");
+    expect("end", "loop");
+    expect("end", "facet");
     close_face(file_, polygons_, start);
     attributes_.face_groups.push_back(static_cast<Index>(attributes_.groups.size() - 1));
   }
@@ -122,6 +153,18 @@ class AsciiStlReader {
     scan_.skip_space();
     const TextScanner start = scan_;
     if (lowered(scan_.word()) != keyword) start.fail_expected(keyword);
+  }
+
+  // Reads a keyword of two parts, which may be one word.
+  void expect(const std::string& first, const std::string& second) {
+    scan_.skip_space();
+    const TextScanner start = scan_;
+    const std::string word = lowered(scan_.word());
+    if (word == first) {
+      expect(second);
+    } else if (word != first + second) {
+      start.fail_expected(first + second);
+    }
   }
 
   SourceFile& file_;
@@ -288,6 +331,7 @@ std::string write_binary(const Mesh& mesh, const Facets& facets) {
       append(x, Scalar::float32);
     }
     for (const Index v : facets.triangles[t]) {
+      require_float(mesh.positions[v], v, MeshFormat::stl);
       for (const double x : mesh.positions[v]) append(x, Scalar::float32);
     }
     append(words == nullptr ? 0.0 : words->values[facets.faces[t]], Scalar::uint16);
@@ -318,6 +362,7 @@ std::string write_stl(const Mesh& mesh, Encoding encoding, WriteReport& report) 
   if (encoding == Encoding::big_endian) {
     throw InputError("STL has no big-endian form; write it as ascii or little endian");
   }
+  require_finite(mesh);
   const Facets facets = cut_into_triangles(mesh);
   const bool ascii = encoding == Encoding::ascii;
   report_losses(mesh, ascii, report);

@@ -44,6 +44,17 @@ const char* parse_number(const char* begin, const char* end, double& value) {
   return result.ptr;
 }
 
+std::string_view hint_of_decimal_comma(std::string_view word) {
+  const std::size_t comma = word.find(',');
+  if (comma == std::string_view::npos) return {};
+  std::string number(word);
+  number[comma] = '.';
+  double value = 0.0;
+  const char* const end = number.data() + number.size();
+  if (parse_number(number.data(), end, value) != end) return {};
+  return " (write numbers with a decimal point, not a comma)";
+}
+
 TextScanner::TextScanner(const SourceFile& file, char comment, std::uint64_t begin)
     : file_(&file),
       begin_(file.bytes().data()),
@@ -143,10 +154,11 @@ void TextScanner::fail_expected(std::string_view what) const {
   } else {
     constexpr std::size_t kShown = 40;
     std::string word(found.word().substr(0, kShown));
+    const std::string_view hint = hint_of_decimal_comma(word);
     for (char& c : word) {
       if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = '?';
     }
-    message += "'" + word + "'";
+    message += "'" + word + "'" + std::string(hint);
   }
   file_->fail_at_line(offset(), message);
 }

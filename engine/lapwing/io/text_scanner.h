@@ -13,6 +13,10 @@ namespace lapwing {
 /// Values beyond the range of double become infinite.
 const char* parse_number(const char* begin, const char* end, double& value);
 
+/// Returns " (write numbers with a decimal point, not a comma)" if `word` is a number with a
+/// decimal comma, such as "0,5"; otherwise returns "". For error messages.
+std::string_view hint_of_decimal_comma(std::string_view word);
+
 /// Walks over the text of a mesh file, word by word. Blanks are spaces, tabs and a backslash before
 /// a line end; a line ends at "\n", "\r" or "\r\n". Reads never leave the file.
 class TextScanner {

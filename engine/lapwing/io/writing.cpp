@@ -8,6 +8,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/printable_text.h"
+#include "lapwing/io/mesh_materials.h"
 #include "lapwing/io/reading.h"
 
 namespace lapwing {
@@ -70,6 +71,16 @@ void report_loss(WriteReport& report, MeshFormat format, std::string_view what, 
   if (count == 0) return;
   report.not_carried.push_back(std::string(what) + " (" + grouped(count) +
                                "): " + std::string(name_of(format)) + " cannot store them");
+}
+
+void require_float(const Eigen::Vector3d& position, Index vertex, MeshFormat format) {
+  if (is_finite_float(position)) return;
+  throw InputError("vertex " + std::to_string(vertex) +
+                       " has a coordinate that is not finite in the 32-bit floats of " +
+                       std::string(name_of(format)) +
+                       "; repair the mesh with `lapwing check MESH --fix OUT`, scale it, or write "
+                       "another format",
+                   {vertex});
 }
 
 void report_triangulation(WriteReport& report, MeshFormat format, const Mesh& mesh) {
@@ -139,7 +150,8 @@ void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes&
 }
 
 void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
-  report_loss(report, format, "colours and images of materials", attributes.materials.size());
+  report_loss(report, format, "colours and images of materials",
+              std::max(attributes.materials.size(), texture_names(attributes).size()));
 }
 
 void report_groups(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +38,15 @@ void append_numbers(std::string& out, const Vector& values) {
 /// Reports "texture coordinates (14,290): OFF has no place for them", unless `count` is 0.
 void report_loss(WriteReport& report, MeshFormat format, std::string_view what, std::size_t count);
 
+/// Whether every number is finite after rounding to a 32-bit float.
+template <class Vector>
+bool is_finite_float(const Vector& numbers) {
+  return std::ranges::all_of(
+      numbers, [](double x) { return std::abs(x) <= double{std::numeric_limits<float>::max()}; });
+}
+/// Throws InputError, naming `vertex`, unless the 32-bit floats of `format` can hold `position`.
+void require_float(const Eigen::Vector3d& position, Index vertex, MeshFormat format);
+
 /// Reports polygons and isolated vertices of `mesh`, which triangle formats cannot hold.
 void report_triangulation(WriteReport& report, MeshFormat format, const Mesh& mesh);
 
@@ -52,7 +64,7 @@ void report_rounding(WriteReport& report, MeshFormat format, const Mesh& mesh,
 
 /// Reports extra attributes, which only PLY can hold.
 void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
-/// Reports materials. Call it for a format that cannot hold them.
+/// Reports materials and textures. Call it for a format that cannot hold them.
 void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);
 /// Reports groups or objects. Call it for a format that cannot hold them.
 void report_groups(WriteReport& report, MeshFormat format, const MeshAttributes& attributes);

@@ -93,6 +93,11 @@ Fans find_fans(const Mesh& mesh, const Edges& edges) {
   UnionFind sets = linked_fans(
       edges.sides, vertex_of.size(), [&](Index c) { return vertex_of[c]; },
       [&](Index c) { return edges.next_corner[c]; });
+  // The two corners of a side from a vertex to itself belong together.
+  for (Index c = 0; c < vertex_of.size(); ++c) {
+    const Index next = edges.next_corner[c];
+    if (vertex_of[c] == vertex_of[next]) sets.unite(c, next);
+  }
   Fans fans;
   fans.of_corner.assign(vertex_of.size(), kNoIndex);
   std::vector<Index> first_fan(mesh.vertex_count(), kNoIndex);

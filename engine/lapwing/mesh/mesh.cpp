@@ -76,6 +76,16 @@ void validate_indices(const Mesh& mesh) {
   }
 }
 
+void require_finite(const Mesh& mesh) {
+  for (const Index v : mesh.face_vertices()) {
+    if (mesh.positions[v].allFinite()) continue;
+    throw InputError("vertex " + std::to_string(v) +
+                         " has a coordinate that is not finite; repair the mesh with `lapwing "
+                         "check MESH --fix OUT`",
+                     {v});
+  }
+}
+
 double require_extent(std::span<const Index> vertices, std::span<const Eigen::Vector3d> positions,
                       const std::string& where) {
   std::optional<Bounds> bounds;

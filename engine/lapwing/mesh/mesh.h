@@ -146,6 +146,9 @@ Bounds united(const Bounds& a, const Bounds& b);
 /// Throws InputError, naming the face, if a face uses a vertex that the mesh does not have.
 void validate_indices(const Mesh& mesh);
 
+/// Throws InputError, naming the vertex, if a face has a vertex that is not finite.
+void require_finite(const Mesh& mesh);
+
 /// Sizes of meshes that the engine supports: all that 32-bit floats can hold (1e-38 to 3e38). The
 /// mathematics uses up to the sixth power of edge lengths, which doubles hold even for edges of a
 /// ten-thousandth of the size.

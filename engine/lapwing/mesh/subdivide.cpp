@@ -27,6 +27,7 @@ void require_triangles(const Mesh& mesh) {
     throw InputError("face " + std::to_string(f) + " has " + std::to_string(corners) +
                      " corners; only triangles can be subdivided. Triangulate the mesh first");
   }
+  require_finite(mesh);
 }
 
 // Splits each triangle into four at the midpoints of its edges.

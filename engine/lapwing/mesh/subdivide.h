@@ -6,7 +6,7 @@ namespace lapwing {
 
 /// Finer versions of a triangle mesh: every triangle becomes four. Vertex v of `mesh` stays number
 /// v; the vertex on edge e of `build_edges(mesh)` is number vertex_count() + e. Attributes are
-/// dropped. Both throw InputError if a face is not a triangle.
+/// dropped. Both throw InputError if a face is not a triangle or has a vertex that is not finite.
 
 /// Throws InputError if subdividing `times` times would make more than kMostTriangles. Both
 /// functions below check this for their one step.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 
 import lapwing
@@ -36,4 +37,7 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    # Python ignores this signal. By default it ends a program whose output nobody reads any more,
+    # as in `python -m lapwing keys | head`.
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     sys.exit(main())
