@@ -274,6 +274,15 @@ std::vector<std::string> glb_seeds() {
                              R"({"primitives":[)" +
                                  primitive + "]}]",
                              "\xEF\xBB\xBF"));
+  // In this seed, one node shows two instances of a mesh, the second of which has a scale of 0.
+  const std::size_t translations =
+      sample.add(std::vector<float>{0, 0, 0, 2, 0, 0}, 5126, "VEC3", 2);
+  const std::size_t scales = sample.add(std::vector<float>{1, 1, 1, 0, 0, 0}, 5126, "VEC3", 2);
+  seeds.push_back(
+      sample.glb(R"("extensionsUsed":["EXT_mesh_gpu_instancing"],"nodes":[{"mesh":0,"extensions":)"
+                 R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":)" +
+                 std::to_string(translations) + R"(,"SCALE":)" + std::to_string(scales) +
+                 R"(}}}}],"meshes":[{"primitives":[)" + primitive + "]}]"));
   seeds.push_back(
       R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
       R"({"POSITION":0}}]}],"buffers":[{"byteLength":36,"uri":"data:;base64,)"

@@ -128,7 +128,7 @@ TEST_F(ANumberTable, OfNumpyHoldsAnyNumbers) {
 TEST_F(ANumberTable, OfNumpySaysWhatIsWrong) {
   EXPECT_THAT(error("a.npy", "1,2,3"), HasSubstr("not an NPY file"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(2, 2)", bytes_of<double>({1.0}))),
-              HasSubstr("ends within its 2 rows"));
+              HasSubstr("ends before the last of its 2 rows"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(2,)", bytes_of<double>({1.0, 2.0}))),
               HasSubstr("two dimensions"));
   EXPECT_THAT(error("a.npy", npy("<f8", "(1, 1, 1)", bytes_of<double>({1.0}))),

@@ -29,7 +29,7 @@ struct FileKind {
   /// Lower-case extensions with the dot. If empty, the filter matches all files.
   std::span<const std::string_view> extensions;
 
-  /// Returns whether the filter matches `file`. Ignores upper and lower case.
+  /// Returns whether the filter matches `file`. Not case-sensitive.
   bool holds(const std::filesystem::path& file) const;
 };
 

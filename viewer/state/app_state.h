@@ -26,8 +26,8 @@ using EditParameters = DeformParameters;
 /// Stores the options of settling while settling is switched off.
 class LastSolveOptions {
  public:
-  /// Returns `after`. If the change from `before` switches settling on, its options are those from
-  /// before it was switched off.
+  /// Returns `after`. If `after` settles and `before` does not, the options are those that settling
+  /// had before it was switched off.
   EditParameters meant(const EditParameters& before, EditParameters after) {
     if (before.settle) options_ = *before.settle;
     if (!before.settle && after.settle) after.settle = options_;

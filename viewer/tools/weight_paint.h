@@ -20,7 +20,8 @@ class WeightPaint final : public SceneTool {
   }
   ToolMarks marks() const override { return paint_.marks(); }
 
-  /// One number per vertex. `handle` resizes it to the scene's vertices; new entries are 0.
+  /// One number per vertex. `handle` resizes it to one entry per vertex of the scene; new entries
+  /// are 0.
   const std::vector<double>& field() const { return field_; }
   void set_field(std::vector<double> field) { field_ = std::move(field); }
   /// The field as it would be if the stroke ended here.

@@ -23,7 +23,7 @@ enum class PictureSource {
 struct PictureNeed {
   bool changed = true;             ///< the scene has changed since the cached image was rendered
   bool only_view_changed = false;  ///< only the cameras differ
-  bool is_quick = false;           ///< the cached image has quick quality
+  bool is_quick = false;           ///< the cached image was rendered in quick quality
   bool moving = false;             ///< Scene::moving
   bool at_rest = false;            ///< nothing in the scene has changed for a while
   bool fine_is_slow = false;       ///< a fine image takes longer than kLongestFrame
@@ -118,7 +118,7 @@ class CachedPicture {
   /// Reports the device time of the last frame, whose image had the source `way`.
   void took(PictureSource way, double milliseconds);
 
-  /// Returns whether the image has quick quality.
+  /// Returns whether the image was rendered in quick quality.
   bool is_quick() const { return shown_ == &quick_; }
   /// Returns the width and height, in window pixels, of one pixel of the image.
   std::uint32_t pixels_per_pixel() const { return shown_ != nullptr ? shown_->pixels : 1; }

@@ -24,7 +24,7 @@ struct StepTaken {
 };
 
 /// Edits one mesh without drawing it. Owns the history, the journal and two background threads. One
-/// thread prepares and settles deforms, and the other carries out whole steps.
+/// thread prepares and settles deformations, and the other carries out whole steps.
 class EditSession {
  public:
   /// `file` is the opened mesh file. A generated mesh has neither a file nor a journal. `journals`

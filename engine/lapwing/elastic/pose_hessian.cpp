@@ -226,9 +226,10 @@ void PoseHessian::solve_accurately_in_place(std::span<double> b) {
   write(b);
 }
 
-// Improves x_, the solution of the factor for b_. In single precision, it has large errors only in
-// a few soft directions. If one step of iterative refinement is small, applies this step. Otherwise
-// applies conjugate gradients, preconditioned by the factor, until the estimated error is small.
+// Refines x_, which the factor gave for the right-hand side b_. In single precision, it has large
+// errors only in a few soft directions. If one step of iterative refinement is small, applies this
+// step. Otherwise applies conjugate gradients, preconditioned by the factor, until the estimated
+// error is small.
 void PoseHessian::refine() {
   constexpr int kMostSteps = 8;
   constexpr double kGood = 0.1;  // estimated error divided by the largest entry of x

@@ -60,7 +60,8 @@ GltfAccessor::GltfAccessor(const GltfFile& file, std::size_t number)
   }
   where_ = node->where();
   count_ = node->at("count").count();
-  if (count_ >= kNoIndex) node->at("count").fail("an accessor has at most 4,294,967,294 elements");
+  if (count_ >= kNoIndex)
+    node->at("count").fail("the accessor has more than 4,294,967,294 elements");
   components_ = components_of(node->at("type"));
   type_ = type_of(node->at("componentType"));
   const auto normalized = node->find("normalized");

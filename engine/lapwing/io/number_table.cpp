@@ -95,7 +95,7 @@ NpyHeader read_header(const std::string& name, std::string_view bytes) {
   if (read.rows > kMostTableRows) fail_too_many(name);
   const std::size_t numbers = (bytes.size() - read.begin) / read.bytes;
   if (read.columns > 0 && read.rows > numbers / read.columns) {
-    fail("the file ends within its " + std::to_string(read.rows) + " rows");
+    fail("the file ends before the last of its " + std::to_string(read.rows) + " rows");
   }
   return read;
 }

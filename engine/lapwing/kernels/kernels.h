@@ -160,10 +160,9 @@ class Kernels {
   /// `source` has one vector per source vertex. For `one_ring`, `source` is a field f, such as
   /// positions or the coat of a smooth surface, and the result of a row is f(p_i) - sum_j w_ij
   /// f(p_j). For `linear`, `source` contains Laplacians, and the result is their interpolation at
-  /// p_i. Laplacians grow with the square of the ring's radius r. `source` therefore contains
-  /// densities, which are multiplied by 4 / r^2, and the caller multiplies the result by r^2 / 4 of
-  /// the target's ring. The result is 0 if p_i is nowhere, and for `one_ring` if the row has no
-  /// ring.
+  /// p_i. Laplacians grow with the square of the ring's radius r. The caller therefore multiplies
+  /// each Laplacian in `source` by 4 / r^2 of its own ring, and the result by r^2 / 4 of the
+  /// target's ring. The result is 0 if p_i is nowhere, and for `one_ring` if the row has no ring.
   virtual void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
                                         std::span<const Eigen::Vector3d> source,
                                         std::span<Eigen::Vector3d> laplacians) = 0;

@@ -25,8 +25,8 @@ BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows);
 /// Returns the rows of M for `rows`. Their values are undefined (see Kernels::assemble_rsi).
 BlockRows rsi_rows(const Adjacency& rings, std::span<const Index> rows);
 
-/// Returns the rows of L for `rows`: 1 for the vertex itself, and -w_ij for its ring. A vertex
-/// without a ring has the block 0. `weights` is the result of laplacian_weights.
+/// Returns the rows of L for `rows`: 1 for the vertex itself, and -w_ij for its ring. The
+/// block of a vertex without a ring is zero. `weights` is the result of laplacian_weights.
 BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
                          std::span<const Index> rows);
 

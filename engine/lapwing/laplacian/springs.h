@@ -21,8 +21,8 @@ struct Spring {
   double stiffness = 1.0;                                ///< positive, or kStiff
 };
 
-/// Marks a spring or constrained vertex as much stiffer than the surface. LaplacianSystem replaces
-/// this value by a finite stiffness.
+/// The stiffness of a spring or constrained vertex that is far stiffer than the surface.
+/// LaplacianSystem replaces this value by a finite stiffness.
 inline constexpr double kStiff = std::numeric_limits<double>::infinity();
 
 /// Returns the springs with a finite stiffness instead of kStiff: 1e7 times the mean diagonal of A.

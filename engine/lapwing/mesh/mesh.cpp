@@ -97,7 +97,7 @@ double require_extent(std::span<const Index> vertices, std::span<const Eigen::Ve
     bounds->max = bounds->max.cwiseMax(p);
   }
   if (!bounds) return 0.0;
-  // The squared length of the diagonal would overflow long before.
+  // The squared diagonal overflows long before a coordinate does.
   const double extent = (bounds->max - bounds->min).maxCoeff();
   if (extent == 0.0 || (extent >= kSmallestExtent && extent <= kLargestExtent)) return extent;
   std::ostringstream text;

@@ -68,7 +68,8 @@ WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
   const auto table =
       path.parent_path() / (path.stem().string() + "-" + result.morph_target + ".npy");
   files.add(table, npy_bytes(displacements, Scalar::float64));
-  report.notes.push_back("the mesh is saved unchanged, and its displacements in " + table.string());
+  report.notes.push_back("the mesh is saved unchanged; its displacements are saved in " +
+                         table.string());
   return report;
 }
 

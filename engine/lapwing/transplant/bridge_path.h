@@ -16,7 +16,8 @@ struct Chain {
 };
 
 /// A step along one of the two chains. A host step from i to i + 1, with the part at j, adds the
-/// triangle (i + 1, i, j). A part step from j to j + 1, with the host at i, adds (j, j + 1, i).
+/// triangle (i + 1, i, j). A step along the part from j to j + 1, with the host at i,
+/// adds the triangle (j, j + 1, i).
 enum class Step : unsigned char { host, part };
 
 /// The gap between two chains with the same direction. The host's surface is on the left of its

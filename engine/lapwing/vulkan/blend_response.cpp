@@ -22,7 +22,7 @@ std::size_t groups_of(std::size_t columns) {
   return (columns + kColumnsPerGroup - 1) / kColumnsPerGroup;
 }
 
-// Returns the bytes of all columns for one vertex.
+// Returns the size of the columns of one vertex in bytes.
 std::size_t bytes_per_vertex(std::size_t columns) {
   return 3 * groups_of(columns) * sizeof(Vec4);
 }
