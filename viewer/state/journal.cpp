@@ -270,6 +270,8 @@ bool Journal::open_results() {
 
 void Journal::continue_from(const InterruptedEdit& edit) {
   if (edit.undone) {
+    // In this order, the later draft is again one that was undone.
+    record(edit.draft);
     record(*edit.undone);
     record(edit.draft);
   }
