@@ -81,6 +81,25 @@ TEST_F(AnEditor, GrabsAreOneStepOfTheHistoryEachAndOneOfTheRecipe) {
   EXPECT_LT(largest_distance(on_screen(), first), kVisible);
 }
 
+TEST_F(AnEditor, AGrabThatMovesNothingIsNoStep) {
+  ASSERT_TRUE(editor_->take(Action::take_grab));
+  expects_notes_ = true;
+  const EditSelection before = editor_->state().selection;
+  const Vector2d front = shown_pixel(front_of(rest(), 1.0));
+  send(press(front));
+  ASSERT_EQ(editor_->session().history().done(), 1U);
+  send(release(front));
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+  EXPECT_EQ(editor_->state().selection, before);
+  send(press(front));
+  send(move_to(front + kRight));
+  send(key(kEscape));
+  EXPECT_FALSE(editor_->is_dragging());
+  EXPECT_EQ(editor_->state().selection, before);
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
+}
+
 TEST_F(AnEditor, TakesTheDiskWhenAPartIsChosenAndNoToolInHandChoosesParts) {
   ASSERT_TRUE(editor_->take(Action::take_grab));
   EXPECT_FALSE(editor_->chooses_parts());

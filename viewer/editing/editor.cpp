@@ -91,8 +91,14 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   const bool keys = !is_of_pointer(event) && row_ != nullptr;
   if (handle_ < handle_count() && (has_gizmo() || tools_.gizmo.is_dragging() || keys)) {
     const GizmoPart before = tools_.gizmo.part();
+    const bool was_dragging = tools_.gizmo.is_dragging();
     const ToolAnswer answer = send_to_gizmo(event, projection);
     if (answer.taken) {
+      const bool gives_up = was_dragging && !tools_.gizmo.is_dragging() && !answer.command;
+      if (gives_up && drag_is_of_last_step_ && has_in_hand(tools_.grab)) {
+        undo();  // a grab that moves nothing is no step
+        return {true, true};
+      }
       return act_on(answer, drag_is_of_last_step_ ? Joining::with_last : Joining::own_step,
                     tool_->may_change_choice());
     }

@@ -209,9 +209,15 @@ struct Applier {
     replace(command.part, repainted(before, std::move(vertices)));
   }
   void operator()(const Grab& command) const {
+    require_falloff_here(state, command.falloff, "handle");
     (*this)(NewEdit{});
-    (*this)(Choose{{Part::Role::roi}, command.roi});
-    (*this)(Choose{{Part::Role::handle, 0}, command.handle, command.falloff});
+    const JoinedSurface* joined = joined_seams(state);
+    state.selection.roi = choose(command.roi, *state.rest, joined);
+    ChosenHandle handle = choose(command.handle, *state.rest, joined);
+    handle.falloff = command.falloff;
+    state.selection.handles.push_back(std::move(handle));
+    state.moves.emplace_back();
+    renew_belt(state.selection, *state.rest, joined);
   }
   void operator()(const SetFalloff& command) const {
     require_handle(state, command.handle);
