@@ -59,7 +59,7 @@ std::optional<fs::path> draw_recent(std::span<const RecentFiles::Item> items) {
     if (ImGui::Selectable(item.path.filename().c_str(), false, flags)) chosen = item.path;
     ImGui::SameLine(column_width());
     ImGui::TextDisabled("%s%s", with_tilde(item.path.parent_path()).c_str(),
-                        item.is_there ? "" : " (not there any more)");
+                        item.is_there ? "" : " (missing)");
     ImGui::PopID();
   }
   return chosen;
@@ -93,11 +93,11 @@ std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
   std::optional<Choice> choice;
   center_next_window();
   ImGui::Begin(
-      "Open a mesh", open,
+      "Open mesh", open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   if (!offer.trouble.empty()) draw_start_trouble(offer.trouble);
   ImGui::TextDisabled("Drop an OBJ, OFF, PLY, STL or glTF file, or a recipe, on the window, or");
-  if (ImGui::Button("Choose a file... (Ctrl+O)")) choice = AnotherFile{};
+  if (ImGui::Button("Choose file... (Ctrl+O)")) choice = AnotherFile{};
   if (const auto recent = draw_recent(offer.recent)) choice = *recent;
   if (!offer.samples.empty()) {
     ImGui::Spacing();
@@ -108,7 +108,7 @@ std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
     if (const auto chosen = pressed_button(offer.samples, name)) choice = offer.samples[*chosen];
   }
   ImGui::Spacing();
-  ImGui::TextDisabled("Generated");
+  ImGui::TextDisabled("Primitives");
   const auto name = [](const NamedShape& shape) { return std::string(shape.name); };
   if (const auto chosen = pressed_button(named_shapes(), name)) choice = &named_shapes()[*chosen];
   ImGui::End();
