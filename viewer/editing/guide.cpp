@@ -16,7 +16,7 @@ const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, boo
   if (desk.is_painting())
     return "Paint where the second source appears. Ctrl + wheel resizes the brush.";
   if (!has_target && !desk.taken_up()) {
-    return editor.part().role == Part::Role::roi && !editor.has_in_hand(editor.gizmo_tool())
+    return editor.part().role == Part::Role::roi && editor.chooses_parts()
                ? editor.hint()
                : "Press I, then select the region that gets the detail.";
   }

@@ -14,12 +14,12 @@ namespace {
 // Accepts numbers such as 1e-3.
 constexpr auto kNumber = ImGuiInputTextFlags_CharsScientific;
 
-// Draws a label and, below it, a field for each coordinate after its name.
-bool draw_vector(const char* label, Eigen::Vector3d& vector, const std::string& format,
-                 bool& let_go) {
+// Draws a field for each coordinate after its name, below `label`, which may be empty.
+bool draw_vector(const char* label, const char* id, Eigen::Vector3d& vector,
+                 const std::string& format, bool& let_go) {
   constexpr std::array kAxes{"X", "Y", "Z"};
-  ImGui::TextUnformatted(label);
-  ImGui::PushID(label);
+  if (*label != '\0') ImGui::TextUnformatted(label);
+  ImGui::PushID(id);
   const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
   const float letter = ImGui::CalcTextSize("X").x + spacing;
   const float width = (ImGui::GetContentRegionAvail().x - 2.0F * spacing) / 3.0F - letter;
@@ -107,10 +107,11 @@ void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   move.translate = readable(move.translate, editor.bounds().diagonal());
   move.rotate.axis = readable(move.rotate.axis, 1.0);
   bool let_go = false;
-  bool changed = draw_vector("Move", move.translate, with_unit("%.4g", unit), let_go);
-  changed |= draw_vector("Rotation axis", move.rotate.axis, "%.4g", let_go);
-  changed |= draw_number("Angle", move.rotate.degrees, "%.5g°", let_go);
-  changed |= draw_vector("Scale", move.scale, "%.4g", let_go);
+  bool changed = draw_vector("Move", "move", move.translate, with_unit("%.4g", unit), let_go);
+  changed |= draw_number("Rotation", move.rotate.degrees, "%.5g°", let_go);
+  explain("Angle of the rotation. Its axis is below.");
+  changed |= draw_vector("", "axis", move.rotate.axis, "%.4g", let_go);
+  changed |= draw_vector("Scale", "scale", move.scale, "%.4g", let_go);
   if (changed) drafts.move = move;
   draw_orientation(editor, handle);
   if (!let_go) return;
@@ -138,8 +139,14 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
 void draw_deform_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   draw_move(editor, drafts, unit);
   if (editor.state().parameters.settle) {
+    // Beside "Free rotation", if that is drawn.
+    constexpr const char* kLabel = "Refine while dragging";
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    const bool is_beside = editor.handle() < editor.state().moves.size() &&
+                           allows_free_handles(editor.state().parameters);
+    if (is_beside) stay_on_line(button_width(kLabel) + ImGui::GetFrameHeight(), right);
     bool continuous = editor.settles_while_dragging();
-    if (ImGui::Checkbox("Refine while dragging", &continuous)) {
+    if (ImGui::Checkbox(kLabel, &continuous)) {
       editor.set_settles_while_dragging(continuous);
     }
     explain("Shows the final result during a drag, as far as time allows. Off: a rough preview.");

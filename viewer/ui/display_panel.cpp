@@ -11,6 +11,7 @@
 #include "navigation/keymap.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -106,7 +107,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   if (measure && editor.shown().is_measured()) {
     std::string title(legend_title(*measure));
     std::replace(title.begin(), title.end(), '\n', ' ');
-    ImGui::TextDisabled("%s", title.c_str());
+    ImGui::TextDisabled("%s", in_window_words(title).c_str());
     draw_legend(style_of(choices, editor));
   }
   choose_in_pairs(

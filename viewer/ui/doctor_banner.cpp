@@ -67,7 +67,7 @@ void DoctorBanner::update(Editor& editor, bool others_preview) {
       state_ = State::previewing;
     }
   } catch (const Error& error) {
-    trouble_ = error.what();
+    trouble_ = in_window_words(error.what());
     state_ = State::offering;
   }
   if (!has_picture() || (editor.shown().previews() && !others_preview)) return;

@@ -1,6 +1,8 @@
 // Draws the guide over the 3D view, the list of controls, and the panel with the device and the
 // timings of a frame.
 
+#include <array>
+#include <cstdio>
 #include <imgui.h>
 
 #include "ui/panels.h"
@@ -65,14 +67,20 @@ double draw_guide(const Guide& guide, const PictureArea& area) {
   if (ImGui::Begin("Guide", nullptr, kOverPicture)) {
     ImGui::PushTextWrapPos(static_cast<float>(area.size.x()) - 2.0F * gap -
                            2.0F * ImGui::GetStyle().WindowPadding.x);
+    const float right = static_cast<float>(area.corner.x() + area.size.x()) - 2.0F * gap -
+                        ImGui::GetStyle().WindowPadding.x;
     for (std::size_t k = 0; k < guide.count; ++k) {
-      if (k > 0) ImGui::SameLine(0.0F, 1.5F * ImGui::GetFontSize());
       const Guide::Step& step = guide.steps[k];
-      const char* done = step.is_done ? " (done)" : "";
+      std::array<char, 64> name{};
+      std::snprintf(name.data(), name.size(), "%zu  %s%s", k + 1, step.name,
+                    step.is_done ? " (done)" : "");
+      const float between = 1.5F * ImGui::GetFontSize();
+      const float width = between + ImGui::CalcTextSize(name.data()).x;
+      if (k > 0 && ImGui::GetItemRectMax().x + width <= right) ImGui::SameLine(0.0F, between);
       if (k == guide.current) {
-        ImGui::Text("%zu  %s%s", k + 1, step.name, done);
+        ImGui::TextUnformatted(name.data());
       } else {
-        ImGui::TextDisabled("%zu  %s%s", k + 1, step.name, done);
+        ImGui::TextDisabled("%s", name.data());
       }
     }
     ImGui::TextUnformatted(guide.what);

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <imgui.h>
+#include <utility>
 
 #include "files/path_text.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "window/theme.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -109,7 +111,11 @@ std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
   }
   ImGui::Spacing();
   ImGui::TextDisabled("Primitives");
-  const auto name = [](const NamedShape& shape) { return std::string(shape.name); };
+  const auto name = [](const NamedShape& shape) {
+    std::string words(shape.name);
+    std::ranges::replace(words, '-', ' ');
+    return in_window_words(std::move(words));
+  };
   if (const auto chosen = pressed_button(named_shapes(), name)) choice = &named_shapes()[*chosen];
   ImGui::End();
   return choice;

@@ -49,7 +49,8 @@ double draw_toolbar(Editor& editor, const PictureArea& area) {
     for (const ToolRow& row : tool_rows()) {
       const float gap = first ? 2.0F * style.ItemSpacing.x : 0.0F;
       stay_on_line(button_width(row.name) + gap, right);
-      if (first) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
+      const bool is_at_start = ImGui::GetCursorPosX() <= style.WindowPadding.x;
+      if (first && !is_at_start) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
       first = false;
       if (toggle_button(row.name, editor.row() == &row)) editor.take(row);
       explain(row.action);

@@ -7,6 +7,7 @@
 #include "files/path_text.h"
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -188,6 +189,7 @@ void ViewerApp::save_recipe(const fs::path& path) {
 }
 
 void ViewerApp::ask_again(PathPurpose purpose, const fs::path& path, std::string trouble) {
+  trouble = in_window_words(std::move(trouble));
   // Another request is open by now.
   if (chooser_.is_open()) return say({std::move(trouble), Tone::error});
   // The dialog shows the message while it matters, so it needs no toast.
