@@ -70,7 +70,7 @@ void show(const Arguments& arguments) {
   } catch (const GpuError& error) {
     if (is_order) throw;
     throw GpuError(std::string(error.what()) +
-                   "; what was edited is kept, and the next start offers to go on with it");
+                   "; your edit is kept, and the next start offers to restore it");
   }
 }
 

@@ -36,7 +36,7 @@ TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
   editor_->redo();
   EXPECT_EQ(editor_->tool().hint(editor_->state(), editor_->part()),
-            std::string("press on a pin and drag it, or pin another vertex"));
+            std::string("Drag a pin, or press on another vertex to pin it."));
 }
 
 // Returns the vertex that is nearest to the camera at the height `z`.
@@ -189,7 +189,7 @@ TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
 TEST_F(AnEditor, APivotIsPickedOnTheSurfaceAndIsNoStep) {
   const Vector2d somewhere = 0.5 * kWindow;
   editor_->begin_picking_pivot();
-  EXPECT_NE(std::string(editor_->hint()).find("turn about"), std::string::npos);
+  EXPECT_NE(std::string(editor_->hint()).find("pivot"), std::string::npos);
   send(key(kEscape));
   EXPECT_FALSE(editor_->picks_pivot());
   editor_->begin_picking_pivot();
@@ -238,10 +238,10 @@ TEST_F(AnEditor, AMeasureStaysWithOtherToolsAndGoesWithADrag) {
 TEST_F(AnEditor, NothingIsSaidOfAMirrorThatIsOff) {
   expects_notes_ = true;
   editor_->perform(SetMirror{MirrorPlane{Vector3d::Zero(), Vector3d::UnitX()}});
-  EXPECT_NE(said_.find("both sides"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("Mirror on"), std::string::npos) << said_;
   ASSERT_TRUE(perform_on(*editor_, Action::toggle_mirror));
   EXPECT_FALSE(editor_->state().selection.mirror);
-  EXPECT_EQ(said_, "nothing is mirrored any more");
+  EXPECT_EQ(said_, "Mirror off");
 }
 
 // Of the tube its foot, below z = 0.3, is not in the ROI.
@@ -272,7 +272,7 @@ TEST_F(AnEditor, ADiskElsewhereBeginsANewEditWithANote) {
   editor_->take(Action::take_disk);
   const Vector2d elsewhere = 0.5 * kWindow + Vector2d(0.0, 80.0);
   drag_mouse(elsewhere, elsewhere + Vector2d(0.0, 80.0));
-  EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("New edit"), std::string::npos) << said_;
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_EQ(editor_->state().steps.size(), 1U) << "the first stays";
   EXPECT_EQ(editor_->part(), kHandle) << "and its handle comes next";
@@ -299,7 +299,7 @@ TEST_F(AnEditor, AStrokeElsewhereBeginsANewEditOnceTheLastHasMoved) {
   const std::size_t done = editor_->session().history().done();
   const Vector2d corner = 0.5 * kWindow + Vector2d(-60.0, 60.0);
   drag_mouse(corner, corner + Vector2d(120.0, 60.0));
-  EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("New edit"), std::string::npos) << said_;
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_EQ(editor_->session().history().done(), done + 1) << "one stroke, one step";
   editor_->undo();

@@ -17,7 +17,7 @@ TEST(Guide, LeadsFromTheRegionToTheHandleAndTheDrag) {
   Guide guide = guide_of(state, kRoi, disk, false);
   EXPECT_EQ(guide.current, 0U);
   EXPECT_FALSE(guide.steps[0].is_done);
-  EXPECT_THAT(guide.what, HasSubstr("region to edit"));
+  EXPECT_THAT(guide.what, HasSubstr("region"));
 
   state = apply(state, Choose{kRoi, box(0.3, 4.0)});
   guide = guide_of(state, kHandle, disk, false);
@@ -30,7 +30,7 @@ TEST(Guide, LeadsFromTheRegionToTheHandleAndTheDrag) {
   EXPECT_EQ(guide.current, 2U);
   EXPECT_TRUE(guide.steps[1].is_done);
   EXPECT_FALSE(guide.steps[2].is_done);
-  EXPECT_THAT(guide.what, HasSubstr("drag the gizmo"));
+  EXPECT_THAT(guide.what, HasSubstr("Drag the gizmo"));
 
   state = apply(state, MoveHandle{0, bent()});
   guide = guide_of(state, kHandle, gizmo, true);
@@ -41,17 +41,33 @@ TEST(Guide, LeadsFromTheRegionToTheHandleAndTheDrag) {
 TEST(Guide, SaysWhatIsMissingToWhoeverWouldMove) {
   const GizmoTool gizmo;
   AppState state = open_state(bumpy_tube());
-  EXPECT_THAT(guide_of(state, kRoi, gizmo, true).what, HasSubstr("I chooses"));
+  EXPECT_THAT(guide_of(state, kRoi, gizmo, true).what, HasSubstr("Press I"));
   state = apply(state, Choose{kRoi, box(0.3, 4.0)});
-  EXPECT_THAT(guide_of(state, kHandle, gizmo, true).what, HasSubstr("H chooses"));
+  EXPECT_THAT(guide_of(state, kHandle, gizmo, true).what, HasSubstr("Press H"));
+}
+
+// The number of the step and the words below it are about the same thing.
+TEST(Guide, HasTheStepOfItsWords) {
+  const GizmoTool gizmo;
+  const DiskTool disk;
+  AppState state = open_state(bumpy_tube());
+  EXPECT_EQ(guide_of(state, kRoi, gizmo, true).current, 0U);
+  EXPECT_EQ(guide_of(state, kHandle, gizmo, true).current, 0U);
+  EXPECT_EQ(guide_of(state, kHandle, disk, false).current, 1U);
+  EXPECT_THAT(guide_of(state, kHandle, disk, false).what, HasSubstr("handle"));
+  state = apply(state, Choose{kRoi, box(0.3, 4.0)});
+  EXPECT_EQ(guide_of(state, kRoi, gizmo, true).current, 1U);
+  EXPECT_THAT(guide_of(state, kRoi, gizmo, true).what, HasSubstr("handle"));
+  const Guide guide = guide_of(state, {Part::Role::belt}, disk, false);
+  EXPECT_EQ(guide.current, guide.count) << "no step selects the fixed border";
 }
 
 TEST(Guide, OfAPaintedPartSaysThatEnterGoesOn) {
   const PaintTool paint;
   AppState state = open_state(bumpy_tube());
-  EXPECT_THAT(guide_of(state, kRoi, paint, false).what, HasSubstr("paint the region"));
+  EXPECT_THAT(guide_of(state, kRoi, paint, false).what, HasSubstr("Paint the region"));
   state = apply(state, Choose{kRoi, box(0.3, 4.0)});
-  EXPECT_THAT(guide_of(state, kRoi, paint, false).what, HasSubstr("Enter goes on"));
+  EXPECT_THAT(guide_of(state, kRoi, paint, false).what, HasSubstr("Enter continues"));
 }
 
 }  // namespace

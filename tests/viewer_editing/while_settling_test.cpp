@@ -59,7 +59,7 @@ class WhileItSettles : public AnEditor {
       go_on();
       ASSERT_TRUE(editor_->waits());
       EXPECT_EQ(editor_->session().history().done(), 2U) << "nothing before it has settled";
-      EXPECT_NE(said_.find("once the last edit has settled"), std::string::npos) << said_;
+      EXPECT_NE(said_.find("until the last edit is refined"), std::string::npos) << said_;
       let_worker_go();
     });
     EXPECT_TRUE(same(editor_->state(), wanted));
@@ -78,7 +78,7 @@ TEST_F(WhileItSettles, ADiskElsewhereBeginsANewEdit) {
   });
   EXPECT_EQ(editor_->state().steps.size(), 1U);
   EXPECT_TRUE(editor_->state().selection.handles.empty());
-  EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("New edit"), std::string::npos) << said_;
 }
 
 TEST_F(WhileItSettles, AndItsHandleIsChosenInIt) {

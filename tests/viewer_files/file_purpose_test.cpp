@@ -40,14 +40,15 @@ TEST(FilePurpose, SaysWhatIsWrongWithAPathAndTheNextStep) {
   const auto text = folder.file("notes.md", "");
   EXPECT_THAT(trouble_with(mesh, PathPurpose::open), IsEmpty());
   EXPECT_THAT(trouble_with(folder / "foot.obj", PathPurpose::open),
-              AllOf(HasSubstr("there is no file"), HasSubstr("foot.obj")));
+              AllOf(HasSubstr("There is no file"), HasSubstr("foot.obj")));
   EXPECT_THAT(trouble_with(text, PathPurpose::open),
               AllOf(HasSubstr("notes.md"), HasSubstr("obj")));
   EXPECT_THAT(trouble_with(folder.path(), PathPurpose::open), HasSubstr("is a folder"));
   EXPECT_THAT(trouble_with(folder / "new.ply", PathPurpose::save_mesh), IsEmpty());
-  EXPECT_THAT(trouble_with(folder / "new.fbx", PathPurpose::save_mesh), HasSubstr("end the name"));
+  EXPECT_THAT(trouble_with(folder / "new.fbx", PathPurpose::save_mesh),
+              HasSubstr("the name must end"));
   EXPECT_THAT(trouble_with(folder / "no" / "new.ply", PathPurpose::save_mesh),
-              HasSubstr("there is no folder"));
+              HasSubstr("There is no folder"));
   EXPECT_THAT(trouble_with(folder.path(), PathPurpose::parts_folder), IsEmpty());
   EXPECT_THAT(trouble_with(mesh, PathPurpose::parts_folder), HasSubstr("no folder"));
 }

@@ -64,7 +64,7 @@ TEST_F(Dialog, TellsCancelledFromFailed) {
   EXPECT_THAT(answer("echo one >&2; echo 'no such option' >&2; exit 255").reason,
               HasSubstr("zenity: no such option"));
   EXPECT_THAT(answer("exit 3").reason, HasSubstr("code 3"));
-  EXPECT_THAT(answer("exit 0").reason, HasSubstr("named no file"));
+  EXPECT_THAT(answer("exit 0").reason, HasSubstr("returned no file"));
   EXPECT_THAT(answer("kill -SEGV $$").reason, HasSubstr("signal 11"));
 }
 
@@ -124,15 +124,15 @@ TEST_F(Dialog, IsFoundOnThePathWhereThereIsADisplay) {
 TEST(DialogCommand, SaysWhatIsAskedFor) {
   const DialogProgram zenity{DialogProgram::Kind::zenity, "/bin/zenity"};
   EXPECT_THAT(dialog_command(zenity, {PathPurpose::save_recipe, "/a b", "hand.json"}),
-              ElementsAre("/bin/zenity", "--file-selection", "--title=Save the steps as a recipe",
-                          "--save", "--filename=/a b/hand.json",
-                          "--file-filter=Recipes | *.json *.JSON", "--file-filter=All files | *"));
+              ElementsAre("/bin/zenity", "--file-selection", "--title=Save recipe", "--save",
+                          "--filename=/a b/hand.json", "--file-filter=Recipes | *.json *.JSON",
+                          "--file-filter=All files | *"));
   EXPECT_THAT(dialog_command(zenity, {PathPurpose::parts_folder, "/a", ""}),
-              ElementsAre("/bin/zenity", "--file-selection", "--title=Choose the folder of parts",
-                          "--directory", "--filename=/a/"));
+              ElementsAre("/bin/zenity", "--file-selection", "--title=Parts folder", "--directory",
+                          "--filename=/a/"));
   const DialogProgram kdialog{DialogProgram::Kind::kdialog, "/bin/kdialog"};
   EXPECT_THAT(dialog_command(kdialog, {PathPurpose::save_picture, "/a", "hand.png"}),
-              ElementsAre("/bin/kdialog", "--title", "Save a picture", "--getsavefilename",
+              ElementsAre("/bin/kdialog", "--title", "Save picture", "--getsavefilename",
                           "/a/hand.png", "*.png *.PNG|Pictures\n*|All files"));
 }
 

@@ -108,7 +108,7 @@ TEST_F(ADenseViewer, ShowsTheGizmoAndThePinsAsLarge) {
                    {"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
                     "move": {"translate": [2, 0, 0]}}]}]})";
     viewer.open(viewer.folder() / "bend.json");
-    viewer.wait_for([&] { return viewer.says("ready: settles as it is dragged"); },
+    viewer.wait_for([&] { return viewer.says("Ready: refines while dragging"); },
                     "the edit is prepared");
   });
 }
@@ -143,7 +143,7 @@ TEST_F(ADenseViewer, IsClickedByAHandThatShakesAsMuch) {
       shown->key('M');
       const Vector2d middle = density * Vector2d(820.0, 400.0);
       shown->drag(middle, middle + density * Vector2d(way_pt, 0.0));
-      EXPECT_EQ(shown->says("vertex "), clicks) << density << " pixels a point, " << way_pt;
+      EXPECT_EQ(shown->says("Vertex "), clicks) << density << " pixels a point, " << way_pt;
     }
   }
 }

@@ -71,7 +71,7 @@ TEST_F(TexturedSheet, ShowsItsImageUntilThatIsTurnedOff) {
   const double shown = red("textured-sheet");
   EXPECT_GT(shown, 0.1);
   viewer_->click("Display");
-  viewer_->click("plain");
+  viewer_->click("Plain");
   EXPECT_NEAR(red("textured-sheet-plain"), shown, 0.01);
   viewer_->click("File's colours");
   EXPECT_LT(red("clay-sheet"), 0.01);
@@ -108,7 +108,7 @@ TEST_F(TexturedSheet, KeepsItsImageWhileAPartIsInHand) {
   add_finger(viewer_->folder());
   viewer_->open(file("sheet.obj"));
   viewer_->key('N');
-  viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
+  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
   const double alone = red("textured-sheet");
   viewer_->app().handle({.kind = InputKind::move, .position = {850.0, 400.0}});
   const double beside = red("textured-sheet-and-part");
@@ -120,7 +120,7 @@ TEST_F(TexturedSheet, SaysWhichImageIsMissingAndHasItsMaterialsColor) {
   std::filesystem::remove(file("skin.png"));
   viewer_->open(file("sheet.obj"));
   viewer_->look_at();
-  EXPECT_TRUE(viewer_->says("image 'skin.png' is not beside"));
+  EXPECT_TRUE(viewer_->says("Image 'skin.png' is not beside"));
   EXPECT_GT(green("green-sheet"), 0.1);
 }
 

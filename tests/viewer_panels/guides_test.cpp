@@ -5,6 +5,7 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "state/waypoints.h"
 #include "support/environment.h"
 #include "support/gpu.h"
 #include "viewer_panels/shown_viewer.h"
@@ -84,14 +85,16 @@ class Guides : public ::testing::Test {
 };
 
 TEST_F(Guides, NameTheKeysOfAnEdit) {
-  expect_says("drag from the middle of the region to edit to its rim");
-  expect_at("ROI", "key I");
-  expect_at("Disk", "key D");
+  expect_says("Press on the surface and pull");
+  viewer_->key('I');
+  expect_says("Drag from the centre of the region to its edge");
+  expect_at("Region", "Shortcut: I");
+  expect_at("Disk", "Shortcut: D");
   choose_roi();
-  expect_at("Handle", "key H");
+  expect_at("Handle", "Shortcut: H");
   viewer_->key('H');
   drag_disk(20.0);
-  expect_at("Move", "key M");
+  expect_at("Move", "Shortcut: M");
   viewer_->key('M');
   expect_says("G");
   move_handle();
@@ -99,7 +102,7 @@ TEST_F(Guides, NameTheKeysOfAnEdit) {
   expect_at("Undo", "Ctrl+Z");
   expect_at("Redo", "Ctrl+Shift+Z");
   expect_at("Save recipe", "Ctrl+E");
-  expect_at("shape", "Shift+M");
+  expect_at("Shape", "Shift+M");
   for (const char* keys : {"Ctrl+O", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+P", "Ctrl+Q"}) {
     expect_in_menu("File", keys);
   }
@@ -108,15 +111,15 @@ TEST_F(Guides, NameTheKeysOfAnEdit) {
 
 TEST_F(Guides, NameTheKeysOfACoat) {
   viewer_->click("Coat");
-  expect_at("Begin a coat", "Ctrl+K");
+  expect_at("New coat", "Ctrl+K");
   viewer_->key('K', kControl);
-  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the coat begins");
-  expect_says("press I");
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
+  expect_says("Press I");
   choose_roi();
-  expect_says("Ctrl+Shift+K takes another mesh");
+  expect_says("Ctrl+Shift+K opens another mesh");
   expect_at("Apply", "Ctrl+Enter");
-  viewer_->click("the whole source");
-  expect_says("K picks corresponding points");
+  viewer_->click("Whole source");
+  expect_says("K to pick corresponding points");
 }
 
 // It stays what it was in each frame, so that what is chosen on it stays, too.
@@ -126,9 +129,9 @@ TEST_F(Guides, LeadFromADragToACoatOfWhatWasMoved) {
   drag_disk(20.0);
   move_handle();
   viewer_->key('K', kControl);
-  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the coat begins");
-  viewer_->click("the whole source");
-  expect_says("source patch: 984 vertices");
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
+  viewer_->click("Whole source");
+  expect_says("Source patch: 984 vertices");
   const auto& preview = viewer_->app().document()->desk.preview();
   viewer_->wait_for([&] { return !preview.message().empty(); }, "the preview says what it misses");
   EXPECT_THAT(preview.message(), ::testing::HasSubstr("disk"));
@@ -138,25 +141,90 @@ TEST_F(Guides, LeadFromADragToACoatOfWhatWasMoved) {
 
 TEST_F(Guides, NameTheKeysOfAMix) {
   viewer_->click("Mix");
-  expect_at("Begin a mix", "Ctrl+M");
+  expect_at("New mix", "Ctrl+M");
   viewer_->key('M', kControl);
-  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the mix begins");
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the mix begins");
   choose_roi();
-  viewer_->click("the whole source");
-  expect_says("Shift+K shows the other source");
+  viewer_->click("Whole source");
+  expect_says("Press Shift+K");
   expect_at("Apply", "Ctrl+Enter");
 }
 
 TEST_F(Guides, NameTheKeysOfATransplant) {
   viewer_->click("Transplant");
-  expect_at("finger", "key N");
+  expect_at("finger", "N picks up");
   viewer_->key('N');
-  viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
-  expect_says("click");
+  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
+  expect_says("Click");
   viewer_->drag(middle(), middle());
   expect_says("Enter");
   expect_at("Apply", "Enter");
-  expect_at("Take up (G)", "G");
+  expect_at("Pick up (G)", "G");
+  viewer_->key(kEnter);
+  const Document& document = *viewer_->app().document();
+  viewer_->wait_for([&] { return !document.transplant.is_open(); }, "the part is applied");
+  ASSERT_NE(document.editor.row(), nullptr);
+  EXPECT_EQ(document.editor.row()->action, Action::take_disk);
+}
+
+TEST_F(Guides, SayThatACutNeedsARegionAndAName) {
+  viewer_->click("Transplant");
+  viewer_->click("More parts");
+  expect_says("Select a region to cut out.");
+  choose_roi();
+  expect_says("Type a name for the part.");
+}
+
+TEST_F(Guides, EscapeCancelsACoat) {
+  viewer_->key('K', kControl);
+  const DetailTransferTool& desk = viewer_->app().document()->desk;
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
+  viewer_->key('K');
+  ASSERT_NE(desk.picking(), DetailTransferTool::Picking::none);
+  viewer_->key(kEscape);
+  EXPECT_EQ(desk.picking(), DetailTransferTool::Picking::none);
+  EXPECT_TRUE(desk.is_open());
+  viewer_->key(kEscape);
+  EXPECT_FALSE(desk.is_open());
+}
+
+TEST_F(Guides, AnErrorGoesAwayWithItsCause) {
+  viewer_->key('K', kControl);
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
+  viewer_->click("Whole source");
+  viewer_->key(kEnter, kControl);
+  const auto says_error = [&] { return viewer_->shows("Close"); };
+  viewer_->wait_for(says_error, "the error is said");
+  choose_roi();
+  viewer_->look_at();
+  EXPECT_FALSE(says_error());
+}
+
+TEST_F(Guides, ANumberMayHaveAnExponent) {
+  choose_roi();
+  viewer_->key('H');
+  drag_disk(20.0);
+  viewer_->key('M');
+  viewer_->click("Selection");
+  viewer_->click("0?");  // the reader of the screen knows no degree sign
+  for (const char letter : std::string("1e-3")) {
+    viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
+    viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
+  }
+  viewer_->send({.kind = InputKind::key, .key = kEnter});
+  viewer_->look_at();
+  const AppState& state = viewer_->app().document()->editor.state();
+  EXPECT_DOUBLE_EQ(turn_of(state.moves.at(0).move).degrees, 1e-3);
+}
+
+TEST_F(Guides, TheTitleFollowsSaveAs) {
+  const Environment no_programs("PATH", "");  // no dialogs of the desktop
+  viewer_->key('S', kControlShift);
+  viewer_->wait_for([&] { return viewer_->shows("Save") && viewer_->shows("Cancel"); },
+                    "the browser is there");
+  viewer_->click("Save");
+  viewer_->wait_for([&] { return viewer_->says("Saved "); }, "it is saved");
+  EXPECT_EQ(viewer_->app().title(), "tube-edited.obj - Lapwing");
 }
 
 }  // namespace

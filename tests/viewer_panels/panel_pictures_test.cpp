@@ -36,7 +36,7 @@ class Panels : public ::testing::TestWithParam<Look> {
   // The tube with a handle that was moved; far, and the certificate has much to say.
   void open_bent(int by = 9) {
     viewer_->open(write_bent_tube(viewer_->folder(), by));
-    viewer_->wait_for([&] { return viewer_->says("ready: settles as it is dragged"); },
+    viewer_->wait_for([&] { return viewer_->says("Ready: refines while dragging"); },
                       "the edit is prepared");
   }
 
@@ -46,7 +46,7 @@ class Panels : public ::testing::TestWithParam<Look> {
     viewer_->key('X');
     viewer_->type(U'7');
     viewer_->key(kEnter);
-    viewer_->wait_for([&] { return viewer_->says("stretch"); }, "the result is there");
+    viewer_->wait_for([&] { return viewer_->says("Stretch"); }, "the result is there");
   }
 
   // Reads and keeps what is on the screen.
@@ -77,23 +77,23 @@ TEST_P(Panels, OfTheStartAreWhole) {
 
 TEST_P(Panels, OfADeformAreWhole) {
   open_bent();
-  EXPECT_TRUE(viewer_->says("stretch")) << "a recipe that was opened is certified";
+  EXPECT_TRUE(viewer_->says("Stretch")) << "a recipe that was opened is certified";
   check("deform");
   viewer_->click("Selection");
-  viewer_->click("How it is computed");
+  viewer_->click("Solver settings");
   check("deform-parameters");
-  viewer_->click("How it is computed");
+  viewer_->click("Solver settings");
   viewer_->click("Selection");
   viewer_->point_at("Grow");
   check("tooltip");
   viewer_->click("Brush");
   check("deform-brush");
   // Each with something that it alone has.
-  for (const auto& [tab, own] : {std::pair{"Coat", "Begin a coat"},
-                                 {"Mix", "Begin a mix"},
+  for (const auto& [tab, own] : {std::pair{"Coat", "New coat"},
+                                 {"Mix", "New mix"},
                                  {"Transplant", "finger"},
-                                 {"Mesh", "mean edge"},
-                                 {"Display", "guide at the picture"}}) {
+                                 {"Mesh", "Mean edge length"},
+                                 {"Display", "Show guide"}}) {
     viewer_->click(tab);
     ASSERT_TRUE(viewer_->shows(own)) << tab;
     check(std::string("tab-") + tab);
@@ -104,11 +104,11 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   open_bent();
   for (const char* menu : {"File", "Edit", "View", "Help"}) check_menu(menu);
   viewer_->key('P', kControl);
-  ASSERT_TRUE(viewer_->shows("Save a picture"));
+  ASSERT_TRUE(viewer_->shows("Save picture"));
   check("dialog-picture");
   viewer_->key(kEscape);
   viewer_->key('P', kControlShift);
-  ASSERT_TRUE(viewer_->shows("Save a turntable"));
+  ASSERT_TRUE(viewer_->shows("Save turntable"));
   check("dialog-turntable");
   viewer_->key(kEscape);
   viewer_->type(U'?');
@@ -120,7 +120,7 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   check("dialog-machine");
   viewer_->key(kEscape);
   viewer_->app().open(viewer_->folder() / "a file with quite a long name that is not there.obj");
-  viewer_->wait_for([&] { return viewer_->shows("close"); }, "the error is said");
+  viewer_->wait_for([&] { return viewer_->shows("Close"); }, "the error is said");
   check("toast");
   viewer_->click("Help");
   viewer_->click("Messages");
@@ -135,13 +135,13 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
 TEST_P(Panels, OfACoatAreWhole) {
   open_bent();
   viewer_->key('K', kControl);
-  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the coat begins");
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
   check("coat-begun");
-  viewer_->click("the whole source");
+  viewer_->click("Whole source");
   check("coat-patch");
-  viewer_->click("How it is computed");
+  viewer_->click("Solver settings");
   check("coat-parameters");
-  viewer_->click("How it is computed");
+  viewer_->click("Solver settings");
   viewer_->click("Domain");
   check("coat-domain");
 }
@@ -149,16 +149,16 @@ TEST_P(Panels, OfACoatAreWhole) {
 TEST_P(Panels, OfAMixAreWhole) {
   open_bent();
   viewer_->key('M', kControl);
-  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the mix begins");
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the mix begins");
   check("mix-begun");
-  viewer_->click("around a part");
+  viewer_->click("Around a handle");
   check("mix-around");
 }
 
 TEST_P(Panels, OfATransplantAreWhole) {
   viewer_->open(viewer_->folder() / "tube.obj");
   viewer_->key('N');
-  viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
+  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
   check("transplant-carried");
   viewer_->click("More parts");
   check("transplant-more");
@@ -184,7 +184,7 @@ TEST_P(Panels, OfTheBrowserAreWhole) {
     viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
   }
   viewer_->send({.kind = InputKind::key, .key = kEnter});
-  viewer_->wait_for([&] { return viewer_->says("there is no file"); },
+  viewer_->wait_for([&] { return viewer_->says("There is no file"); },
                     "that it is not there is said");
   check("browser-refuses");
 }
@@ -202,7 +202,7 @@ TEST_P(Panels, OfTheDoctorAreWhole) {
   check("doctor-places");
   viewer_->click("Back");
   viewer_->click("Repair");
-  viewer_->wait_for([&] { return viewer_->shows("Keep..."); }, "the repair is shown");
+  viewer_->wait_for([&] { return viewer_->shows("Save repaired mesh..."); }, "the repair is shown");
   check("doctor-preview");
   std::ofstream(viewer_->folder() / "cloud.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   viewer_->open(viewer_->folder() / "cloud.obj");
@@ -216,10 +216,10 @@ TEST_P(Panels, OfMessagesOfAllLengthsAreWhole) {
   for (std::size_t letters = 1; letters < 60; letters += 4) {
     const std::string name = std::string(letters, 'i') + ".obj";
     viewer_->app().open(viewer_->folder() / name);
-    viewer_->wait_for([&] { return viewer_->shows("close"); }, name + " is said");
+    viewer_->wait_for([&] { return viewer_->shows("Close"); }, name + " is said");
     check("toast-of-" + std::to_string(letters));
-    viewer_->click("close");
-    EXPECT_FALSE(viewer_->shows("close"));
+    viewer_->click("Close");
+    EXPECT_FALSE(viewer_->shows("Close"));
   }
 }
 
@@ -229,7 +229,7 @@ TEST_P(Panels, TheCertificateMovesNothing) {
   std::map<std::string, ImVec2> places;
   const auto remember = [&] {
     places.clear();
-    for (const char* label : {"Selection", "Grow", "mirror", "Undo", "Save recipe"}) {
+    for (const char* label : {"Selection", "Grow", "Mirror", "Undo", "Save recipe"}) {
       const auto text = find_text(viewer_->look_at(), label);
       ASSERT_TRUE(text) << label;
       places[label] = text->min;
@@ -245,7 +245,7 @@ TEST_P(Panels, TheCertificateMovesNothing) {
   };
   open_bent(0);
   remember();
-  EXPECT_FALSE(viewer_->says("stretch"));
+  EXPECT_FALSE(viewer_->says("Stretch"));
   move_handle();
   check("deform-result");
   expect_as_before();

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ui/view_pen.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer::test {
@@ -66,6 +67,21 @@ TEST_F(ScreenReader, SeesWhatAPanelOrAButtonCutsOff) {
   const auto label = read(300.0F, [] { ImGui::Button("a label", {40.0F, 0.0F}); });
   ASSERT_EQ(label.size(), 1U);
   EXPECT_TRUE(label[0].is_cut);
+}
+
+TEST_F(ScreenReader, FindsTheWordsAtTheCursorInsideTheWindow) {
+  for (const Eigen::Vector2d& place :
+       {Eigen::Vector2d(390.0, 290.0), Eigen::Vector2d(-20.0, -5.0)}) {
+    const auto texts = read(
+        100.0F, [&] { draw_words(*ImGui::GetForegroundDrawList(), place, "words at the cursor"); });
+    const auto text = find_text(texts, "words at the cursor");
+    ASSERT_TRUE(text);
+    EXPECT_FALSE(text->is_cut);
+    EXPECT_GE(text->min.x, 0.0F);
+    EXPECT_GE(text->min.y, 0.0F);
+    EXPECT_LE(text->max.x, 400.0F);
+    EXPECT_LE(text->max.y, 300.0F);
+  }
 }
 
 TEST_F(ScreenReader, MeasuresContrast) {

@@ -37,8 +37,7 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereWritten) {
                             .window_width = 1900,
                             .window_height = 1000,
                             .tool = "Brush",
-                            .brush_radius_pt = 55.0,
-                            .paints_through = true};
+                            .brush_radius_pt = 55.0};
   const auto file = folder_ / "not there yet" / "viewer.json";
   write_preferences(written, file);
   const ReadPreferences read = read_preferences(file);

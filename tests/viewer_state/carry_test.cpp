@@ -99,8 +99,8 @@ TEST_F(CarriedInAWindow, FollowsADragAndIsUndoneAndRedoneWithIt) {
   session_->go_to(4);
   EXPECT_EQ(places(), bent_there);
   EXPECT_THAT(session_->history().names(),
-              ElementsAre("ROI: box", "handle 1: box", "carry hat.obj", HasSubstr("move handle 1"),
-                          HasSubstr("move handle 1")));
+              ElementsAre("Region: box", "Handle 1: box", "Attach hat.obj",
+                          HasSubstr("Move handle 1"), HasSubstr("Move handle 1")));
 }
 
 TEST_F(CarriedInAWindow, StepsGoOnFromWhereTheOneBeforeLeftItAsInARun) {
@@ -232,7 +232,7 @@ TEST_F(CarriedInAWindow, AFileThatCannotBeCarriedIsNamedWithTheReason) {
   EXPECT_THAT(refused("broken.obj"), HasSubstr("broken.obj"));
   EXPECT_TRUE(state().carried.empty());
   EXPECT_THAT(error_message<InputError>([&] { session_->perform(StopCarrying{hat_}); }),
-              HasSubstr("hat.obj is not carried"));
+              HasSubstr("hat.obj is not attached"));
 }
 
 TEST_F(CarriedInAWindow, AResultThatLacksItIsRefused) {

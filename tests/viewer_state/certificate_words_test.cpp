@@ -36,8 +36,8 @@ TEST_F(CertificateWords, NotSettledSaysHowFarAndWhatToDo) {
   certificate_.settle_last_step = 0.02;
   const auto warning = only_warning();
   EXPECT_THAT(warning.text, HasSubstr("after 100 iterations"));
-  EXPECT_THAT(warning.text, HasSubstr("0.02 mean edges"));
-  EXPECT_THAT(warning.text, HasSubstr("more iterations, widen the ROI, or move the handle in"));
+  EXPECT_THAT(warning.text, HasSubstr("0.02 mean edge lengths"));
+  EXPECT_THAT(warning.text, HasSubstr("Enlarge the region, move the handle in smaller steps"));
   EXPECT_THAT(warning.vertices, IsEmpty());
 }
 
@@ -67,7 +67,7 @@ TEST_F(CertificateWords, LostDetailsAreSaidAboveAQuarter) {
   certificate_.detail_error = 0.24;
   EXPECT_THAT(warnings(), IsEmpty());
   certificate_.detail_error = 0.31;
-  EXPECT_THAT(only_warning().text, HasSubstr("31% of the details"));
+  EXPECT_THAT(only_warning().text, HasSubstr("31% of the detail"));
 }
 
 TEST_F(CertificateWords, EdgeLongerThanThreeTimesNamesItsEnds) {
@@ -94,7 +94,7 @@ TEST_F(CertificateWords, WhatNeverSettledComesFirst) {
   certificate_.flipped_triangles = 2;
   certificate_.first_flipped_triangles = {0, 1};
   ASSERT_EQ(warnings().size(), 3U);
-  EXPECT_THAT(warnings()[0].text, HasSubstr("Not settled"));
+  EXPECT_THAT(warnings()[0].text, HasSubstr("Not fully refined"));
   certificate_.lacks_hessian = true;
   EXPECT_THAT(warnings()[0].text, HasSubstr("not enough memory"));
 }

@@ -238,11 +238,11 @@ TEST(Command, WhatDoesNotFitIsRefused) {
 }
 
 TEST(Command, StepsHaveNames) {
-  EXPECT_EQ(describe(Choose{kRoi, box(0, 1)}), "ROI: box");
-  EXPECT_EQ(describe(Paint{kHandle, {1}, {}}), "paint handle 1");
-  EXPECT_EQ(describe(Paint{kBelt, {}, {1}}), "erase belt");
-  EXPECT_EQ(describe(SetBeltWidth{0.1}), "belt: 10%");
-  EXPECT_EQ(describe(MoveHandle{0, twisted(270.0)}), "move handle 1, turn 270 degrees");
+  EXPECT_EQ(describe(Choose{kRoi, box(0, 1)}), "Region: box");
+  EXPECT_EQ(describe(Paint{kHandle, {1}, {}}), "Paint handle 1");
+  EXPECT_EQ(describe(Paint{kBelt, {}, {1}}), "Erase fixed border");
+  EXPECT_EQ(describe(SetBeltWidth{0.1}), "Fixed border: 10%");
+  EXPECT_EQ(describe(MoveHandle{0, twisted(270.0)}), "Move handle 1, rotate 270°");
 }
 
 TEST(ToMove, SimilarityKeepsWholeTurns) {

@@ -140,7 +140,7 @@ TEST_F(ADiskWithGrips, ADragOfOneSizesTheDiskAboutItsMiddle) {
   const Vector2d grip = right_grip();
   send(move_to(grip));
   EXPECT_TRUE(tool_.marks().grip.has_value());
-  EXPECT_STREQ(tool_.hint(sphere_.state, kRoi), "drag the rim's dot to size the disk");
+  EXPECT_STREQ(tool_.hint(sphere_.state, kRoi), "Drag the dot to resize the disk.");
   send(press(grip));
   const Vector2d rim = sphere_.pixel_of(Vector3d(std::sin(0.9), 0, std::cos(0.9)));
   send(move_to(rim));

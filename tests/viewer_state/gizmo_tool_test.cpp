@@ -76,7 +76,7 @@ TEST_F(AGizmoTool, TypedTurnKeepsWholeTurns) {
   send(key('R'));
   send(key('Z'));
   type("400");
-  EXPECT_THAT(readout(), HasSubstr("turn 400 degrees about z"));
+  EXPECT_THAT(readout(), HasSubstr("Rotate 400° about Z"));
   EXPECT_THAT(readout(), Not(HasSubstr("commit"))) << "made in parts";
   EXPECT_NEAR(turn_of(performed(send(key(kEnter)))).degrees, 400.0, 1e-9);
   EXPECT_TRUE(state_.moves[0].path.empty());
@@ -110,16 +110,16 @@ TEST_F(AGizmoTool, TheSameAxisAgainIsTheHandlesOwnAndThenSetsItFree) {
   send(key('G'));
   send(key('Y'));
   EXPECT_EQ(tool_.part(), GizmoPart::y);
-  EXPECT_THAT(readout(), HasSubstr("along y"));
+  EXPECT_THAT(readout(), HasSubstr("along Y"));
   send(key('Y'));
   EXPECT_EQ(tool_.part(), GizmoPart::y);
-  EXPECT_THAT(readout(), HasSubstr("along the handle's y"));
+  EXPECT_THAT(readout(), HasSubstr("along local Y"));
   send(key('Y'));
   EXPECT_EQ(tool_.part(), GizmoPart::view);
   send(key('Y'));
-  EXPECT_THAT(readout(), HasSubstr("along y"));
+  EXPECT_THAT(readout(), HasSubstr("along Y"));
   send(key('X'));
-  EXPECT_THAT(readout(), HasSubstr("along x"));
+  EXPECT_THAT(readout(), HasSubstr("along X"));
 }
 
 TEST_F(AGizmoTool, KeysGoAlongTheAxesThatAreChosen) {
@@ -215,13 +215,13 @@ TEST_F(AGizmoTool, SaysWhenTheHandleHasTurnedTooFar) {
   send(key('R'));
   send(key('Z'));
   type("180");
-  EXPECT_THAT(readout(), Not(HasSubstr("in all")));
+  EXPECT_THAT(readout(), Not(HasSubstr("in total")));
   performed(send(key(kEnter)));
   send(key('R'));
   send(key('Z'));
   type("20");
-  EXPECT_THAT(readout(), HasSubstr("turned 200 degrees in all")) << "the turns add up";
-  EXPECT_THAT(readout(), HasSubstr("commit on the way"));
+  EXPECT_THAT(readout(), HasSubstr("200° in total")) << "the turns add up";
+  EXPECT_THAT(readout(), HasSubstr("Rotate in several steps"));
 }
 
 TEST_F(AGizmoTool, APullLetsTheHandleTurnUnlessItWasTurnedByHand) {

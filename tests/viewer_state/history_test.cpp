@@ -138,7 +138,7 @@ TEST(History, AGestureOfTwoCommandsIsOneStep) {
   history.perform(Choose{kSecondHandle, listed({100})});
   history.perform(MoveHandle{1, bent()}, Joining::with_last);
   history.perform(Settle{handles_alone(history.state())});
-  EXPECT_THAT(history.names(), ElementsAre("move handle 2, turn 35 degrees"));
+  EXPECT_THAT(history.names(), ElementsAre("Move handle 2, rotate 35°"));
   const AppState after = history.state();
   history.undo();
   EXPECT_TRUE(same(history.state(), before));

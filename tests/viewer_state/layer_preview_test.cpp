@@ -46,7 +46,7 @@ TEST(LayerDraft, SaysWhatIsMissing) {
   const auto missing = [&] { return error_message<InputError>([&] { step_of(draft); }); };
   EXPECT_THAT(missing(), HasSubstr("patch of the source"));
   draft.sources[0] = coat_draft(files).sources[0];
-  EXPECT_THAT(missing(), HasSubstr("target patch"));
+  EXPECT_THAT(missing(), HasSubstr("region that gets the detail"));
   draft.target_patch = coat_draft(files).target_patch;
   EXPECT_EQ(missing(), "");
   draft.sources[0].detail_size = 0.0;

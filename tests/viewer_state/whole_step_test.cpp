@@ -87,7 +87,7 @@ TEST_F(AWholeStep, OfAnOpenedRecipeIsOneStepOfTheHistory) {
   const Recipe recipe = to_recipe(history_.state(), "../targets/sheet.ply", folder);
   EXPECT_EQ(std::get<CoatStep>(recipe.steps.at(0)).source.mesh, "../sources/relief.ply");
   const History opened = from_recipe(start_, recipe, carry_out());
-  EXPECT_EQ(opened.names(), std::vector<std::string>{"coat from relief.ply"});
+  EXPECT_EQ(opened.names(), std::vector<std::string>{"Coat from relief.ply"});
   EXPECT_TRUE(same(opened.state(), history_.state()));
 }
 
@@ -95,7 +95,7 @@ TEST_F(AWholeStep, WaitsForTheResultOfADrag) {
   choose_parts();
   history_.perform(MoveHandle{0, bent()});
   EXPECT_THAT(error_message<InputError>([&] { apply_step(files_.coat()); }),
-              HasSubstr("not settled yet"));
+              HasSubstr("not refined yet"));
 }
 
 TEST_F(AWholeStep, WithoutAResultOrWithOneOfAnotherMeshIsRefused) {

@@ -234,7 +234,7 @@ TEST_F(ViewerWindow, AnOrderedPictureIsDrawnOrRefusedWhereverMemoryFails) {
 TEST_F(ViewerWindow, WithoutADeviceThatDrawsSaysThatTheEditIsKept) {
   start_with_fault("loss 20 ever after", {tube()});
   expect_fails(5, "VK_ERROR_DEVICE_LOST");
-  EXPECT_THAT(viewer_->errors(), HasSubstr("what was edited is kept"));
+  EXPECT_THAT(viewer_->errors(), HasSubstr("your edit is kept"));
 }
 
 TEST_F(ViewerWindow, WithoutVulkanSaysSo) {

@@ -83,6 +83,13 @@ void DetailTransferTool::close(Editor& editor) {
   editor.shown().end_preview();
 }
 
+void DetailTransferTool::cancel(Editor& editor) {
+  if (picking_ != Picking::none) return pick(Picking::none, editor);
+  if (is_painting_) return paint_weight(false, editor);
+  if (editor.session().is_carrying_out()) return editor.session().cancel_step();
+  close(editor);
+}
+
 void DetailTransferTool::use_source(std::size_t k, const std::filesystem::path& mesh) {
   draft_.sources[k] = LayerDraft::nothing();
   draft_.sources[k].mesh = mesh;
@@ -119,7 +126,7 @@ void DetailTransferTool::choose_source_patch(const RegionSpec& region) {
 // If a step is edited again, its target may have other triangles than the present mesh.
 bool DetailTransferTool::can_click_target(const Editor& editor) const {
   if (!start_ || start_->rest->shares_faces_with(*editor.state().rest)) return true;
-  say_("this step changed the target's triangles; undo it to click on the target");
+  say_("This step changed the triangles of the target. Undo it before you click on the target.");
   return false;
 }
 
@@ -174,7 +181,11 @@ void DetailTransferTool::update(Editor& editor) {
     // If the step failed, the user may change it and apply it again.
     if (editor.session().is_carrying_out()) return;
     applies_ = false;
-    if (editor.state().steps != steps_before_) return close(editor);
+    if (editor.state().steps != steps_before_) {
+      close(editor);
+      editor.take(Action::take_disk);
+      return;
+    }
   }
   // The user has taken another tool.
   if (is_painting_ && !editor.has_in_hand(weight_paint_)) paint_weight(false, editor);
@@ -330,6 +341,7 @@ void DetailTransferTool::apply(Editor& editor) {
   take_what_was_done(editor);
   Step step;
   if (!say_errors(say_, [&] { step = step_of(draft_); })) return;
+  say_({"", Tone::error});
   if (taken_up_) {
     editor.replace_step(*taken_up_, step);
   } else {

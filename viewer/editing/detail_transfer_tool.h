@@ -17,7 +17,7 @@ class PointTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   const char* hint(const AppState&, const Part&) const override {
-    return "click the same place on the source and here";
+    return "Click the same place on the source and here.";
   }
   /// The vertex clicked last, until it is reset.
   std::optional<Index> picked;
@@ -37,6 +37,8 @@ class DetailTransferTool {
   bool take_up(Editor& editor, std::size_t index);
   /// Drops what was not applied.
   void close(Editor& editor);
+  /// Ends picking or painting; otherwise cancels the step that is being applied; otherwise closes.
+  void cancel(Editor& editor);
   bool is_open() const { return is_open_; }
   /// The step that is edited again, if any.
   std::optional<std::size_t> taken_up() const { return taken_up_; }

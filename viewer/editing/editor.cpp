@@ -188,7 +188,7 @@ void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
     if (std::ranges::binary_search(handles[h].vertices, pick->vertex)) choose({Role::handle, h});
   }
   char text[128];
-  std::snprintf(text, sizeof text, "vertex %u, face %u at (%.5g, %.5g, %.5g)", pick->vertex,
+  std::snprintf(text, sizeof text, "Vertex %u, face %u at (%.5g, %.5g, %.5g)", pick->vertex,
                 shown_.topology().triangle_faces[pick->triangle], pick->position.x(),
                 pick->position.y(), pick->position.z());
   say_(text);
@@ -201,9 +201,10 @@ bool Editor::attempt(const std::function<void()>& change) {
     pointed_at_.clear();
     if (!session_->warning().empty()) say_({session_->warning(), Tone::warning});
     if (carried_out && !session_->is_carrying_out()) {
-      say_("the step was cancelled because the surface changed; apply it again");
+      say_("The step was cancelled because the surface has changed. Apply it again.");
     }
   });
+  if (is_done) say_({"", Tone::error});  // what failed before is done, or no longer wanted
   state_changed();
   return is_done;
 }
@@ -226,7 +227,7 @@ bool Editor::perform(const Command& command, Joining joining) {
       is_of_roi(std::get_if<Choose>(&command)) || is_of_roi(std::get_if<Paint>(&command));
   if (is_done && of_roi) say_what_was_let_go(handles);
   if (const auto* mirror = std::get_if<SetMirror>(&command); is_done && mirror != nullptr) {
-    say_(mirror->plane ? "all is done on both sides of the plane" : "nothing is mirrored any more");
+    say_(mirror->plane ? "Mirror on" : "Mirror off");
   }
   return is_done;
 }
@@ -284,7 +285,7 @@ void Editor::new_edit() {
   if (!perform(NewEdit{})) return;
   choose({Role::roi});
   if (has_in_hand(tools_.gizmo)) take(Action::take_disk);
-  say_("a new edit: choose the region to edit");
+  say_("New edit: select a region.");
 }
 
 void Editor::change_part(const PartChange& change) {
@@ -297,7 +298,7 @@ void Editor::mirror_by_shape() {
     if (!perform(SetMirror{found.plane})) return;
     char text[96];
     std::snprintf(text, sizeof text,
-                  "the surface is off from its mirror image by %.2g%% of its size",
+                  "Mirror on. The surface differs from its mirror image by %.2g%% of its size.",
                   100.0 * found.asymmetry);
     say_(text);
   });

@@ -13,7 +13,7 @@ namespace {
 
 using Role = Part::Role;
 
-const char* const kBeginsHere = "a new edit begins here; undo goes back to the last one";
+const char* const kBeginsHere = "New edit. Undo returns to the last one.";
 
 }  // namespace
 
@@ -81,7 +81,7 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool m
 void Editor::say_what_was_let_go(std::size_t handles_before) {
   if (handle_count() >= handles_before) return;
   say_(handle_count() == 0 ? kBeginsHere
-                           : "handles outside the ROI were let go; undo brings them back");
+                           : "Handles outside the region were removed. Undo restores them.");
 }
 
 bool Editor::waits() const {
@@ -89,7 +89,7 @@ bool Editor::waits() const {
 }
 
 void Editor::postpone(std::function<void()> act) {
-  if (postponed_.empty()) say_("goes on once the last edit has settled; undo gives it up");
+  if (postponed_.empty()) say_("Waiting until the last edit is refined. Undo cancels.");
   postponed_.push_back(std::move(act));
 }
 
@@ -132,16 +132,13 @@ void Editor::give_up_postponed() {
 }
 
 const char* Editor::hint() const {
-  if (picks_pivot_)
-    return "click the place on the surface to turn about; Escape leaves it as it is";
+  if (picks_pivot_) return "Click the pivot on the surface. Escape cancels.";
   return tool_->hint(state(), part_);
 }
 
 void Editor::take_next_gizmo_axes() {
   // Indexed by GizmoAxes.
-  constexpr std::array kSaid{"the gizmo's axes are the world's",
-                             "the gizmo's axes are the handle's own",
-                             "the gizmo's z is along the normal of the handle"};
+  constexpr std::array kSaid{"Orientation: World", "Orientation: Local", "Orientation: Normal"};
   GizmoChoices choices = gizmo_choices();
   const std::size_t next = (static_cast<std::size_t>(choices.axes) + 1) % kSaid.size();
   choices.axes = static_cast<GizmoAxes>(next);
@@ -153,8 +150,7 @@ void Editor::toggle_sticking() {
   GizmoChoices choices = gizmo_choices();
   choices.sticks_to_surface = !choices.sticks_to_surface;
   set_gizmo_choices(choices);
-  say_(choices.sticks_to_surface ? "a handle that is moved sticks to the surface beside the ROI"
-                                 : "a handle that is moved no longer sticks to the surface");
+  say_(choices.sticks_to_surface ? "Snap to surface on" : "Snap to surface off");
 }
 
 // Returns whether the event was used to pick.

@@ -102,7 +102,7 @@ void Editor::take_step() {
   pointed_at_.clear();
   for (const std::string& warning : taken->warnings) say_({warning, Tone::warning});
   if (taken->changed_triangles && had_chosen) {
-    say_("the triangles have changed; choose the regions again");
+    say_("The triangles have changed. Select the region again.");
   }
   state_changed();
 }

@@ -9,24 +9,25 @@ bool has_patch(const DetailTransferTool& desk, std::size_t k) {
 
 const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, bool has_target) {
   if (desk.picking() != DetailTransferTool::Picking::none) {
-    return desk.picked_source()   ? "click the same place on the target; K ends picking"
-           : desk.picked_target() ? "click the same place on the source; K ends picking"
-                                  : "click the same place on source and target; K ends picking";
+    return desk.picked_source()   ? "Click the same place on the target. K ends picking."
+           : desk.picked_target() ? "Click the same place on the source. K ends picking."
+                                  : "Click the same place on source and target. K ends picking.";
   }
   if (desk.is_painting())
-    return "paint where the second source appears; Ctrl + wheel sizes the brush";
+    return "Paint where the second source appears. Ctrl + wheel resizes the brush.";
   if (!has_target && !desk.taken_up()) {
-    return editor.part().role == Part::Role::roi && !editor.has_in_hand(editor.gizmo_tool())
+    return editor.part().role == Part::Role::roi && editor.chooses_parts()
                ? editor.hint()
-               : "press I, then choose the region that gets the detail";
+               : "Press I, then select the region that gets the detail.";
   }
   if (!has_patch(desk, desk.current())) {
-    return "drag a disk over the source, beside the mesh; Ctrl+Shift+K takes another mesh";
+    return "Drag a disk on the source, beside the mesh. Ctrl+Shift+K opens another mesh.";
   }
   if (desk.draft().source_count() == 2 && !has_patch(desk, 1 - desk.current())) {
-    return "Shift+K shows the other source, which needs a patch, too";
+    return "Press Shift+K, then drag a disk on the other source.";
   }
-  return "Ctrl+Enter applies it; the sliders change it, K picks corresponding points";
+  return "Adjust the sliders, or press K to pick corresponding points. Ctrl+Enter applies, Escape "
+         "cancels.";
 }
 
 Guide guide_of_layers(const DetailTransferTool& desk, const Editor& editor) {
@@ -45,6 +46,9 @@ Guide guide_of_layers(const DetailTransferTool& desk, const Editor& editor) {
     add("Second source", has_patch(desk, 1));
   }
   add("Apply", false);
+  // The words are about the source that is shown.
+  const bool is_other = desk.draft().source_count() == 2 && !has_patch(desk, desk.current());
+  if (has_target && is_other) guide.current = 1 + desk.current();
   guide.what = what_to_do(desk, editor, has_target);
   return guide;
 }
@@ -55,10 +59,10 @@ Guide guide_of_transplant(const TransplantTool& desk, const Editor& editor) {
   Guide guide;
   guide.steps = {{{"Part", desk.has_part()}, {"Place", stands}, {"Apply", false}, {"", false}}};
   guide.current = stands ? 2 : desk.has_part() ? 1 : 0;
-  guide.what = !desk.has_part()                   ? "the part is being read"
-               : !editor.has_in_hand(desk.tool()) ? "another tool is in hand: \"Place by hand\" in "
-                                                    "the Transplant panel takes the part again"
-                                                  : editor.hint();
+  guide.what = !desk.has_part() ? "Reading the part."
+               : !editor.has_in_hand(desk.tool())
+                   ? "Click \"Place by hand\" in the Transplant tab to go on with the part."
+                   : editor.hint();
   return guide;
 }
 
@@ -68,11 +72,17 @@ Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, b
   const bool has_roi = !state.selection.roi.vertices.empty();
   const bool has_handle = !state.selection.handles.empty();
   Guide guide;
-  guide.steps = {{{"Region", has_roi}, {"Handle", has_handle}, {"Drag", is_moved(state)}, {}}};
+  guide.steps = {{{"Region", has_roi}, {"Handle", has_handle}, {"Move", is_moved(state)}, {}}};
   const bool can_move = moves && has_roi && has_handle;
-  guide.current = can_move ? 2 : part.role == Part::Role::handle && has_roi ? 1 : 0;
+  // The step that the words below are about. No step selects the fixed border.
+  const bool selects_handle = moves ? has_roi : part.role == Part::Role::handle;
+  guide.current = can_move                                  ? 2
+                  : selects_handle                          ? 1
+                  : !moves && part.role == Part::Role::belt ? guide.count
+                                                            : 0;
   guide.what = tool.hint(state, part);
-  if (can_move && is_moved(state)) guide.what = "drag the gizmo on; Ctrl+N begins another edit";
+  if (can_move && is_moved(state))
+    guide.what = "Drag the gizmo to continue. Ctrl+N begins another edit.";
   return guide;
 }
 
@@ -80,7 +90,9 @@ Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplan
                const Editor& editor) {
   if (transplant.is_open()) return guide_of_transplant(transplant, editor);
   if (layers.is_open()) return guide_of_layers(layers, editor);
-  if (editor.row() != nullptr && editor.row()->action == Action::take_grab) {
+  // These tools take no part in the steps.
+  const Action tool = editor.row() != nullptr ? editor.row()->action : Action::take_move;
+  if (tool == Action::take_grab || tool == Action::take_ruler || editor.picks_pivot()) {
     return {.count = 0, .what = editor.hint()};
   }
   const bool moves = editor.has_in_hand(editor.gizmo_tool());

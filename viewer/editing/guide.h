@@ -16,7 +16,7 @@ struct Guide {
   };
   std::array<Step, 4> steps{};
   std::size_t count = 3;    ///< number of steps in use
-  std::size_t current = 0;  ///< index of the step to do now
+  std::size_t current = 0;  ///< index of the step to do now; `count` for none
   const char* what = "";    ///< what to do now, in a sentence
 };
 

@@ -87,8 +87,8 @@ void TransplantTool::take_next_part() {
     at = at == items.end() || at + 1 == items.end() ? items.begin() : at + 1;
     if (at->trouble.empty()) return take_part(at->file);
   }
-  say_("there is no part in " + library_.folder().string() +
-       " yet; add one in the Transplant panel");
+  say_("There is no part in " + library_.folder().string() +
+       ". Add one in the Transplant tab, under \"More parts\".");
 }
 
 void TransplantTool::take_up(const Editor& editor, std::size_t index) {
@@ -113,7 +113,7 @@ void TransplantTool::take_up_last(const Editor& editor) {
   for (std::size_t k = steps.size(); k-- > 0;) {
     if (std::holds_alternative<TransplantStep>(*steps[k])) return take_up(editor, k);
   }
-  say_("there is no transplant to edit yet");
+  say_("There is no transplant to edit.");
 }
 
 void TransplantTool::close(Editor& editor) {
@@ -187,7 +187,7 @@ bool TransplantTool::stands_on_other_surface(const AppState& now) const {
 // After an undo, for example, a new part keeps its place on the present surface.
 void TransplantTool::reset_history(Editor& editor) {
   if (taken_up_) {
-    say_("the surface has changed; open the step again");
+    say_("The surface has changed. Click \"Edit\" in the Transplant tab again.");
     return close(editor);
   }
   preview_.stop();
@@ -204,7 +204,7 @@ void TransplantTool::take_hole(const Editor& editor) {
   if (roi.vertices.empty()) {
     tool_.draft().chosen_hole.reset();
   } else {
-    tool_.draft().chosen_hole = spec_of(roi, "the ROI");
+    tool_.draft().chosen_hole = spec_of(roi, "the region");
   }
 }
 
@@ -233,7 +233,7 @@ bool TransplantTool::finish_applying(Editor& editor) {
   if (!applies_) return false;
   if (editor.session().is_carrying_out()) return true;
   const bool is_done = editor.session().history().done() != *std::exchange(applies_, {});
-  if (is_done) close(editor);
+  if (is_done) close_applied(editor);
   return is_done;
 }
 
@@ -307,8 +307,14 @@ void TransplantTool::apply(Editor& editor) {
   if (editor.session().is_carrying_out()) {
     applies_ = done;
   } else if (editor.session().history().done() != done) {
-    close(editor);
+    close_applied(editor);
   }
+}
+
+// The user goes on with another region.
+void TransplantTool::close_applied(Editor& editor) {
+  close(editor);
+  editor.take(Action::take_disk);
 }
 
 void TransplantTool::release_device() {

@@ -82,6 +82,7 @@ class TransplantTool {
   void show(Editor& editor);
   void show_carried(Editor& editor);
   void show_result(Editor& editor);
+  void close_applied(Editor& editor);
   bool finish_applying(Editor& editor);
 
   Say say_;

@@ -32,34 +32,30 @@ constexpr std::array kPictures{FileKind{"Pictures", kPicture}, kAll};
 constexpr std::array kTurntables{FileKind{"Videos and numbered pictures", kTurntable}, kAll};
 constexpr std::array kOpened{FileKind{"Meshes and recipes", kMeshOrRecipe},
                              FileKind{"Meshes", kMesh}, FileKind{"Recipes", kRecipe}, kAll};
-constexpr std::array kFollowers{FileKind{"Meshes, clouds and tables", kCarried}, kAll};
+constexpr std::array kFollowers{FileKind{"Meshes, point clouds and tables", kCarried}, kAll};
 
 constexpr std::string_view kFormats =
     "The extension chooses the format: glb, gltf, obj, off, ply or stl.";
 
 // The texts of each PathPurpose, in the order of the enumeration.
 constexpr std::array<PathWords, 12> kWords{{
-    {"Open", "A mesh, or a recipe, which is carried out.", "Open", Wants::file, kOpened},
-    {"Save the mesh", kFormats, "Save", Wants::new_file, kMeshes},
-    {"Save the repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
-    {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save",
+    {"Open", "A mesh, or a recipe to run.", "Open", Wants::file, kOpened},
+    {"Save mesh", kFormats, "Save", Wants::new_file, kMeshes},
+    {"Save repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
+    {"Save recipe", "The steps as a file that `lapwing run` runs without a window.", "Save",
      Wants::new_file, kRecipes},
-    {"Replay a recipe", "Its steps run on the open mesh.", "Replay", Wants::file, kRecipes},
-    {"Take from another mesh", "You choose its patch in the view beside the open mesh.", "Open",
+    {"Replay recipe", "Runs its steps on the open mesh.", "Replay", Wants::file, kRecipes},
+    {"Open source mesh", "Select a patch of it in the view beside the open mesh.", "Open",
      Wants::file, kMeshes},
-    {"Carry a file along", "A mesh, a point cloud or a table of points.", "Add", Wants::file,
-     kFollowers},
-    {"Save a picture", "As the view shows it, without panels.", "Save", Wants::new_file, kPictures},
-    {"Save a turntable", "A video (mp4, webm, gif; by ffmpeg), or numbered pictures (png).", "Save",
-     Wants::new_file, kTurntables},
-    {"Choose the folder of parts",
-     "Its meshes are shown in the Transplant panel.",
-     "Use this folder",
-     Wants::folder,
-     {}},
-    {"Take a part from a file", "A mesh with a hole, which is sewn on along that.", "Use",
+    {"Attach object", "A mesh, point cloud or table of points that follows the surface.", "Add",
+     Wants::file, kFollowers},
+    {"Save picture", "The view without panels.", "Save", Wants::new_file, kPictures},
+    {"Save turntable", "A video (mp4, webm, gif; requires ffmpeg), or numbered pictures (png).",
+     "Save", Wants::new_file, kTurntables},
+    {"Parts folder", "The Transplant tab lists its meshes.", "Use this folder", Wants::folder, {}},
+    {"Use part from file", "A mesh with a hole. The part is joined along its rim.", "Use",
      Wants::file, kMeshes},
-    {"Add a part to the folder", "A mesh with a hole; it is copied there.", "Add", Wants::file,
+    {"Add part", "A mesh with a hole. It is copied to the parts folder.", "Add", Wants::file,
      kMeshes},
 }};
 
@@ -80,17 +76,18 @@ std::string listed(std::span<const std::string_view> extensions) {
 std::string trouble_with_new(const fs::path& path, const PathWords& words) {
   std::error_code error;
   const fs::path folder = path.parent_path();
-  if (fs::is_directory(path, error)) return path.string() + " is a folder; add a file name";
+  if (fs::is_directory(path, error)) return path.string() + " is a folder. Add a file name.";
   if (!fs::is_directory(folder, error)) {
-    return "there is no folder " + folder.string() + "; make it first, or choose another one";
+    return "There is no folder " + folder.string() + ". Create it first, or choose another one.";
   }
   const fs::path touched = fs::exists(path, error) ? path : folder;
   if (access(touched.c_str(), W_OK) != 0) {
-    return touched.string() + " cannot be written to; choose another place, or allow it with chmod";
+    return touched.string() +
+           " cannot be written to. Choose another place, or change its permissions.";
   }
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {
-    return path.filename().string() + ": end the name in " + listed(kind.extensions);
+    return path.filename().string() + ": the name must end in " + listed(kind.extensions);
   }
   return {};
 }
@@ -98,15 +95,16 @@ std::string trouble_with_new(const fs::path& path, const PathWords& words) {
 std::string trouble_with_old(const fs::path& path, const PathWords& words) {
   std::error_code error;
   if (!fs::exists(path, error)) {
-    return "there is no file " + path.string() + "; correct the name, or choose one of the list";
+    return "There is no file " + path.string() +
+           ". Correct the name, or choose a file from the list.";
   }
-  if (fs::is_directory(path, error)) return path.string() + " is a folder; choose a file in it";
+  if (fs::is_directory(path, error)) return path.string() + " is a folder. Choose a file in it.";
   if (access(path.c_str(), R_OK) != 0) {
-    return path.string() + " cannot be read; allow it with chmod, or choose another file";
+    return path.string() + " cannot be read. Change its permissions, or choose another file.";
   }
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {
-    return path.filename().string() + " cannot be read here: choose a file that ends in " +
+    return path.filename().string() + " cannot be read. Choose a file that ends in " +
            listed(kind.extensions);
   }
   return {};
@@ -148,7 +146,7 @@ std::string trouble_with(const fs::path& path, PathPurpose purpose) {
       return trouble_with_old(path, words);
     case Wants::folder:
       if (fs::is_directory(path, error)) return {};
-      return "there is no folder " + path.string() + "; make it first, or choose another one";
+      return "There is no folder " + path.string() + ". Create it first, or choose another one.";
   }
   return {};
 }

@@ -76,7 +76,7 @@ FolderListing list_folder(const fs::path& folder, const ListingFilter& filter) {
   }
   if (error) {
     listing.trouble = folder.string() + " cannot be read: " + error.message() +
-                      "; choose another folder, or type the path of the file";
+                      ". Choose another folder, or type the path of the file.";
   }
   std::sort(listing.entries.begin(), listing.entries.end(),
             [](const FolderEntry& a, const FolderEntry& b) {

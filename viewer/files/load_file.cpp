@@ -96,9 +96,9 @@ LoadedFile load_replay(const fs::path& recipe, History history, Kernels& kernels
 LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
                             const Progress& progress) {
   if (!edit.mesh_is_unchanged) {
-    throw InputError(edit.mesh.path.string() +
-                     " is not the mesh that the interrupted edit began with; put that back, or "
-                     "discard the edit");
+    throw InputError(
+        edit.mesh.path.string() +
+        " has changed since the interrupted edit. Restore the file, or discard the edit.");
   }
   OpenedMesh opened = read(edit.mesh.path, progress);
   opened.name = edit.opened.filename().string();

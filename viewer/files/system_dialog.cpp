@@ -38,8 +38,8 @@ struct Pipe {
 Pipe open_pipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw IoError("no pipe can be opened: " + std::generic_category().message(errno) +
-                  "; close other programs");
+    throw IoError("Cannot open a pipe: " + std::generic_category().message(errno) +
+                  ". Close other programs.");
   }
   return {ends[0], ends[1]};
 }
@@ -66,7 +66,7 @@ DialogAnswer answer_of(const std::string& name, int status, std::string output,
   using What = DialogAnswer::What;
   const std::string words = last_line(errors);
   if (WIFSIGNALED(status)) {
-    return {What::failed, {}, name + " was ended by signal " + std::to_string(WTERMSIG(status))};
+    return {What::failed, {}, name + " was stopped by signal " + std::to_string(WTERMSIG(status))};
   }
   const int code = WEXITSTATUS(status);
   const bool is_blind = errors.find("cannot open display") != std::string::npos ||
@@ -75,8 +75,8 @@ DialogAnswer answer_of(const std::string& name, int status, std::string output,
   if (output.ends_with('\n')) output.pop_back();
   if (code == 0 && output.starts_with('/')) return {What::chosen, output, {}};
   const std::string why = !words.empty() ? words
-                          : code == 0    ? "it named no file"
-                                         : "it ended with code " + std::to_string(code);
+                          : code == 0    ? "it returned no file"
+                                         : "it exited with code " + std::to_string(code);
   return {What::failed, {}, name + ": " + why};
 }
 

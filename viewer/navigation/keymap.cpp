@@ -1,5 +1,6 @@
 #include "navigation/keymap.h"
 
+#include <cctype>
 #include <utility>
 
 namespace lapwing::viewer {
@@ -34,92 +35,91 @@ constexpr std::array kKeymaps{Keymap{"Blender", kBlenderDrags}, Keymap{"Maya", k
 // The key bindings, in the order of the list of controls. Further keys for the same action follow
 // without words.
 constexpr auto kKeyBindings = std::to_array<KeyBinding>(
-    {{kHome, kPlain, Action::frame_all, "show all of the mesh"},
-     {'F', kPlain, Action::frame_selection, "show the selection, or all"},
+    {{kHome, kPlain, Action::frame_all, "Frame all"},
+     {'F', kPlain, Action::frame_selection, "Frame selected, or all"},
      {'.', kPlain, Action::frame_selection},
-     {'1', kPlain, Action::view_front, "from the front"},
-     {'1', kControl, Action::view_back, "from the back"},
-     {'3', kPlain, Action::view_right, "from the right"},
-     {'3', kControl, Action::view_left, "from the left"},
-     {'7', kPlain, Action::view_top, "from above"},
-     {'7', kControl, Action::view_bottom, "from below"},
-     {'0', kPlain, Action::view_three_quarter, "from the front, a little aside and above"},
-     {'5', kPlain, Action::toggle_projection, "perspective or parallel"},
-     {kLeft, kPlain, Action::orbit_left, "turn the view to the left"},
-     {kRight, kPlain, Action::orbit_right, "turn the view to the right"},
-     {kUp, kPlain, Action::orbit_up, "turn the view upwards"},
-     {kDown, kPlain, Action::orbit_down, "turn the view downwards"},
-     {'=', kPlain, Action::zoom_in, "zoom in"},
-     {'-', kPlain, Action::zoom_out, "zoom out"},
-     {'Z', kShift, Action::toggle_wireframe, "edges of the polygons"},
-     {'L', kShift, Action::toggle_flat, "smooth or flat"},
-     {kTab, kPlain, Action::toggle_panels, "hide or show the panels"},
-     {'?', kPlain, Action::toggle_controls, "this list"},
+     {'1', kPlain, Action::view_front, "Front view"},
+     {'1', kControl, Action::view_back, "Back view"},
+     {'3', kPlain, Action::view_right, "Right view"},
+     {'3', kControl, Action::view_left, "Left view"},
+     {'7', kPlain, Action::view_top, "Top view"},
+     {'7', kControl, Action::view_bottom, "Bottom view"},
+     {'0', kPlain, Action::view_three_quarter, "Three-quarter view"},
+     {'5', kPlain, Action::toggle_projection, "Toggle perspective and orthographic"},
+     {kLeft, kPlain, Action::orbit_left, "Orbit left"},
+     {kRight, kPlain, Action::orbit_right, "Orbit right"},
+     {kUp, kPlain, Action::orbit_up, "Orbit up"},
+     {kDown, kPlain, Action::orbit_down, "Orbit down"},
+     {'=', kPlain, Action::zoom_in, "Zoom in"},
+     {'-', kPlain, Action::zoom_out, "Zoom out"},
+     {'Z', kShift, Action::toggle_wireframe, "Toggle wireframe"},
+     {'L', kShift, Action::toggle_flat, "Toggle flat shading"},
+     {kTab, kPlain, Action::toggle_panels, "Toggle panels"},
+     {'?', kPlain, Action::toggle_controls, "Show the controls"},
      {kF1, kPlain, Action::toggle_controls},
-     {'I', kPlain, Action::choose_roi, "choose the region to edit (ROI)"},
-     {'H', kPlain, Action::choose_handle, "choose the handle"},
-     {'H', kShift, Action::add_handle, "choose one more handle"},
-     {'T', kPlain, Action::choose_belt, "choose the belt by hand"},
+     {'I', kPlain, Action::choose_roi, "Select the region to edit"},
+     {'H', kPlain, Action::choose_handle, "Select the handle"},
+     {'H', kShift, Action::add_handle, "Add a handle"},
+     {'T', kPlain, Action::choose_belt, "Select the fixed border by hand"},
      {'G', kShift, Action::take_grab,
-      "grab: press on the surface and pull; with Shift a smaller part, with Ctrl a larger one; [ "
-      "and "
-      "] size the circle"},
+      "Grab: press on the surface and pull. Shift: smaller part, Ctrl: larger part. [ and ] resize "
+      "the circle"},
      {'D', kPlain, Action::take_disk,
-      "choose by a disk: drag from its middle to its rim, or click; [ and ], or a dot of its rim, "
-      "size it"},
-     {'O', kPlain, Action::take_loop,
-      "choose by a loop: click around, close it, click the side to keep"},
-     {'P', kPlain, Action::take_brush, "choose by a brush: [ and ] size it, Ctrl erases"},
-     {'L', kPlain, Action::take_lasso, "choose by a lasso: Ctrl erases"},
-     {'B', kPlain, Action::take_box, "choose by a box: Ctrl erases"},
+      "Disk: drag from its centre to its edge, or click. [ and ] or a dot on its edge resize it"},
+     {'O', kPlain, Action::take_loop, "Loop: click points, close the loop, click the side to keep"},
+     {'P', kPlain, Action::take_brush, "Brush: paint. [ and ] resize it, Ctrl erases"},
+     {'L', kPlain, Action::take_lasso, "Lasso: draw around vertices. Ctrl erases"},
+     {'B', kPlain, Action::take_box, "Box: drag over vertices. Ctrl erases"},
      {'V', kPlain, Action::take_pin,
-      "pin single vertices and drag them; with Shift only pin or choose them"},
+      "Pin: press on a vertex to pin it and drag. Shift: only pin or select it"},
      {'U', kPlain, Action::take_ruler,
-      "measure between two points, straight and along the surface; Escape removes it"},
-     {'M', kPlain, Action::take_move, "move: the gizmo, and the left button turns the view"},
+      "Measure: distance between two points, straight and along the surface. Escape removes it"},
+     {'M', kPlain, Action::take_move,
+      "Move: drag the handle by its gizmo. Elsewhere, the left button orbits the view"},
      {kEscape, kPlain, Action::take_move},
-     {',', kPlain, Action::next_gizmo_axes,
-      "the gizmo's axes: the world's, the handle's own, along the normal"},
+     {',', kPlain, Action::next_gizmo_axes, "Next gizmo orientation: World, Local, Normal"},
      {kTab, kShift, Action::toggle_sticking,
-      "a handle that is moved sticks to the surface beside the ROI, or no longer"},
-     {kEnter, kPlain, Action::go_on,
-      "go on from the ROI to the handle, and from there to moving it"},
-     {'N', kControl, Action::new_edit, "begin a new edit: what was done stays, nothing is chosen"},
-     {'A', kControl, Action::select_all, "choose all"},
-     {'A', kControlShift, Action::clear, "choose nothing"},
-     {'=', kControl, Action::grow, "grow what is chosen by a ring"},
-     {'-', kControl, Action::shrink, "shrink what is chosen by a ring"},
-     {'I', kControl, Action::invert, "choose what is not chosen"},
-     {kDelete, kPlain, Action::remove_handle, "remove the handle"},
-     {'N', kPlain, Action::take_part, "take a part of the folder in hand, then the next one"},
-     {'N', kShift, Action::take_up_part, "take the transplant made last up again"},
-     {'C', kPlain, Action::toggle_before, "compare with the mesh as it was opened"},
-     {'K', kControl, Action::begin_coat, "coat the ROI with the detail of another patch"},
-     {'M', kShift, Action::toggle_mirror, "mirror in the plane that the shape has, or no longer"},
-     {'M', kControl, Action::begin_mix, "mix the details of two patches on the ROI"},
-     {'K', kControlShift, Action::open_source, "take a coat or mix from another mesh"},
-     {'K', kShift, Action::other_source, "the other source of a mix"},
-     {'K', kPlain, Action::pick_pairs, "pick corresponding points for a coat or mix, or no longer"},
-     {kEnter, kControl, Action::apply_step, "apply the coat or mix"},
-     {'Z', kControl, Action::undo, "undo"},
-     {'Z', kControlShift, Action::redo, "redo"},
+      "Toggle snapping of the moved handle to the surface beside the region"},
+     {kEnter, kPlain, Action::go_on, "Continue from the region to the handle, then to Move"},
+     {'N', kControl, Action::new_edit, "New edit: keep the result, clear the selection"},
+     {'A', kControl, Action::select_all, "Select all"},
+     {'A', kControlShift, Action::clear, "Select none"},
+     {'=', kControl, Action::grow, "Grow selection by one ring"},
+     {'-', kControl, Action::shrink, "Shrink selection by one ring"},
+     {'I', kControl, Action::invert, "Invert selection"},
+     {kDelete, kPlain, Action::remove_handle, "Remove the handle"},
+     {'N', kPlain, Action::take_part, "Pick up a part, then the next one"},
+     {'N', kShift, Action::take_up_part, "Pick up the last transplant again"},
+     {'C', kPlain, Action::toggle_before, "Toggle the original mesh, to compare"},
+     {'K', kControl, Action::begin_coat, "Coat the region with the detail of another patch"},
+     {'M', kShift, Action::toggle_mirror, "Toggle mirroring in the symmetry plane of the shape"},
+     {'M', kControl, Action::begin_mix, "Mix the detail of two patches on the region"},
+     {'K', kControlShift, Action::open_source, "Open another mesh as the source of a coat or mix"},
+     {'K', kShift, Action::other_source, "Show the other source of a mix"},
+     {'K', kPlain, Action::pick_pairs, "Toggle picking of corresponding points for a coat or mix"},
+     {kEnter, kControl, Action::apply_step, "Apply the coat or mix"},
+     {'Z', kControl, Action::undo, "Undo"},
+     {'Z', kControlShift, Action::redo, "Redo"},
      {'Y', kControl, Action::redo},
-     {'O', kControl, Action::open, "open"},
-     {'S', kControl, Action::save, "save the mesh; the first time it asks where"},
-     {'S', kControlShift, Action::save_as, "save the mesh as another file"},
-     {'E', kControl, Action::save_recipe, "save the steps as a recipe"},
-     {'R', kControl, Action::replay_recipe, "replay a recipe on this mesh"},
-     {'P', kControl, Action::save_picture, "save a picture"},
-     {'P', kControlShift, Action::save_turntable,
-      "save pictures from all around, or a video of them"},
-     {'Q', kControl, Action::quit, "quit"}});
+     {'O', kControl, Action::open, "Open"},
+     {'S', kControl, Action::save, "Save the mesh. The first time, choose a file"},
+     {'S', kControlShift, Action::save_as, "Save the mesh as another file"},
+     {'E', kControl, Action::save_recipe, "Save the steps as a recipe"},
+     {'R', kControl, Action::replay_recipe, "Replay a recipe on this mesh"},
+     {'P', kControl, Action::save_picture, "Save a picture"},
+     {'P', kControlShift, Action::save_turntable, "Save a turntable, as a video or pictures"},
+     {'Q', kControl, Action::quit, "Quit"}});
 
 // The descriptions of the motions, indexed by Motion.
-constexpr std::array<std::string_view, 3> kMotions{"turn the view", "move the view sideways",
-                                                   "zoom"};
+constexpr std::array<std::string_view, 3> kMotions{"Orbit", "Pan", "Zoom"};
 
 std::string name_of(MouseButton button) {
   return button == MouseButton::left ? "left" : button == MouseButton::middle ? "middle" : "right";
+}
+
+std::string capitalized(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 std::string words(const Modifiers& modifiers) {
@@ -142,21 +142,21 @@ std::string key_name(int key) {
 
 // Returns the keys of GizmoTool.
 std::vector<ControlLine> gizmo_controls() {
-  return {{"left drag on a handle", "pull it: it goes along and turns as the surface wants"},
-          {"G, R, S", "move, turn, scale the handle with the mouse (Maya: R scales, E turns)"},
-          {"X, Y, Z meanwhile",
-           "along or about that axis of the gizmo, again: the handle's own or the world's; with "
-           "Shift, in the plane across it"},
-          {"0 to 9, . and - meanwhile", "by that number"},
-          {"Ctrl meanwhile", "in steps"},
-          {"Enter or click, Escape or right click", "done, or give it up"},
-          {"W, E, Q", "the gizmo moves, turns, scales the handle"}};
+  return {{"Left drag on a handle", "Pull it. The surface determines its rotation"},
+          {"G, R, S", "Move, rotate, scale the handle (Maya: R scales, E rotates)"},
+          {"X, Y, Z while moving",
+           "Constrain to an axis. Again: switch between local and world axes. Shift: constrain to "
+           "a plane"},
+          {"0 to 9, . and - while moving", "Type the value"},
+          {"Ctrl while moving", "Snap to steps"},
+          {"Enter or click, Escape or right click", "Confirm, cancel"},
+          {"W, E, Q", "Gizmo to move, rotate, scale"}};
 }
 
 // Returns the keys of PlaceTool.
 std::vector<ControlLine> part_controls() {
-  return {{"Ctrl + wheel, [ and ], with a part in hand", "size it; Shift + wheel turns it"},
-          {"G, Enter, Escape, when it is set down", "take it up again, apply it, give it up"}};
+  return {{"Ctrl + wheel, [ and ], with a part picked up", "Scale it. Shift + wheel rotates it"},
+          {"G, Enter, Escape, with a part placed", "Pick it up again, apply, cancel"}};
 }
 
 std::string row(const std::vector<std::string>& cells) {
@@ -198,13 +198,13 @@ std::optional<Action> action_of(const InputEvent& event) {
 std::vector<ControlLine> mouse_controls(const Keymap& keymap) {
   std::vector<ControlLine> lines;
   for (const DragBinding& binding : keymap.drags) {
-    lines.push_back({words(binding.modifiers) + name_of(binding.button) + " drag",
+    lines.push_back({capitalized(words(binding.modifiers) + name_of(binding.button) + " drag"),
                      std::string(kMotions[static_cast<std::size_t>(binding.motion)])});
   }
-  lines.push_back({"wheel", "zoom to what is under the cursor"});
-  lines.push_back({words(kSizes) + "wheel", "size the disk chosen last, or the brush"});
-  lines.push_back({"left click", "say what is there"});
-  lines.push_back({"drop a file", "open it"});
+  lines.push_back({"Wheel", "Zoom to the cursor"});
+  lines.push_back({words(kSizes) + "wheel", "Resize the last disk, or the brush"});
+  lines.push_back({"Left click", "Show vertex, face and position"});
+  lines.push_back({"Drop a file", "Open it"});
   return lines;
 }
 
@@ -233,13 +233,13 @@ ControlLine control_of(Action action) {
 }
 
 std::string controls_table() {
-  std::string text = row({"keymap", "do", "to"}) + "|---|---|---|\n";
+  std::string text = row({"Keymap", "Input", "Action"}) + "|---|---|---|\n";
   for (const Keymap& keymap : kKeymaps) {
     for (const ControlLine& line : mouse_controls(keymap)) {
       text += row({std::string(keymap.name), line.how, line.what});
     }
   }
-  for (const ControlLine& line : key_controls()) text += row({"all", line.how, line.what});
+  for (const ControlLine& line : key_controls()) text += row({"All", line.how, line.what});
   return text;
 }
 

@@ -42,7 +42,6 @@ void keys_of(P& preferences, const Visit& visit) {
   visit("tool", preferences.tool);
   visit("brush_radius", preferences.brush_radius_pt, kBrushPt);
   visit("grab_radius", preferences.grab_radius_pt, kBrushPt);
-  visit("paint_through", preferences.paints_through);
 }
 
 Json json_of(Theme theme) {
@@ -94,16 +93,16 @@ ReadPreferences read_preferences(const fs::path& file) {
   const std::optional<Json> json = parsed(file);
   if (!json) return read;
   if (!json->is_object()) {
-    read.troubles.push_back(file.string() +
-                            " is no JSON object: the viewer starts with its defaults, and writes "
-                            "the file anew at the next change");
+    read.troubles.push_back(
+        file.string() +
+        " is damaged. The defaults are used, and the file is replaced when a preference changes.");
     return read;
   }
   keys_of(read.preferences, [&](const char* name, auto& value, const auto&... range) {
     const auto found = json->find(name);
     if (found == json->end() || take(*found, value, range...)) return;
     read.troubles.push_back(file.string() + ": \"" + name + "\" cannot be " + found->dump() +
-                            "; it is left at its default");
+                            ". The default is used.");
   });
   return read;
 }
@@ -112,8 +111,8 @@ void write_preferences(const Preferences& preferences, const fs::path& file) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) {
-    throw IoError("cannot keep the preferences in " + file.string() + ": " + error.message() +
-                  "; set XDG_CONFIG_HOME to a folder that can be written");
+    throw IoError("Cannot save the preferences in " + file.string() + ": " + error.message() +
+                  ". Set XDG_CONFIG_HOME to a folder that can be written.");
   }
   Json json = parsed(file).value_or(Json::object());
   if (!json.is_object()) json = Json::object();

@@ -22,7 +22,6 @@ struct Preferences {
   std::string tool = "Grab";  ///< tool that is active for a new mesh
   double brush_radius_pt = 20.0;
   double grab_radius_pt = 40.0;
-  bool paints_through = false;
 
   bool operator==(const Preferences&) const = default;
 };

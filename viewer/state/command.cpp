@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <utility>
 
@@ -19,12 +20,12 @@ namespace fs = std::filesystem;
 
 void require_handle(const AppState& state, std::size_t handle) {
   if (handle < state.selection.handles.size()) return;
-  throw InputError("there is no handle " + std::to_string(handle + 1) + "; choose one first");
+  throw InputError("There is no handle " + std::to_string(handle + 1) + ". Select a handle first.");
 }
 
 void require_vertices(const AppState& state, const VertexSet& vertices) {
   if (vertices.empty() || vertices.back() < state.rest->vertex_count()) return;
-  throw InputError("vertex " + std::to_string(vertices.back()) + " is not in the mesh");
+  throw InputError("Vertex " + std::to_string(vertices.back()) + " is not in the mesh.");
 }
 
 // Throws InputError if the falloff is invalid, or if its painted weights are not one per vertex.
@@ -98,7 +99,7 @@ void take_over(AppState& state, const CarriedFiles& carried) {
 void commit(AppState& state) {
   if (!is_moved(state)) return;
   if (!state.settled) {
-    throw InputError("the drag is not settled yet; wait for its result, or undo it");
+    throw InputError("The last move is not refined yet. Wait for its result, or undo it.");
   }
   state.steps.push_back(std::make_shared<const Step>(open_step(state)));
   set_rest(state, std::make_shared<const Mesh>(mesh_of(state)));
@@ -235,7 +236,8 @@ struct Applier {
   }
   void operator()(const SetBeltWidth& command) const {
     if (!(command.fraction >= 0.0 && command.fraction <= 1.0)) {
-      throw InputError("the belt's width is a fraction of the ROI's radius; choose from 0 to 1");
+      throw InputError(
+          "The width of the fixed border is a fraction of the radius. Choose from 0 to 1.");
     }
     if (state.selection.belt_fraction == command.fraction) return;
     state.selection.belt_fraction = command.fraction;
@@ -263,8 +265,8 @@ struct Applier {
   }
   void operator()(const MoveHandles& command) const {
     if (command.to.size() != state.moves.size()) {
-      throw InputError("there are " + std::to_string(state.moves.size()) + " handles, but " +
-                       std::to_string(command.to.size()) + " moves; give one per handle");
+      throw InputError("There are " + std::to_string(state.moves.size()) + " handles, but " +
+                       std::to_string(command.to.size()) + " moves. Give one per handle.");
     }
     for (const HandleMove& to : command.to) require_move(to);
     if (state.moves == command.to) return;
@@ -279,15 +281,15 @@ struct Applier {
     for (const Move& waypoint : to.path) require_valid(waypoint, state.parameters);
     if (to.orientation == HandleOrientation::free && !allows_free_handles(state.parameters)) {
       throw InputError(
-          "a handle turns freely only if the surface settles, held softly and at once; set its "
-          "orientation");
+          "A handle rotates freely only if \"Refine\" is on and \"Hold exactly\" and \"Split into "
+          "steps of\" are off in the solver settings.");
     }
   }
   void operator()(const Settle& command) const {
-    if (!is_moved(state)) throw InputError("no handle is moved; drag one first");
-    if (!command.result) throw InputError("the result is missing; compute it first");
+    if (!is_moved(state)) throw InputError("No handle is moved. Drag a handle first.");
+    if (!command.result) throw InputError("The result is missing. Refine the edit first.");
     if (any_follows(state.carried) && command.result->carried.size() != state.carried.size()) {
-      throw InputError("the result lacks what is carried along; compute it again");
+      throw InputError("The result lacks an attached object. Refine the edit again.");
     }
     state.settled = command.result;
   }
@@ -317,7 +319,7 @@ struct Applier {
     state.settled = nullptr;
   }
   void operator()(const CarryAlong& command) const {
-    if (!command.file) throw InputError("the file to carry is missing; open it first");
+    if (!command.file) throw InputError("The file to attach is missing.");
     const auto at = find_carried(state, command.file->file());
     const fs::path& save = command.file->save;
     if (at == state.carried.end()) {
@@ -337,7 +339,7 @@ struct Applier {
   void operator()(const StopCarrying& command) const {
     const auto at = find_carried(state, command.file);
     if (at == state.carried.end()) {
-      throw InputError(command.file.string() + " is not carried; name a file of the list");
+      throw InputError(command.file.string() + " is not attached.");
     }
     if (!at->follows) return;
     if (was_carried(state, command.file)) {
@@ -348,13 +350,15 @@ struct Applier {
     state.settled = nullptr;
   }
   void operator()(const Apply& command) const {
-    if (!command.result) throw InputError("the step's result is missing; carry it out first");
+    if (!command.result)
+      throw InputError("The result of the step is missing. Apply the step first.");
     commit(state);
     state.steps.push_back(std::make_shared<const Step>(command.step));
     std::visit([this](const auto& result) { take_over(state, result); }, *command.result);
   }
   void operator()(const Revise& command) const {
-    if (!command.result) throw InputError("the result is missing; carry the steps out first");
+    if (!command.result)
+      throw InputError("The result of the steps is missing. Run the steps first.");
     state = *command.result;
   }
 };
@@ -365,9 +369,14 @@ bool changes_choice(const Command& command) {
   return !is_one_of<MoveHandle, MoveHandles, Settle, CarryAlong, StopCarrying, Revise>(command);
 }
 
+std::string capitalized(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 std::string name_of(const Part& part) {
-  if (part.role == Part::Role::roi) return "ROI";
-  if (part.role == Part::Role::belt) return "belt";
+  if (part.role == Part::Role::roi) return "region";
+  if (part.role == Part::Role::belt) return "fixed border";
   return "handle " + std::to_string(part.handle + 1);
 }
 
@@ -394,50 +403,52 @@ std::string with_number(const char* format, double number) {
 // Returns the name of a command, with one overload per command.
 struct CommandDescriber {
   std::string operator()(const Choose& command) const {
-    return name_of(command.part) + ": " + std::visit(FormName{}, command.region.form);
+    return capitalized(name_of(command.part)) + ": " + std::visit(FormName{}, command.region.form);
   }
   std::string operator()(const Paint& command) const {
-    const char* verb = command.removed.empty() ? "paint "
-                       : command.added.empty() ? "erase "
-                                               : "change ";
+    const char* verb = command.removed.empty() ? "Paint "
+                       : command.added.empty() ? "Erase "
+                                               : "Change ";
     return verb + name_of(command.part);
   }
-  std::string operator()(const Grab&) const { return "grab"; }
+  std::string operator()(const Grab&) const { return "Grab"; }
   std::string operator()(const SetFalloff& command) const {
     const Falloff& falloff = command.falloff;
-    const std::string of = "handle " + std::to_string(command.handle + 1);
+    const std::string of = "Handle " + std::to_string(command.handle + 1);
     if (!falloff.field.empty()) return of + ": painted weights";
     if (falloff.transition) return of + with_number(": falloff %.4g", falloff.transition->width);
     if (falloff.weight) return of + with_number(": weight %.4g", *falloff.weight);
-    return of + ": no weight";
+    return of + ": held exactly";
   }
   std::string operator()(const RemoveHandle& command) const {
-    return "remove handle " + std::to_string(command.handle + 1);
+    return "Remove handle " + std::to_string(command.handle + 1);
   }
   std::string operator()(const SetBeltWidth& command) const {
-    return with_number("belt: %.3g%%", 100.0 * command.fraction);
+    return with_number("Fixed border: %.3g%%", 100.0 * command.fraction);
   }
   std::string operator()(const SetMirror& command) const {
-    return command.plane ? "mirror" : "no mirror";
+    return command.plane ? "Mirror on" : "Mirror off";
   }
   std::string operator()(const MoveHandle& command) const {
     const double degrees = turn_of(command.to.move).degrees;
-    return "move handle " + std::to_string(command.handle + 1) +
-           (degrees == 0.0 ? "" : with_number(", turn %.4g degrees", degrees));
+    return "Move handle " + std::to_string(command.handle + 1) +
+           (degrees == 0.0 ? "" : with_number(", rotate %.4g°", degrees));
   }
-  std::string operator()(const MoveHandles&) const { return "move handles"; }
-  std::string operator()(const Settle&) const { return "settle"; }
-  std::string operator()(const Commit&) const { return "commit"; }
-  std::string operator()(const NewEdit&) const { return "new edit"; }
-  std::string operator()(const SetParameters&) const { return "parameters"; }
+  std::string operator()(const MoveHandles&) const { return "Move handles"; }
+  std::string operator()(const Settle&) const { return "Refine"; }
+  std::string operator()(const Commit&) const { return "Apply edit"; }
+  std::string operator()(const NewEdit&) const { return "New edit"; }
+  std::string operator()(const SetParameters&) const { return "Solver settings"; }
   std::string operator()(const CarryAlong& command) const {
-    return "carry " + command.file->file().filename().string();
+    return "Attach " + command.file->file().filename().string();
   }
   std::string operator()(const StopCarrying& command) const {
-    return "carry " + command.file.filename().string() + " no longer";
+    return "Detach " + command.file.filename().string();
   }
   std::string operator()(const Apply& command) const { return describe(command.step); }
-  std::string operator()(const Revise& command) const { return "change " + describe(command.step); }
+  std::string operator()(const Revise& command) const {
+    return "Change: " + describe(command.step);
+  }
 };
 
 }  // namespace

@@ -73,7 +73,7 @@ void History::redo() {
 }
 
 void History::go_to(std::size_t steps) {
-  if (steps > steps_.size()) throw std::out_of_range("the history has no such step");
+  if (steps > steps_.size()) throw std::out_of_range("The history has no such step.");
   while (done_ > steps) undo();
   while (done_ < steps) redo();
 }

@@ -57,8 +57,8 @@ constexpr int kOldestVersion = 2;  // journals of version 2 have no results file
 const char* const kExtension = ".journal";
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw IoError("cannot write the journal " + path.string() + ": " + std::strerror(error) +
-                "; make room or set XDG_CACHE_HOME to a folder that can be written");
+  throw IoError("Cannot write the recovery file " + path.string() + ": " + std::strerror(error) +
+                ". Free some space, or set XDG_CACHE_HOME to a folder that can be written.");
 }
 
 // Converts the steps with the writer of recipes.
@@ -127,8 +127,8 @@ std::string line_of(const Json& json) {
     return json.dump() + '\n';
   } catch (const Json::type_error&) {
     throw InputError(
-        "the name of the mesh or of another file is not UTF-8, which the journal is written in, so "
-        "that a crash would lose this edit; rename the file and open it again");
+        "The name of the mesh or of another file is not UTF-8, so this edit cannot be restored "
+        "after a crash. Rename the file and open it again.");
   }
 }
 

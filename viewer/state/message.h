@@ -29,7 +29,8 @@ struct Message {
   bool operator==(const Message&) const = default;
 };
 
-/// Shows a message to the user. An empty message clears the previous message.
+/// Shows a message to the user. An empty message removes those of its tone that are still shown:
+/// the note, or the errors once their cause is gone.
 using Say = std::function<void(Message)>;
 
 /// Calls `act` and returns true. If `act` throws an Error, passes its message to `say` and returns

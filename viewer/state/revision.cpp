@@ -26,8 +26,8 @@ DeformRequest as_open(const Step& step) {
   const auto* deform = std::get_if<DeformRequest>(&step);
   if (deform != nullptr && is_selection(*deform)) return *deform;
   throw InputError(
-      "a deform step can only be replaced by another deform, without targets; undo it, then apply "
-      "the new step");
+      "A deform step can only be replaced by another deform step without targets. Undo it, then "
+      "apply the new step.");
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Revision revision_of(const History& history, std::size_t index, const Step& step
   Draft draft = draft_of(history.state());
   const std::size_t count = draft.steps.size() + (draft.settled ? 1 : 0);
   if (index >= count) {
-    throw InputError("there is no step " + std::to_string(index + 1) + " to change, only " +
+    throw InputError("There is no step " + std::to_string(index + 1) + " to change, only " +
                      std::to_string(count));
   }
   const auto is_before = [&](const AppState& state) { return leads_to(state, draft.steps, index); };

@@ -237,13 +237,13 @@ ToolAnswer DiskTool::resized(double steps) {
 }
 
 const char* DiskTool::hint(const AppState& state, const Part& part) const {
-  if (hovered_) return "drag the rim's dot to size the disk";
+  if (hovered_) return "Drag the dot to resize the disk.";
   if (may_change_choice() && !vertices_of(state.selection, part).empty()) {
-    return "Ctrl + wheel, or a dot of its rim, sizes the disk; Enter accepts it";
+    return "Ctrl + wheel or a dot on its edge resizes the disk. Enter confirms.";
   }
-  return of_part(part, "drag from the middle of the region to edit to its rim",
-                 "choose the belt, between ROI and handle",
-                 "drag from the middle of a handle in the ROI to its rim");
+  return of_part(part, "Drag from the centre of the region to its edge.",
+                 "Drag over the vertices to hold, between region and handle.",
+                 "Drag from the centre of a handle to its edge, inside the region.");
 }
 
 ToolMarks DiskTool::marks() const {

@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
+constexpr std::array<const char*, 3> kAxisNames{"X", "Y", "Z"};
 
 void append_direction(std::string& text, GizmoPart part, GizmoMode mode, GizmoAxes axes) {
   if (part == GizmoPart::view) return;
   text += mode == GizmoMode::rotate ? " about " : is_plane(part) ? " without " : " along ";
-  if (axes == GizmoAxes::local) text += "the handle's ";
-  if (axes == GizmoAxes::normal) text += "the normal's ";
+  if (axes == GizmoAxes::local) text += "local ";
+  if (axes == GizmoAxes::normal) text += "normal ";
   text += kAxisNames[static_cast<std::size_t>(axis_of(part))];
 }
 
@@ -48,9 +48,9 @@ bool belongs_to_number(char32_t c) {
 }  // namespace
 
 const char* GizmoTool::hint(const AppState& state, const Part&) const {
-  if (!state.selection.handles.empty()) return "drag the gizmo, or press G, R or S";
-  return state.selection.roi.vertices.empty() ? "I chooses the region to edit"
-                                              : "H chooses a handle";
+  if (!state.selection.handles.empty()) return "Drag the gizmo, or press G, R or S.";
+  return state.selection.roi.vertices.empty() ? "Press I to select the region."
+                                              : "Press H to select a handle.";
 }
 
 Gizmo GizmoTool::gizmo(const AppState& state, std::size_t handle) const {
@@ -242,22 +242,20 @@ void GizmoTool::read_out(std::string& text) const {
   if (!drag_) return;
   switch (drag_->mode()) {
     case GizmoMode::translate:
-      append(text, "move (%.4g, %.4g, %.4g)", amount_.lengths.x(), amount_.lengths.y(),
+      append(text, "Move (%.4g, %.4g, %.4g)", amount_.lengths.x(), amount_.lengths.y(),
              amount_.lengths.z());
       break;
     case GizmoMode::rotate:
-      append(text, "turn %.4g degrees", amount_.degrees);
+      append(text, "Rotate %.4g°", amount_.degrees);
       break;
     case GizmoMode::scale:
-      append(text, "scale (%.4g, %.4g, %.4g)", amount_.factors.x(), amount_.factors.y(),
+      append(text, "Scale (%.4g, %.4g, %.4g)", amount_.factors.x(), amount_.factors.y(),
              amount_.factors.z());
   }
   append_direction(text, drag_->part(), drag_->mode(), axes());
   if (!typed_.empty()) text.append(" [").append(typed_).append("]");
   if (turns_too_far_) {
-    append(text,
-           "; turned %.4g degrees in all: the surface may wind the other way round; commit on the "
-           "way",
+    append(text, ". %.4g° in total: the surface may rotate the other way. Rotate in several steps.",
            turn_of(*move_).degrees);
   }
 }

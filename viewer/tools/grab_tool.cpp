@@ -69,7 +69,7 @@ ToolAnswer GrabTool::handle(const InputEvent& event, const ToolScene& scene) {
 }
 
 const char* GrabTool::hint(const AppState&, const Part&) const {
-  return "press on the surface and pull; Shift pulls a smaller part, Ctrl a larger one";
+  return "Press on the surface and pull. Shift: smaller part, Ctrl: larger part.";
 }
 
 }  // namespace lapwing::viewer

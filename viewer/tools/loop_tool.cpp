@@ -37,12 +37,13 @@ ToolAnswer LoopTool::handle(const InputEvent& event, const ToolScene& scene) {
 }
 
 const char* LoopTool::hint(const AppState&, const Part& part) const {
-  if (closed_) return "click the side to keep";
+  if (closed_) return "Click the side to keep.";
   if (!corners_.empty()) {
-    return "keep clicking around; Enter or a click on the first point closes the loop";
+    return "Click further points. Enter or a click on the first point closes the loop.";
   }
-  return of_part(part, "click around the region to edit (ROI)",
-                 "choose the belt, between ROI and handle", "click around a handle in the ROI");
+  return of_part(part, "Click points around the region.",
+                 "Click points around the vertices to hold.",
+                 "Click points around a handle, inside the region.");
 }
 
 ToolMarks LoopTool::marks() const {
@@ -60,7 +61,8 @@ ToolAnswer LoopTool::add(Index corner, const ToolScene& scene) {
   if (!corners_.empty()) {
     if (corner == corners_.back()) return ToolAnswer::only_taken();
     std::vector<Index> piece = path(corners_.back(), corner, scene);
-    if (piece.empty()) return {true, {}, "no path on the mesh leads there; stay on one component"};
+    if (piece.empty())
+      return {true, {}, "No path on the surface leads there. Click on the same component."};
     pieces_.push_back(std::move(piece));
   }
   corners_.push_back(corner);
@@ -70,7 +72,7 @@ ToolAnswer LoopTool::add(Index corner, const ToolScene& scene) {
 
 ToolAnswer LoopTool::close(const ToolScene& scene) {
   if (corners_.size() < kFewestCorners) {
-    return {true, {}, "a loop needs at least three points; keep clicking around"};
+    return {true, {}, "A loop needs at least three points. Click further points."};
   }
   pieces_.push_back(path(corners_.back(), corners_.front(), scene));
   closed_ = true;

@@ -90,12 +90,12 @@ void PaintTool::give_up() {
 
 const char* PaintTool::hint(const AppState& state, const Part& part) const {
   if (!vertices_of(state.selection, part).empty()) {
-    return of_part(part, "paint more of the region, Ctrl erases; Enter goes on to the handle",
-                   "paint more of the belt, Ctrl erases",
-                   "paint more of the handle, Ctrl erases; Enter goes on to moving it");
+    return of_part(part, "Paint more of the region. Ctrl erases, Enter continues with the handle.",
+                   "Paint more of the fixed border. Ctrl erases.",
+                   "Paint more of the handle. Ctrl erases, Enter continues with moving it.");
   }
-  return of_part(part, "paint the region to edit (ROI)", "paint the belt",
-                 "paint a handle in the ROI");
+  return of_part(part, "Paint the region to edit.", "Paint the fixed border.",
+                 "Paint a handle inside the region.");
 }
 
 std::size_t PaintTool::count_with(const VertexSet& chosen) const {

@@ -45,8 +45,8 @@ ToolAnswer PinTool::handle(const InputEvent& event, const ToolScene& scene) {
 }
 
 const char* PinTool::hint(const AppState& state, const Part&) const {
-  return state.selection.handles.empty() ? "press on a vertex to pin it, and drag it"
-                                         : "press on a pin and drag it, or pin another vertex";
+  return state.selection.handles.empty() ? "Press on a vertex to pin it, then drag."
+                                         : "Drag a pin, or press on another vertex to pin it.";
 }
 
 }  // namespace lapwing::viewer

@@ -74,13 +74,13 @@ void PlaceTool::set_down() {
 const char* PlaceTool::hint(const AppState&, const Part&) const {
   switch (stage_) {
     case Stage::carried:
-      return "click where the part goes; Ctrl + wheel sizes it, Shift + wheel turns it";
+      return "Click to place the part. Ctrl + wheel scales it, Shift + wheel rotates it.";
     case Stage::set_down:
-      return "drag the gizmo (W, E, Q); G picks the part up again, Enter applies, Escape cancels";
+      return "Drag the gizmo (W, E, Q). G picks the part up again, Enter applies, Escape cancels.";
     case Stage::empty:
       break;
   }
-  return "choose a part";
+  return "Choose a part.";
 }
 
 std::optional<Gizmo> PlaceTool::gizmo() const {

@@ -62,7 +62,7 @@ ToolAnswer RulerTool::end(Index vertex, const ToolScene& scene) {
   if (vertex == from_) return ToolAnswer::only_taken();
   std::vector<Index> path = shortest_edge_path(*topology_, scene.positions, from_, vertex);
   if (path.empty()) {
-    return {true, {}, "no path on the mesh leads there; click a point of the same component"};
+    return {true, {}, "No path on the surface leads there. Click a point on the same component."};
   }
   to_ = vertex;
   path_ = std::move(path);
@@ -102,15 +102,16 @@ void RulerTool::follow(const std::shared_ptr<const Topology>& topology,
 
 void RulerTool::read_out(std::string& text) const {
   std::array<char, 96> words{};
-  std::snprintf(words.data(), words.size(), "straight %.5g, along the surface %.5g", straight_,
+  std::snprintf(words.data(), words.size(), "Straight %.5g, along the surface %.5g", straight_,
                 along_);
   text = words.data();
 }
 
 const char* RulerTool::hint(const AppState&, const Part&) const {
-  if (has_both_ends()) return "click a point to measure anew; Escape removes the measure";
-  return from_ == kNoIndex ? "click two points of the surface to measure between them"
-                           : "click the other point";
+  if (has_both_ends())
+    return "Click a point to start another measurement. Escape removes this one.";
+  return from_ == kNoIndex ? "Click two points on the surface to measure their distance."
+                           : "Click the second point.";
 }
 
 ToolMarks RulerTool::marks() const {

@@ -16,7 +16,7 @@ class WeightPaint final : public SceneTool {
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return paint_.is_dragging(); }
   const char* hint(const AppState&, const Part&) const override {
-    return "paint where the second source comes; Ctrl erases";
+    return "Paint where the second source appears. Ctrl erases.";
   }
   ToolMarks marks() const override { return paint_.marks(); }
 

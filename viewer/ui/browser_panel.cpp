@@ -132,7 +132,7 @@ std::optional<fs::path> BrowserPanel::accept() {
   trouble_.clear();
   if (typed_.empty()) {
     if (wants == Wants::folder) return folder_;
-    trouble_ = "choose a file of the list, or type a name";
+    trouble_ = "Choose a file from the list, or type a name.";
     return {};
   }
   fs::path path = path_of(typed_, folder_);
@@ -266,7 +266,7 @@ bool BrowserPanel::draw_list() {
   }
   if (!is_of_folder || listing_.entries.empty()) {
     const bool reads = !is_of_folder || reader_.status().busy;
-    ImGui::TextDisabled("%s", reads ? "Reading the folder..." : "Nothing here that fits.");
+    ImGui::TextDisabled("%s", reads ? "Reading the folder..." : "No matching files.");
     return false;
   }
   bool accepts = false;
@@ -275,7 +275,7 @@ bool BrowserPanel::draw_list() {
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, kSizeLetters * letter);
-  ImGui::TableSetupColumn("Changed", ImGuiTableColumnFlags_WidthFixed, kDateLetters * letter);
+  ImGui::TableSetupColumn("Modified", ImGuiTableColumnFlags_WidthFixed, kDateLetters * letter);
   ImGui::TableHeadersRow();
   if (std::exchange(scrolls_to_top_, false)) ImGui::SetScrollY(0.0F);
   ImGuiListClipper clipper;
@@ -350,7 +350,7 @@ bool BrowserPanel::draw_field() {
   constexpr auto kField = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                           ImGuiInputTextFlags_CallbackCompletion |
                           ImGuiInputTextFlags_CallbackAlways;
-  const bool entered = ImGui::InputTextWithHint("##path", "name or path", &typed_, kField,
+  const bool entered = ImGui::InputTextWithHint("##path", "Name or path", &typed_, kField,
                                                 &BrowserPanel::on_field, this);
   has_focus_ = ImGui::IsItemActive();
   if (has_focus_) is_suggestion_ = false;
@@ -371,7 +371,7 @@ void BrowserPanel::draw_filter() {
     }
     ImGui::SameLine();
   }
-  if (ImGui::Checkbox("hidden files", &shows_hidden_)) list();
+  if (ImGui::Checkbox("Hidden files", &shows_hidden_)) list();
 }
 
 }  // namespace lapwing::viewer

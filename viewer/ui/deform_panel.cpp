@@ -1,3 +1,4 @@
+#include <array>
 #include <imgui.h>
 
 #include "lapwing/recipe/step.h"
@@ -10,16 +11,42 @@
 namespace lapwing::viewer {
 namespace {
 
-bool draw_vector(const char* label, Eigen::Vector3d& vector, bool& let_go) {
-  const bool changed =
-      ImGui::InputScalarN(label, ImGuiDataType_Double, vector.data(), 3, nullptr, nullptr, "%.5g");
-  let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
+// Accepts numbers such as 1e-3.
+constexpr auto kNumber = ImGuiInputTextFlags_CharsScientific;
+
+// Draws a field for each coordinate after its name, below `label`, which may be empty.
+bool draw_vector(const char* label, const char* id, Eigen::Vector3d& vector,
+                 const std::string& format, bool& let_go) {
+  constexpr std::array kAxes{"X", "Y", "Z"};
+  if (*label != '\0') ImGui::TextUnformatted(label);
+  ImGui::PushID(id);
+  const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float letter = ImGui::CalcTextSize("X").x + spacing;
+  const float width = (ImGui::GetContentRegionAvail().x - 2.0F * spacing) / 3.0F - letter;
+  bool changed = false;
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0) ImGui::SameLine(0.0F, spacing);
+    const auto axis = static_cast<std::size_t>(k);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(kAxes[axis]);
+    ImGui::SameLine(0.0F, spacing);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushID(k);
+    changed |= ImGui::InputScalar("##number", ImGuiDataType_Double, &vector[k], nullptr, nullptr,
+                                  format.c_str(), kNumber);
+    ImGui::PopID();
+    let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
+  }
+  ImGui::PopID();
   return changed;
 }
 
-bool draw_number(const char* label, double& number, bool& let_go) {
-  const bool changed =
-      ImGui::InputScalar(label, ImGuiDataType_Double, &number, nullptr, nullptr, "%.5g");
+bool draw_number(const char* label, double& number, const char* format, bool& let_go) {
+  label_field(label);
+  ImGui::PushID(label);
+  const bool changed = ImGui::InputScalar("##number", ImGuiDataType_Double, &number, nullptr,
+                                          nullptr, format, kNumber);
+  ImGui::PopID();
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   return changed;
 }
@@ -36,15 +63,15 @@ void draw_orientation(Editor& editor, std::size_t handle) {
   if (!allows_free_handles(state.parameters)) return;
   const HandleMove& to = state.moves[handle];
   bool is_free = to.orientation == HandleOrientation::free;
-  if (ImGui::Checkbox("turns freely", &is_free)) {
+  if (ImGui::Checkbox("Free rotation", &is_free)) {
     editor.perform(MoveHandle{handle,
                               {is_free ? to.move : shown_move(state, handle),
                                is_free ? HandleOrientation::free : HandleOrientation::kept,
                                {}}});
   }
   explain(
-      "The handle keeps its shape and goes where it is put, but turns as the surface wants. A pull "
-      "of the handle sets this; its gizmo and a typed turn clear it.");
+      "The surface determines the rotation of the handle. Pulling the handle turns this on. The "
+      "gizmo and a typed rotation turn it off.");
 }
 
 // A free handle stays free if only its position is typed. A typed rotation or scale fixes it.
@@ -59,30 +86,32 @@ HandleMove typed_move(const AppState& state, std::size_t handle, const Similarit
 }
 
 // Draws fields for the handle's move from rest.
-void draw_move(Editor& editor, PanelDrafts& drafts) {
+void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   const AppState& state = editor.state();
   const std::size_t handle = editor.handle();
   if (handle >= state.moves.size()) return;
-  ImGui::Text("handle %zu", handle + 1);
+  ImGui::AlignTextToFramePadding();
+  ImGui::Text("Handle %zu", handle + 1);
   ImGui::SameLine();
-  if (ImGui::SmallButton("back to rest")) editor.perform(MoveHandle{handle, SimilarityMove{}});
-  explain("Puts the handle where it was before it was moved.");
+  if (ImGui::SmallButton("Reset")) editor.perform(MoveHandle{handle, SimilarityMove{}});
+  explain("Moves the handle back to its rest position.");
   draw_gizmo_panel(editor);
   const Move now =
       editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : shown_move(state, handle);
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
-    ImGui::TextDisabled("scaled along tilted axes: moved by a matrix");
+    ImGui::TextWrapped("Scaled along tilted axes: no numbers to type.");
     return;
   }
   SimilarityMove move = drafts.move.value_or(*similarity);
   move.translate = readable(move.translate, editor.bounds().diagonal());
   move.rotate.axis = readable(move.rotate.axis, 1.0);
   bool let_go = false;
-  bool changed = draw_vector("move", move.translate, let_go);
-  changed |= draw_vector("axis", move.rotate.axis, let_go);
-  changed |= draw_number("degrees", move.rotate.degrees, let_go);
-  changed |= draw_vector("scale", move.scale, let_go);
+  bool changed = draw_vector("Move", "move", move.translate, with_unit("%.4g", unit), let_go);
+  changed |= draw_number("Rotation", move.rotate.degrees, "%.5g°", let_go);
+  explain("Angle of the rotation. Its axis is below.");
+  changed |= draw_vector("", "axis", move.rotate.axis, "%.4g", let_go);
+  changed |= draw_vector("Scale", "scale", move.scale, "%.4g", let_go);
   if (changed) drafts.move = move;
   draw_orientation(editor, handle);
   if (!let_go) return;
@@ -92,7 +121,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {
-  if (!ImGui::TreeNode("How it is computed")) return;
+  if (!ImGui::TreeNode("Solver settings")) return;
   const EditParameters before = drafts.parameters.value_or(editor.state().parameters);
   EditParameters parameters = before;
   ParameterPanel panel(editor.bounds().diagonal());
@@ -107,18 +136,22 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
 
 }  // namespace
 
-void draw_deform_panel(Editor& editor, PanelDrafts& drafts) {
-  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
-  draw_move(editor, drafts);
+void draw_deform_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
+  draw_move(editor, drafts, unit);
   if (editor.state().parameters.settle) {
+    // Beside "Free rotation", if that is drawn.
+    constexpr const char* kLabel = "Refine while dragging";
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    const bool is_beside = editor.handle() < editor.state().moves.size() &&
+                           allows_free_handles(editor.state().parameters);
+    if (is_beside) stay_on_line(button_width(kLabel) + ImGui::GetFrameHeight(), right);
     bool continuous = editor.settles_while_dragging();
-    if (ImGui::Checkbox("settle while dragging", &continuous)) {
+    if (ImGui::Checkbox(kLabel, &continuous)) {
       editor.set_settles_while_dragging(continuous);
     }
-    explain("A drag shows what it comes to, settled on the way as far as there is time.");
+    explain("Shows the final result during a drag, as far as time allows. Off: a rough preview.");
   }
   draw_parameters(editor, drafts);
-  ImGui::PopItemWidth();
 }
 
 }  // namespace lapwing::viewer

@@ -11,6 +11,7 @@
 #include "navigation/keymap.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -79,62 +80,63 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::Checkbox("Flat", &style.flat);
   ImGui::SameLine();
   bool before = editor.shown().shows_before();
-  if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
+  if (ImGui::Checkbox("Original", &before)) editor.show_before(before);
+  explain("Shows the mesh as it was opened.", "Shortcut: C");
   if (editor.shown().has_file_colors()) {
     ImGui::SameLine();
     ImGui::Checkbox("File's colours", &style.file_colors);
   }
-  ImGui::SetNextItemWidth(0.5F * ImGui::GetContentRegionAvail().x);
-  ImGui::SliderFloat("Feature angle", &choices.feature_angle, 0.0F, 180.0F, "%.0f degrees",
+  label_field("Feature angle");
+  ImGui::SliderFloat("##feature", &choices.feature_angle, 0.0F, 180.0F, "%.0f°",
                      ImGuiSliderFlags_AlwaysClamp);
   // A new angle rebuilds the surface, which takes too long to do in every frame of the slider drag.
   if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_feature_angle(choices.feature_angle);
-  explain("Edges whose faces meet at a larger angle look hard.");
+  explain("Edges between faces at a larger angle are shaded sharp.");
   choose_in_pairs(
       "Colour", choices.coloring,
-      std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
-                 std::pair{"displacement", Coloring::displacement},
-                 std::pair{"rotation", Coloring::rotation},
-                 std::pair{"detail error", Coloring::detail},
-                 std::pair{"stretch", Coloring::stretch}});
+      std::array{std::pair{"Plain", Coloring::plain}, std::pair{"Regions", Coloring::regions},
+                 std::pair{"Displacement", Coloring::displacement},
+                 std::pair{"Rotation", Coloring::rotation},
+                 std::pair{"Detail error", Coloring::detail},
+                 std::pair{"Stretch", Coloring::stretch}});
   const auto measure = measure_of(choices.coloring);
   editor.shown().color_by(measure);
   if (measure && !editor.shown().is_comparable()) {
-    ImGui::TextDisabled("the triangles have changed:\nnothing to compare with");
+    ImGui::TextDisabled("The triangles have changed, so there is\nnothing to compare with.");
   }
   if (measure && editor.shown().is_measured()) {
     std::string title(legend_title(*measure));
     std::replace(title.begin(), title.end(), '\n', ' ');
-    ImGui::TextDisabled("%s", title.c_str());
+    ImGui::TextDisabled("%s", in_window_words(title).c_str());
     draw_legend(style_of(choices, editor));
   }
   choose_in_pairs(
       "Background", choices.background,
-      std::array{std::pair{"gradient", Background::gradient}, std::pair{"white", Background::white},
-                 std::pair{"black", Background::transparent}});
+      std::array{std::pair{"Gradient", Background::gradient}, std::pair{"White", Background::white},
+                 std::pair{"Black", Background::transparent}});
 }
 
 void draw_preferences_panel(Preferences& preferences) {
-  choose("theme", preferences.theme, {{"dark", Theme::dark}, {"light", Theme::light}});
+  choose("Theme", preferences.theme, {{"Dark", Theme::dark}, {"Light", Theme::light}});
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("mouse as in");
+  ImGui::TextDisabled("Mouse navigation");
   for (const Keymap& keymap : keymaps()) {
     const std::string name(keymap.name);
     stay_on_line(ImGui::CalcTextSize(name.c_str()).x + 1.5F * ImGui::GetFrameHeight(), right_end());
     if (ImGui::RadioButton(name.c_str(), preferences.mouse == name)) preferences.mouse = name;
   }
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("unit");
+  ImGui::TextDisabled("Unit");
   for (const char* unit : {"", "mm", "cm", "m", "in"}) {
     ImGui::SameLine();
-    const char* name = *unit == '\0' ? "none" : unit;
+    const char* name = *unit == '\0' ? "None" : unit;
     if (ImGui::RadioButton(name, preferences.unit == unit)) preferences.unit = unit;
-    explain("Written behind lengths; files hold numbers without a unit.");
+    explain("Shown after lengths. Files store numbers without a unit.");
   }
-  ImGui::Checkbox("guide at the picture", &preferences.shows_guide);
-  explain("What to do now, step by step.");
-  ImGui::Checkbox("the desktop's file dialogs", &preferences.uses_system_dialogs);
-  explain("Where it has any (zenity, kdialog); otherwise the viewer's own.");
+  ImGui::Checkbox("Show guide", &preferences.shows_guide);
+  explain("Shows the next step in the view.");
+  ImGui::Checkbox("Use system file dialogs", &preferences.uses_system_dialogs);
+  explain("Requires zenity or kdialog. Off: the built-in file browser.");
 }
 
 }  // namespace lapwing::viewer

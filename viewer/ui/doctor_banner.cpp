@@ -8,6 +8,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "ui/widgets.h"
 #include "work/doctor_text.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -33,8 +34,8 @@ void draw_findings(const CheckReport& report) {
   for (const Defect& defect : report.defects) {
     const DefectInfo& info = describe(defect.kind);
     if (info.severity == Severity::info) continue;
-    ImGui::TextUnformatted(std::string(info.name).c_str());
-    ImGui::TextDisabled("%s", std::string(info.meaning).c_str());
+    ImGui::TextUnformatted(in_window_words(std::string(info.name)).c_str());
+    ImGui::TextDisabled("%s", in_window_words(std::string(info.meaning)).c_str());
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -66,7 +67,7 @@ void DoctorBanner::update(Editor& editor, bool others_preview) {
       state_ = State::previewing;
     }
   } catch (const Error& error) {
-    trouble_ = error.what();
+    trouble_ = in_window_words(error.what());
     state_ = State::offering;
   }
   if (!has_picture() || (editor.shown().previews() && !others_preview)) return;
@@ -155,9 +156,9 @@ std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
   ImGui::SameLine();
   const bool is_edited = editor.session().history().done() > 0;
   if (!report_.is_fixable()) {
-    ImGui::TextDisabled("No repair is sure to be right.");
+    ImGui::TextDisabled("No safe automatic repair.");
   } else if (is_edited) {
-    ImGui::TextDisabled("Undo the edit to repair the mesh.");
+    ImGui::TextDisabled("Undo all edits to repair the mesh.");
   } else if (ImGui::Button("Repair")) {
     trouble_.clear();
     if (state_ == State::marking) show_as_before(editor);
@@ -180,7 +181,7 @@ std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
 
 void DoctorBanner::draw_repairing() {
   const WorkStatus status = job_.status();
-  ImGui::Text("Repairing %s: %s", name_.c_str(), status.stage.c_str());
+  ImGui::Text("Repairing %s: %s", name_.c_str(), stage_in_words(status.stage).data());
   if (!ImGui::Button("Stop")) return;
   job_.cancel();
   state_ = State::offering;
@@ -190,19 +191,18 @@ std::optional<BannerWish> DoctorBanner::draw_preview(Editor& editor) {
   std::optional<BannerWish> wish;
   ImGui::TextWrapped("Repaired: %s.", repairs_in_words(repaired_->done).c_str());
   const std::string left = problems_in_words(repaired_->left);
-  if (!left.empty()) ImGui::TextWrapped("What is left: %s.", left.c_str());
+  if (!left.empty()) ImGui::TextWrapped("Remaining: %s.", left.c_str());
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped(
-      "This is a preview. Kept, it is a file of its own, which is opened: recipes begin with it.");
+  ImGui::TextWrapped("Preview. The repaired mesh is saved to a new file, which is then opened.");
   ImGui::PopStyleColor();
-  if (ImGui::Button("Keep...")) wish = BannerWish::keep_repair;
+  if (ImGui::Button("Save repaired mesh...")) wish = BannerWish::keep_repair;
   ImGui::SameLine();
   if (ImGui::Button("Undo repair")) show_as_before(editor);
   return wish;
 }
 
 std::optional<BannerWish> DoctorBanner::draw_empty() {
-  draw_colored(Tone::warning, "There is nothing to see here.");
+  draw_colored(Tone::warning, "Nothing to show");
   ImGui::TextWrapped("%s", emptiness_in_words(name_, report_.statistics).c_str());
   if (ImGui::Button("Open another file...")) return BannerWish::open_another;
   return {};

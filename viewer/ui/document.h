@@ -28,6 +28,12 @@ struct Document {
         transplant(context, std::move(say), std::move(wake)) {}
 
   OpenedMesh opened;
+  /// Names the window after the file that holds the edit.
+  void set_title(const std::string& name) {
+    title = name + " - Lapwing";
+    unsaved_title = name + "* - Lapwing";
+  }
+
   std::string title;  ///< of the window
   std::string unsaved_title;
   CheckReport report;

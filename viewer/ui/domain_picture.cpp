@@ -69,9 +69,9 @@ void draw_domain(const LayeredCoat* layers, std::size_t source) {
   // Each name has the colour of its lines and their background.
   const float line = ImGui::GetFontSize();
   list.AddText({corner.x + 0.3F * line, corner.y + 0.1F * line}, kSource | IM_COL32_A_MASK,
-               "source");
+               "Source");
   list.AddText({corner.x + 0.3F * line, corner.y + 1.2F * line}, kTarget | IM_COL32_A_MASK,
-               "target");
+               "Target");
 }
 
 }  // namespace lapwing::viewer

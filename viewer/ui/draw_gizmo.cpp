@@ -33,13 +33,14 @@ void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) 
 }
 
 // In the order of GizmoPivot.
-constexpr std::array kPivots{"its middle", "the middle of its rim", "the middle of the belt",
-                             "a point of the surface", "the world's origin"};
+constexpr std::array kPivots{"Handle centre", "Handle rim centre", "Fixed border centre",
+                             "Point on the surface", "World origin"};
 
 void draw_pivot(Editor& editor, GizmoChoices& choices) {
   int pivot = static_cast<int>(choices.pivot);
-  if (ImGui::Combo("turns about", &pivot, kPivots.data(), static_cast<int>(kPivots.size()))) {
-    // There is no point to turn about before it is picked.
+  label_field("Pivot");
+  if (ImGui::Combo("##pivot", &pivot, kPivots.data(), static_cast<int>(kPivots.size()))) {
+    // There is no pivot point before it is picked.
     if (static_cast<GizmoPivot>(pivot) == GizmoPivot::point) {
       editor.begin_picking_pivot();
     } else {
@@ -48,7 +49,7 @@ void draw_pivot(Editor& editor, GizmoChoices& choices) {
   }
   if (editor.picks_pivot()) ImGui::TextWrapped("%s", editor.hint());
   if (choices.pivot == GizmoPivot::point && !editor.picks_pivot() &&
-      ImGui::SmallButton("another point")) {
+      ImGui::SmallButton("Pick another point")) {
     editor.begin_picking_pivot();
   }
 }
@@ -83,19 +84,19 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
 
 void draw_gizmo_panel(Editor& editor) {
   GizmoMode mode = editor.gizmo_tool().mode();
-  if (choose("gizmo", mode,
-             {{"move", GizmoMode::translate},
-              {"turn", GizmoMode::rotate},
-              {"scale", GizmoMode::scale}})) {
+  if (choose("Gizmo", mode,
+             {{"Move", GizmoMode::translate},
+              {"Rotate", GizmoMode::rotate},
+              {"Scale", GizmoMode::scale}})) {
     editor.show_gizmo(mode);
   }
   GizmoChoices choices = editor.gizmo_choices();
-  choose(
-      "axes", choices.axes,
-      {{"world", GizmoAxes::world}, {"its own", GizmoAxes::local}, {"normal", GizmoAxes::normal}});
+  choose("Axes", choices.axes,
+         {{"World", GizmoAxes::world}, {"Local", GizmoAxes::local}, {"Normal", GizmoAxes::normal}});
   draw_pivot(editor, choices);
-  ImGui::Checkbox("sticks to the surface", &choices.sticks_to_surface);
-  explain("Moved, its middle goes where the cursor is on the surface beside the ROI.");
+  ImGui::Checkbox("Snap to surface", &choices.sticks_to_surface);
+  explain("Keeps the centre of the handle on the surface beside the region while you move it.",
+          "Shortcut: Shift+Tab");
   editor.set_gizmo_choices(choices);
 }
 

@@ -80,7 +80,7 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
     const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
     if (!pixel) continue;
     pen.dot(*pixel, marks.grip == k ? kHighlight : kLine);
-    if (marks.grip == k) pen.text(*pixel, {14.0, 14.0}, "drag to size the disk");
+    if (marks.grip == k) pen.text(*pixel, {14.0, 14.0}, "Drag to resize");
   }
   if (marks.brush_pt > 0.0) pen.circle(cursor, marks.brush_pt, kLine);
   pen.line(marks.outline, true, kLine, 1.5);
@@ -100,7 +100,7 @@ void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optiona
     mark(source.inner_pairs[p][end], kHighlight, std::to_string(p + 1));
   }
   for (std::size_t p = 0; p < source.boundary_pairs.size(); ++p) {
-    mark(source.boundary_pairs[p][end], kPointer, "border " + std::to_string(p + 1));
+    mark(source.boundary_pairs[p][end], kPointer, "Border " + std::to_string(p + 1));
   }
   if (half) mark(*half, kLine, "");
 }
@@ -126,13 +126,13 @@ void EditMarks::draw_pane_names(const DetailTransferTool& desk, const std::strin
                                 const PictureArea& area, double width) {
   const std::filesystem::path& mesh = desk.draft().sources[desk.current()].mesh;
   const double gap = 0.7 * static_cast<double>(ImGui::GetFontSize());
-  readout_ = desk.draft().source_count() == 1 ? "source: "
-             : desk.current() == 0            ? "first source: "
-                                              : "second source: ";
+  readout_ = desk.draft().source_count() == 1 ? "Source: "
+             : desk.current() == 0            ? "First source: "
+                                              : "Second source: ";
   readout_ += mesh.empty() ? "this mesh" : mesh.filename().string();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   draw_words(list, area.corner + Vector2d(gap, gap), readout_);
-  readout_ = "target: " + target;
+  readout_ = "Target: " + target;
   draw_words(list, area.corner + Vector2d(width + gap, gap), readout_);
 }
 

@@ -22,7 +22,7 @@ void FileChooser::ask(PathRequest request) {
     dialog_ = std::make_unique<SystemDialog>(
         dialog_command(*program, {request_.purpose, request_.folder, request_.name}), wake_);
   } catch (const IoError& error) {
-    browser_.open(request_, std::string(error.what()) + "; choose here instead");
+    browser_.open(request_, std::string(error.what()) + ". Choose a file here instead.");
   }
 }
 
@@ -68,8 +68,8 @@ void FileChooser::take_answer() {
   dialog_.reset();
   if (answer->what == What::chosen) answered_ = std::move(answer->path);
   if (answer->what == What::failed) {
-    browser_.open(request_,
-                  "the desktop's file dialog failed (" + answer->reason + "); choose here instead");
+    browser_.open(request_, "The system file dialog failed (" + answer->reason +
+                                "). Choose a file here instead.");
   }
 }
 
@@ -80,8 +80,8 @@ void FileChooser::draw_waiting() {
   bool browses = false;
   bool cancels = false;
   if (ImGui::Begin(title.c_str(), nullptr, kDialog)) {
-    ImGui::TextUnformatted("Choose in the window that the desktop has opened.");
-    browses = ImGui::Button("Choose here instead");
+    ImGui::TextUnformatted("Choose a file in the system file dialog.");
+    browses = ImGui::Button("Use built-in dialog");
     ImGui::SameLine();
     cancels = ImGui::Button("Cancel");
   }

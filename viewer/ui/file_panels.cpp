@@ -10,11 +10,11 @@ namespace lapwing::viewer {
 std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file) {
   std::optional<bool> choice;
   center_next_window();
-  if (ImGui::Begin("Write over it?", nullptr, kDialog)) {
-    ImGui::Text("There is a file %s already.", file.filename().c_str());
+  if (ImGui::Begin("Replace file?", nullptr, kDialog)) {
+    ImGui::Text("%s already exists.", file.filename().c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.c_str());
-    ImGui::TextDisabled("Enter writes over it, Escape goes back.");
-    if (ImGui::Button("Write over it") || is_pressed(ImGuiKey_Enter)) choice = true;
+    ImGui::TextDisabled("Enter replaces it, Escape goes back.");
+    if (ImGui::Button("Replace") || is_pressed(ImGuiKey_Enter)) choice = true;
     ImGui::SameLine();
     if (ImGui::Button("Back")) choice = false;
   }
@@ -25,8 +25,8 @@ std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file) {
 std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
   std::optional<UnsavedChoice> choice;
   center_next_window();
-  if (ImGui::Begin("Not saved", nullptr, kDialog)) {
-    ImGui::Text("%s has been edited and not saved.", name.c_str());
+  if (ImGui::Begin("Save changes?", nullptr, kDialog)) {
+    ImGui::Text("%s has unsaved changes.", name.c_str());
     ImGui::TextDisabled("Enter saves, Delete discards, Escape cancels.");
     if (ImGui::Button("Save") || is_pressed(ImGuiKey_Enter)) choice = UnsavedChoice::save;
     ImGui::SameLine();
@@ -43,8 +43,8 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
   std::optional<InterruptedChoice> choice;
   center_next_window();
   if (ImGui::Begin("Interrupted edits", nullptr, kDialog)) {
-    ImGui::TextDisabled("These edits were not closed properly. Restoring runs their steps again.");
-    ImGui::TextDisabled("Enter restores the latest.");
+    ImGui::TextDisabled("These edits were not closed properly. Restore runs their steps again.");
+    ImGui::TextDisabled("Enter restores the latest edit.");
     for (std::size_t e = 0; e < edits.size(); ++e) {
       ImGui::PushID(static_cast<int>(e));
       const bool first = e == 0 && is_pressed(ImGuiKey_Enter);
@@ -53,9 +53,9 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
       if (ImGui::Button("Discard")) choice = {e, What::discard};
       ImGui::SameLine();
       const std::size_t count = edits[e].step_count();
-      const std::string steps = count == 0   ? "a selection"
-                                : count == 1 ? "1 edit"
-                                             : std::to_string(count) + " edits";
+      const std::string steps = count == 0   ? "selection only"
+                                : count == 1 ? "1 step"
+                                             : std::to_string(count) + " steps";
       ImGui::Text("%s, %s, %s", edits[e].opened.filename().c_str(), steps.c_str(),
                   date_in_words(edits[e].last_step).c_str());
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());

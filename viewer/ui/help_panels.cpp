@@ -1,6 +1,8 @@
 // Draws the guide over the 3D view, the list of controls, and the panel with the device and the
 // timings of a frame.
 
+#include <array>
+#include <cstdio>
 #include <imgui.h>
 
 #include "ui/panels.h"
@@ -31,14 +33,23 @@ void row(const char* label, const char* format, auto value) {
   ImGui::TextWrapped(format, value);
 }
 
+// Times keep their line, however wide the table is.
+void time_row(const char* label, double milliseconds) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", label);
+  ImGui::TableNextColumn();
+  ImGui::Text("%.2f ms", milliseconds);
+}
+
 void draw_timings(const FrameTimings& timings) {
   if (!ImGui::BeginTable("timings", 2, ImGuiTableFlags_SizingFixedFit)) return;
-  row("blend, device", "%.2f ms", timings.blend_ms);
-  row("normals, device", "%.2f ms", timings.normals_ms);
-  row("surface, device", "%.2f ms", timings.draw_ms);
-  row("panels, device", "%.2f ms", timings.ui_ms);
-  row("panels, processor", "%.2f ms", timings.panels_ms);
-  row("frame, processor", "%.2f ms", timings.frame_ms);
+  time_row("Deformation, GPU", static_cast<double>(timings.blend_ms));
+  time_row("Normals, GPU", static_cast<double>(timings.normals_ms));
+  time_row("Surface, GPU", static_cast<double>(timings.draw_ms));
+  time_row("Panels, GPU", static_cast<double>(timings.ui_ms));
+  time_row("Panels, CPU", static_cast<double>(timings.panels_ms));
+  time_row("Frame, CPU", static_cast<double>(timings.frame_ms));
   ImGui::EndTable();
 }
 
@@ -56,14 +67,20 @@ double draw_guide(const Guide& guide, const PictureArea& area) {
   if (ImGui::Begin("Guide", nullptr, kOverPicture)) {
     ImGui::PushTextWrapPos(static_cast<float>(area.size.x()) - 2.0F * gap -
                            2.0F * ImGui::GetStyle().WindowPadding.x);
+    const float right = static_cast<float>(area.corner.x() + area.size.x()) - 2.0F * gap -
+                        ImGui::GetStyle().WindowPadding.x;
     for (std::size_t k = 0; k < guide.count; ++k) {
-      if (k > 0) ImGui::SameLine(0.0F, 1.5F * ImGui::GetFontSize());
       const Guide::Step& step = guide.steps[k];
-      const char* done = step.is_done ? " (done)" : "";
+      std::array<char, 64> name{};
+      std::snprintf(name.data(), name.size(), "%zu  %s%s", k + 1, step.name,
+                    step.is_done ? " (done)" : "");
+      const float between = 1.5F * ImGui::GetFontSize();
+      const float width = between + ImGui::CalcTextSize(name.data()).x;
+      if (k > 0 && ImGui::GetItemRectMax().x + width <= right) ImGui::SameLine(0.0F, between);
       if (k == guide.current) {
-        ImGui::Text("%zu  %s%s", k + 1, step.name, done);
+        ImGui::TextUnformatted(name.data());
       } else {
-        ImGui::TextDisabled("%zu  %s%s", k + 1, step.name, done);
+        ImGui::TextDisabled("%s", name.data());
       }
     }
     ImGui::TextUnformatted(guide.what);
@@ -82,7 +99,7 @@ void draw_controls_list(const Keymap& keymap, bool& open) {
       "Controls", &open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   if (shown) {
-    ImGui::TextDisabled("Mouse, as in %s", std::string(keymap.name).c_str());
+    ImGui::TextDisabled("Mouse navigation: %s", std::string(keymap.name).c_str());
     draw_lines("mouse", mouse_controls(keymap));
     ImGui::Spacing();
     ImGui::TextDisabled("Keys");
@@ -96,21 +113,21 @@ void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings
   center_next_window(ImGuiCond_Appearing);
   ImGui::SetNextWindowSize({kWidthLetters * ImGui::GetFontSize(), 0.0F}, ImGuiCond_Appearing);
   if (ImGui::Begin("Machine", &open, ImGuiWindowFlags_NoCollapse)) {
-    if (ImGui::BeginTable("device", 2)) {
+    if (ImGui::BeginTable("Device", 2)) {
       ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-      row("device", "%s", device.name.c_str());
-      row("kind", "%s", device.type.c_str());
-      row("driver", "%s", device.driver.c_str());
+      row("Device", "%s", device.name.c_str());
+      row("Type", "%s", device.type.c_str());
+      row("Driver", "%s", device.driver.c_str());
       row("Vulkan", "%s", device.api_version.c_str());
       if (certificate != nullptr) {
-        row("residual", "%.1e", certificate->relative_residual);
-        row("gradient left", "%.1e", certificate->relative_gradient);
+        row("Residual", "%.1e", certificate->relative_residual);
+        row("Residual force", "%.1e", certificate->relative_gradient);
       }
       ImGui::EndTable();
     }
     ImGui::Separator();
-    ImGui::TextDisabled("the last frame");
+    ImGui::TextDisabled("Last frame");
     draw_timings(timings);
   }
   ImGui::End();

@@ -25,7 +25,7 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
 
   std::optional<std::size_t> chosen;
   ImGui::BeginChild("steps");
-  if (ImGui::Selectable("opened", history.done() == 0)) chosen = 0;
+  if (ImGui::Selectable("Opened", history.done() == 0)) chosen = 0;
   for (std::size_t k = 0; k < history.size(); ++k) {
     const bool undone = k >= history.done();
     if (undone)

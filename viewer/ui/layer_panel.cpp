@@ -8,6 +8,7 @@
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -16,29 +17,32 @@ using Operation = LayerDraft::Operation;
 
 void draw_slider(const char* label, double& value, double from, double to,
                  const char* format = "%.3g", ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
-  ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &from, &to, format, flags);
+  label_field(label);
+  ImGui::PushID(label);
+  ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &from, &to, format, flags);
+  ImGui::PopID();
 }
 
 const char* words(Operation operation) {
   return operation == Operation::coat
-             ? "A coat puts the detail of a source patch on the ROI, which keeps its own shape."
-             : "A mix puts the details of two source patches on the ROI, one passing into the "
-               "other.";
+             ? "Puts the detail of a source patch on the region. The region keeps its overall "
+               "shape."
+             : "Puts the detail of two source patches on the region. One blends into the other.";
 }
 
 // While nothing is open, draws what can be begun, and the steps that can be changed.
 void draw_beginnings(DetailTransferTool& desk, Editor& editor, Operation operation) {
   const bool coats = operation == Operation::coat;
   ImGui::TextWrapped("%s", words(operation));
-  if (ImGui::Button(coats ? "Begin a coat" : "Begin a mix")) desk.begin(editor, operation);
+  if (ImGui::Button(coats ? "New coat" : "New mix")) desk.begin(editor, operation);
   explain(coats ? Action::begin_coat : Action::begin_mix);
   const auto& steps = editor.state().steps;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const auto draft = layer_draft_of(*steps[k]);
     if (!draft || draft->operation != operation) continue;
     ImGui::PushID(static_cast<int>(k));
-    if (ImGui::SmallButton("change")) desk.take_up(editor, k);
-    explain("Takes this step up again; those after it run again once it is applied.");
+    if (ImGui::SmallButton("Edit")) desk.take_up(editor, k);
+    explain("Edits this step again. When you apply it, the steps after it run again.");
     ImGui::SameLine();
     ImGui::Text("%zu  %s", k + 1, describe(*steps[k]).c_str());
     ImGui::PopID();
@@ -49,8 +53,8 @@ void draw_beginnings(DetailTransferTool& desk, Editor& editor, Operation operati
 bool draw_source_file(DetailTransferTool& desk) {
   const std::size_t k = desk.current();
   const std::filesystem::path& mesh = desk.draft().sources[k].mesh;
-  ImGui::Text("source: %s", mesh.empty() ? "this mesh" : mesh.filename().string().c_str());
-  const bool asked = ImGui::Button("Another mesh...");
+  ImGui::Text("Source: %s", mesh.empty() ? "this mesh" : mesh.filename().string().c_str());
+  const bool asked = ImGui::Button("Open another mesh...");
   if (!mesh.empty()) {
     ImGui::SameLine();
     if (ImGui::Button("This mesh")) desk.use_source(k, {});
@@ -61,18 +65,18 @@ bool draw_source_file(DetailTransferTool& desk) {
 void draw_patch(DetailTransferTool& desk) {
   SourceView* view = desk.view();
   if (view == nullptr) {
-    ImGui::TextDisabled("%s", desk.is_reading() ? "reading the source" : "no source");
+    ImGui::TextDisabled("%s", desk.is_reading() ? "Reading the source" : "No source");
     return;
   }
   if (view->patch().vertices.empty()) {
-    ImGui::TextWrapped("Drag a disk over the source, beside the mesh, or take");
+    ImGui::TextWrapped("Drag a disk on the source, beside the mesh, or use");
   } else {
-    ImGui::Text("source patch: %zu vertices", view->patch().vertices.size());
+    ImGui::Text("Source patch: %zu vertices", view->patch().vertices.size());
   }
-  if (ImGui::Button("the whole source")) desk.choose_source_patch({AllVertices{}});
+  if (ImGui::Button("Whole source")) desk.choose_source_patch({AllVertices{}});
   if (view->patch().vertices.empty()) return;
   ImGui::SameLine();
-  if (ImGui::Button("the largest disk in it")) {
+  if (ImGui::Button("Largest disk in it")) {
     desk.choose_source_patch({DiskInRegion{{spec_of(view->patch(), "source patch")}}});
   }
 }
@@ -80,28 +84,29 @@ void draw_patch(DetailTransferTool& desk) {
 void draw_target(const DetailTransferTool& desk, const Editor& editor) {
   const std::size_t count = editor.state().selection.roi.vertices.size();
   if (desk.taken_up()) {
-    ImGui::TextWrapped("You are changing step %zu; the steps after it run again.",
+    ImGui::TextWrapped("Editing step %zu. The steps after it run again when you apply it.",
                        *desk.taken_up() + 1);
   } else if (count == 0) {
-    ImGui::TextWrapped("Choose the target patch: it is the ROI (press I, then drag a disk).");
+    ImGui::TextWrapped("Target: select a region (press I, then drag a disk).");
   } else {
-    ImGui::Text("target patch: the ROI, %zu vertices", count);
+    ImGui::Text("Target: the region, %zu vertices", count);
   }
 }
 
 // Draws the sliders whose effect shows while they are dragged.
-void draw_live_sliders(DetailTransferTool& desk) {
+void draw_live_sliders(DetailTransferTool& desk, const std::string& unit) {
   CoatSource& source = desk.draft().sources[desk.current()];
   if (const SourceView* view = desk.view()) {
     const double size = view->shown().bounds().diagonal();
-    draw_slider("detail size", source.detail_size, 1e-3 * size, 0.5 * size, "%.4g",
+    const std::string format = with_unit("%.4g", unit);
+    draw_slider("Detail size", source.detail_size, 1e-3 * size, 0.5 * size, format.c_str(),
                 ImGuiSliderFlags_Logarithmic);
   }
-  draw_slider("amplitude", source.amplitude, -2.0, 2.0, "%.2f");
+  draw_slider("Amplitude", source.amplitude, -2.0, 2.0, "%.2f");
 }
 
 void draw_parameters(DetailTransferTool& desk, const Editor& editor) {
-  if (!ImGui::TreeNode("How it is computed")) return;
+  if (!ImGui::TreeNode("Solver settings")) return;
   LayerDraft& draft = desk.draft();
   const double size = editor.bounds().diagonal();
   const bool had_transition = draft.parameters.transition.has_value();
@@ -138,17 +143,17 @@ void draw_pairs(DetailTransferTool& desk, Editor& editor) {
   using Picking = DetailTransferTool::Picking;
   if (!ImGui::TreeNodeEx("Corresponding points", ImGuiTreeNodeFlags_DefaultOpen)) return;
   CoatSource& source = desk.draft().sources[desk.current()];
-  draw_pair_list("inside", source.inner_pairs);
-  draw_pair_list("border", source.boundary_pairs);
+  draw_pair_list("Inside", source.inner_pairs);
+  draw_pair_list("Border", source.boundary_pairs);
   if (desk.picking() == Picking::none) {
     if (ImGui::Button("Pick inside")) desk.pick(Picking::inside, editor);
     ImGui::SameLine();
-    if (ImGui::Button("Pick on the border")) desk.pick(Picking::border, editor);
+    if (ImGui::Button("Pick on border")) desk.pick(Picking::border, editor);
   } else {
-    ImGui::TextWrapped("%s", desk.picked_source()   ? "now the same place on the target"
-                             : desk.picked_target() ? "now the same place on the source"
-                                                    : "click the same place on both");
-    if (ImGui::Button("Done picking")) desk.pick(Picking::none, editor);
+    ImGui::TextWrapped("%s", desk.picked_source()   ? "Click the same place on the target."
+                             : desk.picked_target() ? "Click the same place on the source."
+                                                    : "Click the same place on both.");
+    if (ImGui::Button("Stop picking")) desk.pick(Picking::none, editor);
   }
   ImGui::TreePop();
 }
@@ -156,10 +161,10 @@ void draw_pairs(DetailTransferTool& desk, Editor& editor) {
 // Uses a handle, because that is what the user can choose inside the ROI.
 void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   const auto& handles = editor.state().selection.handles;
-  draw_slider("width##ramp", ramp.width, 0.0, 0.5 * editor.bounds().diagonal());
+  draw_slider("Width", ramp.width, 0.0, 0.5 * editor.bounds().diagonal());
   if (handles.empty()) {
-    ImGui::TextWrapped("Choose a handle (H) where the second source should appear.");
-  } else if (ImGui::Button("take the handle's region")) {
+    ImGui::TextWrapped("Select a handle (H) where the second source appears.");
+  } else if (ImGui::Button("Use the handle")) {
     ramp.region = spec_of(handles[editor.handle()], "weight");
   }
 }
@@ -167,13 +172,14 @@ void draw_distance(DistanceRamp& ramp, const Editor& editor) {
 void draw_painting(DetailTransferTool& desk, Editor& editor) {
   WeightPaint& paint = desk.weight_paint();
   bool paints = desk.is_painting();
-  if (ImGui::Checkbox("paint it", &paints)) desk.paint_weight(paints, editor);
-  draw_slider("weight", paint.strength, 0.0, 1.0);
+  if (ImGui::Checkbox("Paint", &paints)) desk.paint_weight(paints, editor);
+  draw_slider("Weight", paint.strength, 0.0, 1.0);
   float radius = static_cast<float>(paint.brush().radius_pt);
-  if (ImGui::SliderFloat("brush##weight", &radius, 1.0F, 200.0F, "%.0f points")) {
+  label_field("Brush radius");
+  if (ImGui::SliderFloat("##brush", &radius, 1.0F, 200.0F, "%.0f pt")) {
     paint.brush().radius_pt = static_cast<double>(radius);
   }
-  if (ImGui::Button("Soften")) paint.soften(editor.state().rest->topology());
+  if (ImGui::Button("Smooth")) paint.soften(editor.state().rest->topology());
 }
 
 template <typename Form>
@@ -189,13 +195,13 @@ void draw_form(const char* label, DetailTransferTool& desk, Editor& editor) {
 
 void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   if (!ImGui::TreeNodeEx("Where the second source appears", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  draw_form<DomainRamp>("over the domain", desk, editor);
-  draw_form<DistanceRamp>("around a part", desk, editor);
-  draw_form<PaintedWeight>("painted", desk, editor);
+  draw_form<DomainRamp>("Over the domain", desk, editor);
+  draw_form<DistanceRamp>("Around a handle", desk, editor);
+  draw_form<PaintedWeight>("Painted", desk, editor);
   MixWeight& weight = desk.draft().weight;
   if (auto* ramp = std::get_if<DomainRamp>(&weight.form)) {
-    draw_slider("from v", ramp->from, 0.0, 1.0);
-    draw_slider("to v", ramp->to, 0.0, 1.0);
+    draw_slider("From v", ramp->from, 0.0, 1.0);
+    draw_slider("To v", ramp->to, 0.0, 1.0);
   } else if (auto* around = std::get_if<DistanceRamp>(&weight.form)) {
     draw_distance(*around, editor);
   } else {
@@ -203,13 +209,13 @@ void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   }
   using Profile = Transition::Profile;
   for (const auto& [label, profile] :
-       {std::pair{"soft##mix", Profile::smooth}, std::pair{"linear##mix", Profile::linear}}) {
+       {std::pair{"Smooth##mix", Profile::smooth}, std::pair{"Linear##mix", Profile::linear}}) {
     if (ImGui::RadioButton(label, weight.profile == profile)) weight.profile = profile;
     ImGui::SameLine();
   }
   ImGui::NewLine();
   bool shape = desk.draft().transfer == TransferMode::shape;
-  if (ImGui::Checkbox("the whole shapes, not only their detail", &shape)) {
+  if (ImGui::Checkbox("Mix whole shapes, not only detail", &shape)) {
     desk.draft().transfer = shape ? TransferMode::shape : TransferMode::coating;
   }
   ImGui::TreePop();
@@ -217,25 +223,25 @@ void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
 
 }  // namespace
 
-std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task) {
+std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task,
+                                            const std::string& unit) {
   std::optional<PathPurpose> purpose;
   const Operation operation = task == Task::coat ? Operation::coat : Operation::mix;
   if (!desk.is_open() || desk.draft().operation != operation) {
     draw_beginnings(desk, editor, operation);
     return purpose;
   }
-  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_target(desk, editor);
   ImGui::Separator();
   if (desk.draft().source_count() == 2) {
     std::size_t current = desk.current();
-    choose("source", current, {{"first", std::size_t{0}}, {"second", std::size_t{1}}});
+    choose("Source", current, {{"First", std::size_t{0}}, {"Second", std::size_t{1}}});
     explain(Action::other_source);
     desk.show(current);
   }
   if (draw_source_file(desk)) purpose = PathPurpose::open_source;
   draw_patch(desk);
-  draw_live_sliders(desk);
+  draw_live_sliders(desk, unit);
   draw_pairs(desk, editor);
   if (desk.draft().operation == Operation::mix) draw_mix_weight(desk, editor);
   draw_parameters(desk, editor);
@@ -243,7 +249,6 @@ std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& ed
     draw_domain(desk.preview().layers(), desk.current());
     ImGui::TreePop();
   }
-  ImGui::PopItemWidth();
   return purpose;
 }
 
@@ -258,18 +263,21 @@ void draw_layer_result(DetailTransferTool& desk, Editor& editor) {
     explain(Action::apply_step);
     ImGui::SameLine();
     if (ImGui::Button("Cancel")) return desk.close(editor);
-    explain("Gives up what was not applied.");
+    explain("Discards the coat or mix.", "Shortcut: Escape");
   }
   ImGui::SameLine();
   bool previews = desk.previews();
-  if (ImGui::Checkbox("live preview", &previews)) desk.set_previews(previews);
-  explain("Computes the result while it is changed.");
+  if (ImGui::Checkbox("Live preview", &previews)) desk.set_previews(previews);
+  explain("Updates the result while you change it.");
   if (work.busy) {
-    ImGui::ProgressBar(static_cast<float>(work.fraction), {-1.0F, 0.0F}, work.stage.c_str());
+    ImGui::ProgressBar(static_cast<float>(work.fraction), {-1.0F, 0.0F},
+                       stage_in_words(work.stage).data());
   }
-  if (!preview.message().empty()) ImGui::TextWrapped("%s", preview.message().c_str());
+  if (!preview.message().empty())
+    ImGui::TextWrapped("%s", in_window_words(preview.message()).c_str());
   if (const LayeredCoat* layers = preview.layers()) {
-    for (const std::string& warning : layers->warnings()) draw_colored(Tone::warning, warning);
+    for (const std::string& warning : layers->warnings())
+      draw_colored(Tone::warning, in_window_words(warning));
   }
 }
 

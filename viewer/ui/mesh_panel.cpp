@@ -7,6 +7,7 @@
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "window/theme.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -24,7 +25,7 @@ bool draw_object(const CarriedObject& object, std::size_t number) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", object.file().c_str());
   const std::size_t count = object.rest->positions().size();
   ImGui::TextDisabled("%zu %s%s", count, count == 1 ? "vertex" : "vertices",
-                      object.follows ? "" : ", stays");
+                      object.follows ? "" : ", detached");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("Remove").x -
                   2.0F * ImGui::GetStyle().FramePadding.x);
   const bool pressed = ImGui::SmallButton(verb);
@@ -49,13 +50,13 @@ std::string number(double value) {
 // Adds rows for the colours in the mesh's file.
 void color_rows(const OpenedMesh& opened) {
   const MeshAttributes& attributes = opened.mesh->attributes();
-  if (!attributes.vertex_colors.empty()) mesh_row("colours", "of vertices");
-  if (!attributes.face_colors.empty()) mesh_row("colours", "of faces");
+  if (!attributes.vertex_colors.empty()) mesh_row("Colours", "per vertex");
+  if (!attributes.face_colors.empty()) mesh_row("Colours", "per face");
   if (!opened.colors || opened.colors->colors.materials.empty()) return;
   const std::vector<FileMaterial>& materials = opened.colors->colors.materials;
   const auto with_image = std::ranges::count_if(
       materials, [](const FileMaterial& material) { return material.image != kNoIndex; });
-  mesh_row("materials",
+  mesh_row("Materials",
            std::to_string(materials.size()) + " (with images: " + std::to_string(with_image) + ")");
 }
 
@@ -71,7 +72,7 @@ void draw_defect(const Defect& defect) {
   ImGui::Bullet();
   ImGui::TextWrapped("%zu %s", defect.count, std::string(info.name).c_str());
   ImGui::PopStyleColor();
-  explain(info.meaning, info.next_step);
+  explain(in_window_words(std::string(info.meaning)), in_window_words(std::string(info.next_step)));
 }
 
 }  // namespace
@@ -80,21 +81,21 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
   const MeshStatistics& s = document.report.statistics;
   const std::string behind = unit.empty() ? "" : " " + unit;
   if (ImGui::BeginTable("mesh", 2, ImGuiTableFlags_SizingFixedFit)) {
-    mesh_row("name", document.opened.name);
-    mesh_row("vertices", std::to_string(s.vertices));
-    mesh_row("faces", std::to_string(s.faces));
-    if (s.triangles != s.faces) mesh_row("triangles", std::to_string(s.triangles));
-    mesh_row("parts", std::to_string(s.component_sizes.size()));
-    mesh_row("boundaries", std::to_string(s.boundary_loops));
-    if (s.genus) mesh_row("genus", std::to_string(*s.genus));
+    mesh_row("Name", document.opened.name);
+    mesh_row("Vertices", std::to_string(s.vertices));
+    mesh_row("Faces", std::to_string(s.faces));
+    if (s.triangles != s.faces) mesh_row("Triangles", std::to_string(s.triangles));
+    mesh_row("Components", std::to_string(s.component_sizes.size()));
+    mesh_row("Boundaries", std::to_string(s.boundary_loops));
+    if (s.genus) mesh_row("Genus", std::to_string(*s.genus));
     const Eigen::Vector3d size = s.bounds.max - s.bounds.min;
-    mesh_row("size",
+    mesh_row("Size",
              number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
-    mesh_row("mean edge", number(s.mean_edge_length) + behind);
+    mesh_row("Mean edge length", number(s.mean_edge_length) + behind);
     color_rows(document.opened);
     ImGui::EndTable();
   }
-  if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor finds no problem.");
+  if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor found no problems.");
   for (const Defect& defect : document.report.defects) draw_defect(defect);
 }
 
@@ -109,7 +110,7 @@ std::optional<Action> draw_carried_panel(Editor& editor) {
   if (ImGui::Button("Add...")) wanted = Action::carry_file;
   if (!objects.empty()) {
     ImGui::SameLine();
-    if (ImGui::Button("Save carried objects")) wanted = Action::save_carried;
+    if (ImGui::Button("Save attached objects")) wanted = Action::save_carried;
   }
   if (pressed) {
     const CarriedObject object = objects[*pressed];

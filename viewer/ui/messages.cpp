@@ -7,6 +7,7 @@
 
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -21,19 +22,24 @@ constexpr float kToastLetters = 24.0F;
 constexpr float kLogLetters = 40.0F;
 constexpr float kLogLines = 20.0F;
 
+Message in_words(Message message) {
+  message.text = in_window_words(std::move(message.text));
+  return message;
+}
+
 // Returns whether the user closes it.
 bool draw_toast(const Messages::Toast& toast) {
   bool closes = false;
   if (ImGui::BeginTable("toast", 2)) {
     ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("close", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("Close", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     draw_colored(toast.message.tone, toast.message.text);
     if (toast.times > 1) ImGui::TextDisabled("%d times", toast.times);
     ImGui::TableNextColumn();
-    closes = ImGui::SmallButton("close");
-    explain("Help > Messages keeps all of them.");
+    closes = ImGui::SmallButton("Close");
+    explain("All messages: Help > Messages.");
     ImGui::EndTable();
   }
   return closes;
@@ -65,24 +71,29 @@ void begin_over_picture(const char* name, const PictureArea& area, Corner where,
 
 }  // namespace
 
-void Messages::remove_note() {
-  std::erase_if(toasts_, [](const Toast& toast) { return toast.message.tone == Tone::note; });
+void Messages::remove(Tone tone) {
+  std::erase_if(toasts_, [tone](const Toast& toast) { return toast.message.tone == tone; });
 }
 
 void Messages::say(Message message, double now) {
-  if (message.text.empty()) return remove_note();
+  if (message.text.empty()) return remove(message.tone);
+  message = in_words(std::move(message));
   if (!toasts_.empty() && toasts_.back().message == message) {
     toasts_.back().since = now;
     ++toasts_.back().times;
   } else {
-    if (message.tone == Tone::note) remove_note();
+    if (message.tone == Tone::note) remove(Tone::note);
     if (toasts_.size() == kMostToasts) toasts_.erase(toasts_.begin());
     toasts_.push_back({message, now, 1});
   }
-  record(std::move(message));
+  log(std::move(message));
 }
 
 void Messages::record(Message message) {
+  log(in_words(std::move(message)));
+}
+
+void Messages::log(Message message) {
   if (log_.size() == kLongestLog) log_.erase(log_.begin());
   log_.push_back(std::move(message));
 }
@@ -134,7 +145,7 @@ void draw_messages_panel(const Messages& messages, bool& open) {
       ImGuiCond_Appearing);
   if (ImGui::Begin("Messages", &open, ImGuiWindowFlags_NoCollapse)) {
     for (const Message& message : messages.log()) draw_colored(message.tone, message.text);
-    if (messages.log().empty()) ImGui::TextDisabled("Nothing to report.");
+    if (messages.log().empty()) ImGui::TextDisabled("No messages.");
     if (ImGui::IsWindowAppearing()) ImGui::SetScrollHereY(1.0F);
   }
   ImGui::End();

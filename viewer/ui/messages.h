@@ -18,7 +18,8 @@ class Messages {
     int times;  ///< said in a row
   };
 
-  /// Adds to log and toasts. An empty message removes the note.
+  /// Adds to log and toasts, in the words of the window. An empty message removes the toasts of its
+  /// tone.
   void say(Message message, double now);
   /// Adds only to the log, because the message is shown elsewhere.
   void record(Message message);
@@ -32,7 +33,8 @@ class Messages {
   std::span<const Message> log() const { return log_; }
 
  private:
-  void remove_note();
+  void remove(Tone tone);
+  void log(Message message);
 
   std::vector<Toast> toasts_;
   std::vector<Message> log_;

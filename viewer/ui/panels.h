@@ -67,11 +67,12 @@ struct PictureArea {
 /// needed. Returns the height.
 double draw_toolbar(Editor& editor, const PictureArea& area);
 
-/// Draws the selection, buttons that edit it, and how firmly the handles hold.
-void draw_selection_panel(Editor& editor, PanelDrafts& drafts);
+/// Draws the selection, buttons that edit it, and how firmly the handles hold. Here and below,
+/// `unit` follows lengths; it may be empty.
+void draw_selection_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit);
 
 /// Draws the handle's move in numbers, and how the edit is computed.
-void draw_deform_panel(Editor& editor, PanelDrafts& drafts);
+void draw_deform_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit);
 
 /// Requests from the result panel.
 struct ResultWish {
@@ -108,7 +109,8 @@ void draw_transplant_result(TransplantTool& desk, Editor& editor);
 
 /// Draws the coat or mix of `task`: its source, target and parameters. If none is open, draws how
 /// to begin one. Returns the purpose if the user wants to open another source.
-std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task);
+std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task,
+                                            const std::string& unit);
 /// Draws Apply, Cancel and the result of an open coat or mix.
 void draw_layer_result(DetailTransferTool& desk, Editor& editor);
 /// Draws the domain with the edges of both patches, the source's below, as wide as the panel.

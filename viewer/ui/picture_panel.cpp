@@ -14,7 +14,16 @@ namespace {
 constexpr int kMostPictures = 9999;
 constexpr double kMostPerSecond = 120.0;
 constexpr float kFieldLetters = 9.0F;
+constexpr float kLabelLetters = 9.0F;
 constexpr float kProgressLetters = 24.0F;
+
+// Writes a label and gives the next item, on the same line, the width of a number.
+void label_number(const char* label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(kLabelLetters * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(kFieldLetters * ImGui::GetFontSize());
+}
 
 bool begin_dialog(const char* title, bool& open) {
   center_next_window(ImGuiCond_Appearing);
@@ -24,7 +33,8 @@ bool begin_dialog(const char* title, bool& open) {
 
 void ask_for_size(PicturePlan& plan) {
   std::array<int, 2> size{plan.width, plan.height};
-  if (!ImGui::InputInt2("pixels", size.data())) return;
+  label_number("Pixels");
+  if (!ImGui::InputInt2("##pixels", size.data())) return;
   plan.width = std::max(1, size[0]);
   plan.height = std::max(1, size[1]);
 }
@@ -53,7 +63,7 @@ bool draw_progress(const TurntableRecording& recording) {
 
 bool draw_picture_panel(PicturePlan& plan) {
   bool save = false;
-  if (begin_dialog("Save a picture", plan.open)) {
+  if (begin_dialog("Save picture", plan.open)) {
     ask_for_size(plan);
     save = is_accepted(plan);
   }
@@ -63,18 +73,18 @@ bool draw_picture_panel(PicturePlan& plan) {
 
 bool draw_turntable_panel(TurntablePlan& plan) {
   bool save = false;
-  if (begin_dialog("Save a turntable", plan.picture.open)) {
-    ImGui::TextUnformatted("Once around the upward axis, as the view shows the mesh.");
-    ImGui::PushItemWidth(kFieldLetters * ImGui::GetFontSize());
-    if (ImGui::InputInt("pictures", &plan.count)) {
+  if (begin_dialog("Save turntable", plan.picture.open)) {
+    ImGui::TextUnformatted("The camera orbits once around the up axis.");
+    label_number("Pictures");
+    if (ImGui::InputInt("##pictures", &plan.count)) {
       plan.count = std::clamp(plan.count, 1, kMostPictures);
     }
-    if (ImGui::InputDouble("in a second, of a video", &plan.per_second, 1.0, 0.0, "%.4g")) {
+    label_number("Frame rate (video)");
+    if (ImGui::InputDouble("##rate", &plan.per_second, 1.0, 0.0, "%.4g")) {
       plan.per_second = std::clamp(plan.per_second, 1.0, kMostPerSecond);
     }
     ask_for_size(plan.picture);
-    ImGui::PopItemWidth();
-    ImGui::TextDisabled("%.3g seconds, then it begins again", plan.count / plan.per_second);
+    ImGui::TextDisabled("Duration: %.3g s", plan.count / plan.per_second);
     save = is_accepted(plan.picture);
   }
   ImGui::End();
@@ -82,7 +92,7 @@ bool draw_turntable_panel(TurntablePlan& plan) {
 }
 
 bool draw_turntable_progress(const TurntableRecording* recording) {
-  constexpr const char* kTitle = "Saving a turntable";
+  constexpr const char* kTitle = "Saving turntable";
   const bool is_shown = ImGui::IsPopupOpen(kTitle);
   if (recording == nullptr && !is_shown) return false;
   if (!is_shown) ImGui::OpenPopup(kTitle);

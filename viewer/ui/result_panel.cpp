@@ -5,6 +5,7 @@
 
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -13,39 +14,39 @@ using Phase = PreparationStatus::Phase;
 
 const char* words_of_ready(const Preparation& preparation) {
   const Preparation::ToDragBy drag_by = preparation.drag_response();
-  if (drag_by.response == nullptr || drag_by.is_exact) return "exact response ready";
+  if (drag_by.response == nullptr || drag_by.is_exact) return "Ready";
   return drag_by.response->why_not_exact().empty()
-             ? "ready: settles as it is dragged"
-             : "preview ready; too large for the exact response";
+             ? "Ready: refines while dragging"
+             : "Rough preview ready: the region is too large for more";
 }
 
 const char* words(Phase phase, const Preparation& preparation, bool has_handle) {
   switch (phase) {
     case Phase::idle:
-      return has_handle ? "not prepared" : "choose an ROI and a handle";
+      return has_handle ? "Not prepared" : "Select a region and a handle";
     case Phase::previewing:
-      return "preparing the preview";
+      return "Preparing the preview";
     case Phase::solving:
-      return "preview ready; preparing the rest";
+      return "Preview ready, preparing the rest";
     case Phase::ready:
       return words_of_ready(preparation);
     case Phase::settling:
-      return "settling";
+      return "Refining";
     case Phase::failed:
-      return "cannot be prepared";
+      return "Cannot be prepared";
   }
   return "";
 }
 
 const char* words_of_surface(const Editor& editor) {
-  if (editor.shows_live_result()) return "shown: the settled surface";
+  if (editor.shows_live_result()) return "Refined surface";
   switch (editor.surface().source()) {
     case SurfaceSource::still:
-      return "shown: the current surface";
+      return "Current surface";
     case SurfaceSource::preview:
-      return "shown: a preview, details do not turn yet";
+      return "Rough preview";
     case SurfaceSource::exact:
-      return "shown: the linear response, not settled";
+      return "Linear response, not refined";
   }
   return "";
 }
@@ -57,19 +58,20 @@ void draw_progress(Editor& editor) {
   if (status.phase == Phase::settling && editor.is_dragging()) status.phase = Phase::ready;
   ImGui::TextWrapped(
       "%s", words(status.phase, session.preparation(), !editor.state().selection.handles.empty()));
-  if (!status.message.empty()) ImGui::TextWrapped("%s", status.message.c_str());
-  if (editor.handles_leave_roi() && ImGui::Button("Enlarge the ROI")) editor.enlarge_roi();
+  if (!status.message.empty()) ImGui::TextWrapped("%s", in_window_words(status.message).c_str());
+  if (editor.handles_leave_roi() && ImGui::Button("Enlarge region")) editor.enlarge_roi();
   const bool prepares = status.phase == Phase::previewing || status.phase == Phase::solving;
   if (prepares || status.phase == Phase::settling) {
     const float share = static_cast<float>(status.fraction);
-    ImGui::ProgressBar(share, {-5.0F * ImGui::GetFontSize(), 0.0F}, status.stage.c_str());
+    ImGui::ProgressBar(share, {-5.0F * ImGui::GetFontSize(), 0.0F},
+                       stage_in_words(status.stage).data());
     ImGui::SameLine();
     if (ImGui::Button("Cancel")) {
       prepares ? session.cancel_preparation() : session.cancel_settling();
     }
   } else if (status.phase == Phase::ready && needs_settling(editor.state()) &&
              !editor.is_dragging()) {
-    if (ImGui::Button("Settle")) editor.settle();
+    if (ImGui::Button("Refine")) editor.settle();
   } else if (status.phase == Phase::idle && !editor.state().selection.handles.empty()) {
     if (ImGui::Button("Prepare")) session.prepare();
   }
@@ -84,28 +86,27 @@ void draw_number(const char* label, const char* format, double number, const cha
   ImGui::TableNextColumn();
   std::array<char, 48> text{};
   std::snprintf(text.data(), text.size(), format, number);
-  ImGui::TextUnformatted(std::isnan(number) ? "none" : text.data());
+  ImGui::TextUnformatted(std::isnan(number) ? "None" : text.data());
 }
 
 void draw_numbers(const Editor& editor, const Certificate& certificate) {
   if (!ImGui::BeginTable("certificate", 4, ImGuiTableFlags_SizingFixedFit)) return;
   if (editor.state().parameters.settle) {
-    draw_number("balance", "%.0e", certificate.relative_gradient,
-                "How far the surface is from balance: the energy's gradient, beside that of the "
-                "surface before it settled.");
-    draw_number("iterations", "%.0f", certificate.settle_iterations, "Steps that settling took.");
+    draw_number("Residual force", "%.0e", certificate.relative_gradient,
+                "Gradient of the energy that is left, relative to that before refining. 0 is "
+                "equilibrium.");
+    draw_number("Iterations", "%.0f", certificate.settle_iterations, "Iterations of refining.");
   } else {
-    draw_number("residual", "%.0e", certificate.relative_residual,
-                "What the linear system leaves, beside its right-hand side.");
+    draw_number("Residual", "%.0e", certificate.relative_residual,
+                "Residual of the linear system, relative to its right-hand side.");
     ImGui::TableNextRow();
   }
-  draw_number("turn", "%.1f deg", certificate.largest_rotation_degrees,
-              "The largest rotation of a vertex's ring from rest.");
-  draw_number("detail", "%.3f", certificate.detail_error,
-              "How much of the details is lost: 0 for nothing. A flat surface has no details.");
-  draw_number(
-      "stretch", "%.3f", certificate.edge_stretch,
-      "By how much edges are longer or shorter than at rest, in the mean: 0 for not at all.");
+  draw_number("Rotation", "%.1f°", certificate.largest_rotation_degrees,
+              "Largest rotation of the surface at a vertex, from rest.");
+  draw_number("Detail error", "%.3f", certificate.detail_error,
+              "Share of the detail that is lost. A flat surface has no detail.");
+  draw_number("Stretch", "%.3f", certificate.edge_stretch,
+              "Mean change of the edge lengths, relative to rest.");
   ImGui::EndTable();
 }
 
@@ -113,8 +114,8 @@ void draw_numbers(const Editor& editor, const Certificate& certificate) {
 bool draw_warning(const CertificateWarning& warning) {
   draw_colored(Tone::warning, warning.text);
   if (warning.vertices.empty()) return false;
-  const bool pressed = ImGui::SmallButton("show me");
-  explain("Frames these vertices and points at them.");
+  const bool pressed = ImGui::SmallButton("Show");
+  explain("Frames these vertices and marks them.");
   return pressed;
 }
 
@@ -124,8 +125,8 @@ ResultWish draw_result_panel(Editor& editor, bool points) {
   ResultWish wish;
   draw_progress(editor);
   if (points) {
-    wish.back = ImGui::SmallButton("back to the view before");
-    explain("Looks from where you looked before you were shown these vertices (Escape).");
+    wish.back = ImGui::SmallButton("Previous view");
+    explain("Returns to the view before \"Show\".", "Shortcut: Escape");
   }
   const Certificate* certificate = editor.session().certificate();
   if (certificate == nullptr) return wish;

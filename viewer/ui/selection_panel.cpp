@@ -26,8 +26,8 @@ void draw_part(Editor& editor, const char* name, const Part& part) {
 
 std::string name_of_handle(const AppState& state, std::size_t h) {
   const ChosenHandle& handle = state.selection.handles[h];
-  if (!is_pin(handle)) return "handle " + std::to_string(h + 1);
-  return "pin " + std::to_string(h + 1) + ", vertex " + std::to_string(handle.vertices.front());
+  if (!is_pin(handle)) return "Handle " + std::to_string(h + 1);
+  return "Pin " + std::to_string(h + 1) + ", vertex " + std::to_string(handle.vertices.front());
 }
 
 // Draws all handles, and a row for one more. A long list scrolls, so that what follows stays in
@@ -44,40 +44,42 @@ void draw_handles(Editor& editor) {
   }
   if (scrolls) ImGui::EndChild();
   if (handles == 0) return;
-  draw_part(editor, "one more handle", {Role::handle, handles});
+  draw_part(editor, "Add handle", {Role::handle, handles});
   explain(Action::add_handle);
 }
 
 void draw_parts(Editor& editor) {
   const std::size_t roi = editor.count({Role::roi});
   if (roi == 0) {
-    ImGui::TextDisabled("nothing is chosen");
+    ImGui::TextDisabled("Nothing selected");
   } else {
-    ImGui::TextDisabled("ROI of %zu vertices, belt of %zu", roi, editor.count({Role::belt}));
+    ImGui::TextDisabled("Region %zu, fixed border %zu vertices", roi, editor.count({Role::belt}));
   }
   draw_handles(editor);
 }
 
 void draw_paint_options(Editor& editor) {
   PaintTool::Options& options = editor.paint_tool().options();
-  ImGui::Checkbox("through", &options.through);
-  explain("Chooses what the surface hides, too.");
+  ImGui::Checkbox("Through", &options.through);
+  explain("Also paints vertices that the surface hides.");
   ImGui::SameLine();
-  ImGui::Checkbox("erase", &options.erase);
-  explain("Takes away from what is chosen.", "Ctrl while painting");
+  ImGui::Checkbox("Erase", &options.erase);
+  explain("Removes vertices from the selection.", "Shortcut: Ctrl while painting");
   if (options.shape != PaintTool::Shape::brush) return;
   float radius = static_cast<float>(options.radius_pt);
-  if (ImGui::SliderFloat("brush", &radius, 1.0F, 200.0F, "%.0f points")) options.radius_pt = radius;
-  explain("Radius of the brush.", "[ and ], Ctrl + wheel");
+  label_field("Brush radius");
+  if (ImGui::SliderFloat("##brush", &radius, 1.0F, 200.0F, "%.0f pt")) options.radius_pt = radius;
+  explain("Radius of the brush.", "Shortcut: [ and ], Ctrl + wheel");
 }
 
 // A whole drag of the slider is one step of the history.
 void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   const auto& fraction = editor.state().selection.belt_fraction;
   float percent = static_cast<float>(drafts.belt_percent.value_or(100.0 * fraction.value_or(0.0)));
-  ImGui::SliderFloat("belt width", &percent, 0.0F, 50.0F,
-                     fraction || drafts.belt_percent ? "%.0f %% of radius" : "by hand");
-  explain("The belt along the rim of the ROI, which holds it: part of the ROI's radius.");
+  label_field("Fixed border");
+  ImGui::SliderFloat("##belt", &percent, 0.0F, 50.0F,
+                     fraction || drafts.belt_percent ? "%.0f%% of radius" : "By hand");
+  explain("Width of the border that holds the region, relative to its radius.");
   if (ImGui::IsItemActive()) drafts.belt_percent = static_cast<double>(percent);
   if (!ImGui::IsItemDeactivated()) return;
   const auto chosen = std::exchange(drafts.belt_percent, std::nullopt);
@@ -89,31 +91,31 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
 // weight has changed.
 bool draw_handle_weight(std::optional<double>& weight, bool& let_go) {
   bool is_soft = weight.has_value();
-  bool changed = ImGui::Checkbox(is_soft ? "##soft" : "soft", &is_soft);
-  explain("Lets the surface hold the handle back, by its weight. Otherwise the handle arrives.");
+  bool changed = ImGui::Checkbox("Soft", &is_soft);
+  explain("The surface can hold the handle back. Off: the handle reaches its target.");
   if (changed) {
     weight = is_soft ? std::optional(1.0) : std::nullopt;
     let_go = true;
   }
   if (!weight) return changed;
-  ImGui::SameLine();
+  place_field();
   float shown = static_cast<float>(*weight);
-  if (ImGui::SliderFloat("weight", &shown, 0.01F, 100.0F, "%.3g", ImGuiSliderFlags_Logarithmic)) {
+  if (ImGui::SliderFloat("##weight", &shown, 0.01F, 100.0F, "%.3g", ImGuiSliderFlags_Logarithmic)) {
     weight = static_cast<double>(shown);
     changed = true;
   }
-  explain("How firmly this handle holds, beside the surface and the others.");
+  explain("Weight of the handle. The higher, the closer it comes to its target.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   return changed;
 }
 
 // Draws how firmly the current handle holds. A whole drag of a slider is one step of the history.
-void draw_falloff(Editor& editor, PanelDrafts& drafts) {
+void draw_falloff(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   const std::size_t handle = editor.handle();
   if (handle >= editor.state().selection.handles.size()) return;
   const Falloff& now = editor.state().selection.handles[handle].falloff;
   if (!now.field.empty()) {
-    ImGui::TextDisabled("this handle holds by painted weights");
+    ImGui::TextDisabled("Falloff: painted weights");
     return;
   }
   if (drafts.falloff && drafts.falloff->handle != handle) drafts.falloff.reset();
@@ -122,9 +124,11 @@ void draw_falloff(Editor& editor, PanelDrafts& drafts) {
   float width = static_cast<float>(transition.width);
   const float longest = 0.25F * static_cast<float>(editor.shown().opened_bounds().diagonal());
   bool let_go = false;
-  bool changed = ImGui::SliderFloat("falloff", &width, 0.0F, longest,
-                                    width > 0.0F ? "%.3g" : "none", ImGuiSliderFlags_None);
-  explain("Length beyond the handle over which its hold fades.");
+  label_field("Falloff");
+  const std::string format = width > 0.0F ? with_unit("%.3g", unit) : "None";
+  bool changed =
+      ImGui::SliderFloat("##falloff", &width, 0.0F, longest, format.c_str(), ImGuiSliderFlags_None);
+  explain("Distance from the handle over which its influence fades.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   changed |= draw_handle_weight(falloff.weight, let_go);
   if (changed) {
@@ -152,13 +156,13 @@ MirrorChoice choice_of(const std::optional<MirrorPlane>& plane) {
 
 void draw_mirror(Editor& editor) {
   MirrorChoice choice = choice_of(editor.state().selection.mirror);
-  const bool chosen = choose("mirror", choice,
-                             {{"off", MirrorChoice::off},
-                              {"x", MirrorChoice::x},
-                              {"y", MirrorChoice::y},
-                              {"z", MirrorChoice::z},
-                              {"shape", MirrorChoice::shape}});
-  explain("The plane that the shape itself has.", "key Shift+M");
+  const bool chosen = choose("Mirror", choice,
+                             {{"Off", MirrorChoice::off},
+                              {"X", MirrorChoice::x},
+                              {"Y", MirrorChoice::y},
+                              {"Z", MirrorChoice::z},
+                              {"Shape", MirrorChoice::shape}});
+  explain("Symmetry plane of the shape.", "Shortcut: Shift+M");
   if (!chosen) return;
   if (choice == MirrorChoice::shape) return editor.mirror_by_shape();
   SetMirror command;
@@ -195,15 +199,13 @@ void draw_buttons(Editor& editor) {
 
 }  // namespace
 
-void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
-  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
+void draw_selection_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   draw_parts(editor);
   if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
   draw_buttons(editor);
   draw_belt_width(editor, drafts);
-  draw_falloff(editor, drafts);
+  draw_falloff(editor, drafts, unit);
   draw_mirror(editor);
-  ImGui::PopItemWidth();
 }
 
 }  // namespace lapwing::viewer

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <imgui.h>
+#include <utility>
 
 #include "files/path_text.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "window/theme.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -59,7 +61,7 @@ std::optional<fs::path> draw_recent(std::span<const RecentFiles::Item> items) {
     if (ImGui::Selectable(item.path.filename().c_str(), false, flags)) chosen = item.path;
     ImGui::SameLine(column_width());
     ImGui::TextDisabled("%s%s", with_tilde(item.path.parent_path()).c_str(),
-                        item.is_there ? "" : " (not there any more)");
+                        item.is_there ? "" : " (missing)");
     ImGui::PopID();
   }
   return chosen;
@@ -93,11 +95,11 @@ std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
   std::optional<Choice> choice;
   center_next_window();
   ImGui::Begin(
-      "Open a mesh", open,
+      "Open mesh", open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   if (!offer.trouble.empty()) draw_start_trouble(offer.trouble);
   ImGui::TextDisabled("Drop an OBJ, OFF, PLY, STL or glTF file, or a recipe, on the window, or");
-  if (ImGui::Button("Choose a file... (Ctrl+O)")) choice = AnotherFile{};
+  if (ImGui::Button("Choose file... (Ctrl+O)")) choice = AnotherFile{};
   if (const auto recent = draw_recent(offer.recent)) choice = *recent;
   if (!offer.samples.empty()) {
     ImGui::Spacing();
@@ -108,8 +110,12 @@ std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
     if (const auto chosen = pressed_button(offer.samples, name)) choice = offer.samples[*chosen];
   }
   ImGui::Spacing();
-  ImGui::TextDisabled("Generated");
-  const auto name = [](const NamedShape& shape) { return std::string(shape.name); };
+  ImGui::TextDisabled("Primitives");
+  const auto name = [](const NamedShape& shape) {
+    std::string words(shape.name);
+    std::ranges::replace(words, '-', ' ');
+    return in_window_words(std::move(words));
+  };
   if (const auto chosen = pressed_button(named_shapes(), name)) choice = &named_shapes()[*chosen];
   ImGui::End();
   return choice;

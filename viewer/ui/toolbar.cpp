@@ -40,16 +40,17 @@ double draw_toolbar(Editor& editor, const PictureArea& area) {
     const std::size_t handle = editor.part().role == Role::handle ? editor.part().handle
                                : handles.empty()                  ? 0
                                                                   : editor.handle();
-    draw_part(editor, "ROI", {Role::roi}, kRoiColor, Action::choose_roi);
+    draw_part(editor, "Region", {Role::roi}, kRoiColor, Action::choose_roi);
     stay_on_line(button_width("Handle") + swatch, right);
     draw_part(editor, "Handle", {Role::handle, handle}, kHandleColor, Action::choose_handle);
-    stay_on_line(button_width("Belt") + swatch, right);
-    draw_part(editor, "Belt", {Role::belt}, kBeltColor, Action::choose_belt);
+    stay_on_line(button_width("Fixed border") + swatch, right);
+    draw_part(editor, "Fixed border", {Role::belt}, kBeltColor, Action::choose_belt);
     bool first = true;
     for (const ToolRow& row : tool_rows()) {
       const float gap = first ? 2.0F * style.ItemSpacing.x : 0.0F;
       stay_on_line(button_width(row.name) + gap, right);
-      if (first) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
+      const bool is_at_start = ImGui::GetCursorPosX() <= style.WindowPadding.x;
+      if (first && !is_at_start) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
       first = false;
       if (toggle_button(row.name, editor.row() == &row)) editor.take(row);
       explain(row.action);

@@ -10,6 +10,7 @@
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -24,7 +25,7 @@ constexpr ImU32 kInHand = IM_COL32(255, 220, 90, 255);
 constexpr ImU32 kHovered = IM_COL32(255, 240, 200, 160);
 
 void draw_trouble(const std::string& text) {
-  if (!text.empty()) draw_colored(Tone::warning, text);
+  if (!text.empty()) draw_colored(Tone::warning, in_window_words(text));
 }
 
 // Draws the picture and name of a part. Returns true as soon as it is pressed.
@@ -48,7 +49,7 @@ bool draw_part(const PartLibraryView::Item& item, const UiPicture* picture, bool
   list.PopClipRect();
   if (item.trouble.empty()) {
     explain(item.file.string() + ", " + std::to_string(item.vertices) + " vertices",
-            "click it, or drag it onto the mesh; key N takes one after the other");
+            "Click it, or drag it onto the mesh. N picks up one after the other.");
   } else {
     explain(item.trouble);
   }
@@ -63,8 +64,9 @@ void draw_strip(TransplantTool& desk, const PartPictures& pictures) {
   const float side = kPictureLetters * ImGui::GetFontSize();
   const auto items = desk.library().items();
   if (items.empty()) {
-    ImGui::TextWrapped("No parts in %s yet: add a mesh file with a hole, or cut the ROI out.",
-                       desk.library().folder().c_str());
+    ImGui::TextWrapped(
+        "No parts in %s. Add a mesh file with a hole, or cut out a region, under \"More parts\".",
+        desk.library().folder().c_str());
     return;
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -97,21 +99,25 @@ std::optional<PathPurpose> draw_more_parts(TransplantTool& desk, Editor& editor,
   std::optional<PathPurpose> purpose;
   PartLibraryView& library = desk.library();
   if (!ImGui::TreeNode("More parts")) return purpose;
-  ImGui::TextWrapped("folder: %s", with_tilde(library.folder()).c_str());
-  if (ImGui::Button("Another folder...")) purpose = PathPurpose::parts_folder;
-  if (ImGui::Button("Use a file...")) purpose = PathPurpose::use_part;
+  ImGui::TextWrapped("Folder: %s", with_tilde(library.folder()).c_str());
+  if (ImGui::Button("Choose folder...")) purpose = PathPurpose::parts_folder;
+  if (ImGui::Button("Use file...")) purpose = PathPurpose::use_part;
   ImGui::SameLine();
-  if (ImGui::Button("Add a file...")) purpose = PathPurpose::add_part;
-  ImGui::TextDisabled("cut the ROI out as a part named");
+  if (ImGui::Button("Add file...")) purpose = PathPurpose::add_part;
+  ImGui::TextDisabled("Cut out the region as");
   ImGui::SetNextItemWidth(-4.0F * ImGui::GetFontSize());
   ImGui::InputText("##name", &drafts.part_name);
   ImGui::SameLine();
   const AppState& state = editor.state();
   const bool can_cut = !state.selection.roi.vertices.empty() && !needs_settling(state);
   if (ImGui::Button("Cut") && can_cut && !drafts.part_name.empty()) {
-    library.cut(state, spec_of(state.selection.roi, "the ROI"), drafts.part_name);
+    library.cut(state, spec_of(state.selection.roi, "the region"), drafts.part_name);
   }
-  if (!can_cut) ImGui::TextDisabled("choose an ROI to cut one out");
+  if (!can_cut) {
+    ImGui::TextDisabled("Select a region to cut out.");
+  } else if (drafts.part_name.empty()) {
+    ImGui::TextDisabled("Type a name for the part.");
+  }
   ImGui::TreePop();
   return purpose;
 }
@@ -121,17 +127,18 @@ void draw_place(TransplantTool& desk, Editor& editor) {
   if (!editor.has_in_hand(tool)) {
     if (ImGui::Button("Place by hand")) editor.lend(tool);
     ImGui::SameLine();
-    ImGui::TextDisabled("another tool is in hand");
+    ImGui::TextDisabled("Another tool is active.");
   } else if (tool.stage() == Stage::set_down) {
-    if (ImGui::Button("Take up (G)")) tool.carry();
+    if (ImGui::Button("Pick up (G)")) tool.carry();
     GizmoMode mode = tool.mode();
-    choose(
-        "gizmo", mode,
-        {{"move", GizmoMode::translate}, {"turn", GizmoMode::rotate}, {"scale", GizmoMode::scale}});
+    choose("Gizmo", mode,
+           {{"Move", GizmoMode::translate},
+            {"Rotate", GizmoMode::rotate},
+            {"Scale", GizmoMode::scale}});
     tool.show(mode);
   } else {
     ImGui::TextWrapped("%s", editor.hint());
-    ImGui::Checkbox("snap its loop onto the surface", &tool.snaps);
+    ImGui::Checkbox("Snap rim to surface", &tool.snaps);
   }
 }
 
@@ -139,27 +146,28 @@ void draw_hole(TransplantTool& desk, const Editor& editor) {
   TransplantDraft& draft = desk.tool().draft();
   bool chosen = draft.chosen_hole.has_value() || desk.takes_roi();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("hole");
+  ImGui::TextDisabled("Hole");
   ImGui::SameLine();
-  if (ImGui::RadioButton("disk", !chosen)) desk.take_roi(false);
+  if (ImGui::RadioButton("Disk", !chosen)) desk.take_roi(false);
   // The hole of an earlier step does not follow the ROI that is chosen now.
   if (chosen || !desk.taken_up()) {
     ImGui::SameLine();
-    const bool pressed = ImGui::RadioButton(desk.taken_up() ? "as it was" : "the ROI", chosen);
+    const bool pressed = ImGui::RadioButton(desk.taken_up() ? "As before" : "Region", chosen);
     if (pressed && !desk.taken_up()) desk.take_roi(true);
   }
   if (desk.takes_roi() && editor.state().selection.roi.vertices.empty()) {
-    ImGui::TextDisabled("choose an ROI; until then the disk is used");
+    ImGui::TextDisabled("Select a region. Until then, the disk is used.");
   }
   if (draft.chosen_hole) return;
   float percent = static_cast<float>(100.0 * draft.hole_share);
-  if (ImGui::SliderFloat("size", &percent, 50.0F, 300.0F, "%.0f %% of the part's loop")) {
+  label_field("Hole size");
+  if (ImGui::SliderFloat("##size", &percent, 50.0F, 300.0F, "%.0f%% of the rim")) {
     draft.hole_share = 0.01 * static_cast<double>(percent);
   }
 }
 
 void draw_computed(TransplantDraft& draft) {
-  if (!ImGui::TreeNode("How the seam is computed")) return;
+  if (!ImGui::TreeNode("Seam settings")) return;
   std::optional<Transition>& transition = draft.parameters.transition;
   const bool had_transition = transition.has_value();
   const double radius = draft.stands ? draft.frame().radius : 0.0;
@@ -174,11 +182,11 @@ void draw_draft(TransplantTool& desk, Editor& editor) {
   TransplantDraft& draft = desk.tool().draft();
   ImGui::Separator();
   const std::string name = draft.part->file.filename().string();
-  ImGui::Text("%s, %zu vertices", name.empty() ? "this mesh" : name.c_str(),
+  ImGui::Text("%s, %zu vertices", name.empty() ? "This mesh" : name.c_str(),
               draft.part->mesh.vertex_count());
   if (desk.taken_up()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("step %zu again", *desk.taken_up() + 1);
+    ImGui::TextDisabled("Step %zu", *desk.taken_up() + 1);
   }
   draw_place(desk, editor);
   draw_hole(desk, editor);
@@ -192,7 +200,7 @@ void draw_steps(TransplantTool& desk, const Editor& editor) {
     ImGui::PushID(static_cast<int>(k));
     if (ImGui::SmallButton("Edit")) desk.take_up(editor, k);
     ImGui::SameLine();
-    ImGui::Text("step %zu: %s", k + 1, describe(*steps[k]).c_str());
+    ImGui::Text("Step %zu: %s", k + 1, describe(*steps[k]).c_str());
     ImGui::PopID();
   }
 }
@@ -216,7 +224,6 @@ void PartPictures::release() {
 
 std::optional<PathPurpose> draw_transplant_panel(TransplantTool& desk, const PartPictures& pictures,
                                                  Editor& editor, PanelDrafts& drafts) {
-  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_strip(desk, pictures);
   draw_trouble(desk.library().message());
   const auto purpose = draw_more_parts(desk, editor, drafts);
@@ -224,9 +231,8 @@ std::optional<PathPurpose> draw_transplant_panel(TransplantTool& desk, const Par
   if (desk.has_part()) {
     draw_draft(desk, editor);
   } else if (desk.is_reading()) {
-    ImGui::TextDisabled("reading the part");
+    ImGui::TextDisabled("Reading the part");
   }
-  ImGui::PopItemWidth();
   return purpose;
 }
 
@@ -234,22 +240,23 @@ void draw_transplant_result(TransplantTool& desk, Editor& editor) {
   const bool carries_out = editor.session().is_carrying_out();
   if (desk.tool().stage() == Stage::set_down && !carries_out) {
     if (ImGui::Button("Apply")) return desk.apply(editor);
-    explain("Makes the transplant a step.", "key Enter");
+    explain("Adds the transplant as a step.", "Shortcut: Enter");
     ImGui::SameLine();
   }
   if (ImGui::Button("Cancel")) {
     if (!carries_out) return desk.close(editor);
     editor.session().cancel_step();
   }
-  explain("Gives up what was not applied.", "key Escape");
+  explain("Discards the transplant.", "Shortcut: Escape");
   const TransplantPreview& preview = desk.preview();
   const WorkStatus applying = editor.session().step_status();
   const WorkStatus status = applying.busy ? applying : preview.status();
   if (status.busy) {
-    ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F}, status.stage.c_str());
+    ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F},
+                       stage_in_words(status.stage).data());
   } else if (const TransplantResult* result = preview.result()) {
     if (const auto& report = result->carried_out.report.transplant) {
-      ImGui::TextWrapped("seam of %zu triangles, %zu vertices blended", report->strip_triangles,
+      ImGui::TextWrapped("Seam: %zu triangles, %zu vertices blended", report->strip_triangles,
                          result->carried_out.report.free);
     }
     for (const std::string& warning : result->carried_out.warnings) draw_trouble(warning);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <imgui.h>
 #include <span>
 #include <string>
@@ -19,11 +20,18 @@ inline constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
 inline constexpr ImU32 kGround = IM_COL32(20, 20, 24, 225);
 inline constexpr double kThickPt = 2.5;
 
-/// Draws text on a dark background, so that it is legible on any scene.
+/// Draws text on a dark background, so that it is legible on any scene. The text moves into the
+/// window if it would leave it.
 inline void draw_words(ImDrawList& list, const Eigen::Vector2d& place, const std::string& words) {
-  const ImVec2 from = to_imgui(place);
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   const float padding = 0.27F * ImGui::GetFontSize();
+  const ImGuiViewport& window = *ImGui::GetMainViewport();
+  const auto inside = [padding](double wanted, float least, float most, float length) {
+    return std::max(std::min(static_cast<float>(wanted), most - length - padding), least + padding);
+  };
+  const ImVec2 from{
+      inside(place.x(), window.WorkPos.x, window.WorkPos.x + window.WorkSize.x, size.x),
+      inside(place.y(), window.WorkPos.y, window.WorkPos.y + window.WorkSize.y, size.y)};
   list.AddRectFilled({from.x - padding, from.y - 0.5F * padding},
                      {from.x + size.x + padding, from.y + size.y + 0.5F * padding}, kGround,
                      ImGui::GetStyle().FrameRounding);

@@ -6,6 +6,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/render/render_image.h"
 #include "window/window.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 
@@ -32,7 +33,7 @@ void ViewerApp::offer_interrupted() {
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
-  give_up_turntable("the device was lost");
+  give_up_turntable("The device was lost");
   part_pictures_.release();
   if (document_) {
     document_->transplant.release_device();
@@ -46,7 +47,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->desk.use_device(context_);
     document_->transplant.use_device(context_);
   }
-  say("the device failed and was opened again: " + context_->description().name);
+  say("The device failed and was opened again: " + context_->description().name);
 }
 
 void ViewerApp::open(const std::filesystem::path& file,
@@ -101,14 +102,14 @@ void ViewerApp::take_loaded() {
       ask_again(*loading_.asked_for, loading_.file, error.what());
     } else {
       document_ ? say(Message(error)) : messages_.record(Message(error));
-      start_trouble_ = error.what();
+      start_trouble_ = in_window_words(error.what());
     }
   }
   show_start_ = !document_;
 }
 
 void ViewerApp::show(LoadedFile file) {
-  give_up_turntable("another mesh is open");
+  give_up_turntable("Another mesh was opened");
   // Two meshes at a time may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
@@ -134,9 +135,9 @@ void ViewerApp::say_of_colors() {
   const std::vector<std::string>& notes = document_->opened.colors->colors.notes;
   for (std::size_t n = 1; n < notes.size(); ++n) messages_.record(notes[n]);
   if (notes.empty()) return;
-  say(notes.size() == 1 ? notes[0]
-                        : notes[0] + ", and " + std::to_string(notes.size() - 1) +
-                              " more: \"Messages\" in the Help menu");
+  say(notes.size() == 1
+          ? notes[0]
+          : notes[0] + " (" + std::to_string(notes.size() - 1) + " more in Help > Messages)");
 }
 
 void ViewerApp::take_preferred_tools() {
@@ -146,7 +147,6 @@ void ViewerApp::take_preferred_tools() {
   editor.set_settles_while_dragging(preferences_.settles_while_dragging);
   editor.grab_tool().set_radius_pt(preferences_.grab_radius_pt);
   editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
-  editor.paint_tool().options().through = preferences_.paints_through;
   // An edit that has begun goes on with its gizmo.
   if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
   for (const ToolRow& row : tool_rows()) {
@@ -158,7 +158,7 @@ void ViewerApp::go_on_with(LoadedFile replay) {
   if (!document_) return;
   Editor& editor = document_->editor;
   if (editor.session().history().done() != *replay.replayed_from || editor.is_dragging()) {
-    return say({"the mesh was edited while the recipe was replayed; replay it again", Tone::error});
+    return say({"The mesh was edited while the recipe ran. Replay it again.", Tone::error});
   }
   editor.continue_with(std::move(replay.history));
 }

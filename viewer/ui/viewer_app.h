@@ -131,6 +131,7 @@ class ViewerApp final : public App {
   void perform(Action action);
   void drag_to(const InputEvent& event);
   void escape();
+  bool cancel_layers();
   bool asks() const;
   bool is_covered() const;
   void look_from(View view);

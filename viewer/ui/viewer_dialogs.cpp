@@ -50,7 +50,7 @@ void ViewerApp::draw_dialogs() {
     if (const auto chosen = chooser_.draw()) use_path(*chosen);
     if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
   }
-  if (draw_turntable_progress(recording_.get())) give_up_turntable("cancelled");
+  if (draw_turntable_progress(recording_.get())) give_up_turntable("Cancelled");
   if (show_controls_) draw_controls_list(keymap(), show_controls_);
 }
 

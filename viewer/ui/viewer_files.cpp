@@ -7,6 +7,7 @@
 #include "files/path_text.h"
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -27,7 +28,7 @@ fs::path edited_path(const OpenedMesh& opened) {
 std::string and_carried(const AppState& state) {
   const std::size_t count = state.carried.size();
   if (count == 0) return {};
-  return " and " + std::to_string(count) + (count == 1 ? " carried file" : " carried files");
+  return " and " + std::to_string(count) + (count == 1 ? " attached object" : " attached objects");
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ void ViewerApp::once_settled(std::function<void()> action) {
   // Settling that was cancelled begins again, because half of a step is never saved.
   if (!session.awaits_result()) session.prepare();
   saving_ = std::move(action);
-  say("the drag is settling; saved once it has");
+  say("The last move is being refined. It is saved when that is done.");
 }
 
 // Warns if running the saved recipe makes another surface.
@@ -135,7 +136,8 @@ void ViewerApp::take_settled() {
   const auto action = std::exchange(saving_, nullptr);
   if (session == nullptr) return;
   if (!needs_settling(session->state())) return action();
-  say({"not saved: the drag did not settle; settle or undo it, and save again", Tone::error});
+  say({"Not saved: the last move is not refined. Click \"Refine\" or undo it, then save again.",
+       Tone::error});
 }
 
 void ViewerApp::save_to(const fs::path& path, std::function<void()> then) {
@@ -143,8 +145,9 @@ void ViewerApp::save_to(const fs::path& path, std::function<void()> then) {
     try {
       say(document_->editor.session().save(path));
       document_->save_path = path;
+      document_->set_title(path.filename().string());
       recent_.add(path);
-      say("saved " + path.string() + and_carried(document_->editor.state()));
+      say("Saved " + path.string() + and_carried(document_->editor.state()));
       if (then) then();
     } catch (const Error& error) {
       // The user who wanted to leave is asked again once the mesh has a path.
@@ -161,7 +164,7 @@ void ViewerApp::save_carried() {
     try {
       say(document_->editor.session().save_carried(beside));
       for (const auto& file : carried_of(document_->editor.state())) {
-        say("saved " + file->target(beside).string());
+        say("Saved " + file->target(beside).string());
       }
     } catch (const Error& error) {
       say(Message(error));
@@ -174,7 +177,7 @@ void ViewerApp::save_recipe(const fs::path& path) {
     try {
       const fs::path copy = document_->editor.session().save_recipe(path);
       recent_.add(path);
-      say("Saved " + path.string() + ".");
+      say("Saved " + path.string());
       if (!copy.empty()) {
         say(document_->opened.name + " now holds the result, so the recipe starts from " +
             copy.string() + ", a copy of the original.");
@@ -186,6 +189,7 @@ void ViewerApp::save_recipe(const fs::path& path) {
 }
 
 void ViewerApp::ask_again(PathPurpose purpose, const fs::path& path, std::string trouble) {
+  trouble = in_window_words(std::move(trouble));
   // Another request is open by now.
   if (chooser_.is_open()) return say({std::move(trouble), Tone::error});
   // The dialog shows the message while it matters, so it needs no toast.
@@ -199,7 +203,7 @@ void ViewerApp::ask_again(PathPurpose purpose, const fs::path& path, std::string
 }
 
 void ViewerApp::say(const WriteReport& report) {
-  for (const std::string& lost : report.not_carried) say({"not saved: " + lost, Tone::warning});
+  for (const std::string& lost : report.not_carried) say({"Not saved: " + lost, Tone::warning});
   for (const std::string& note : report.notes) say(note);
 }
 
@@ -284,10 +288,10 @@ void ViewerApp::hear(Message message) {
 void ViewerApp::save_repaired(const fs::path& path) {
   const auto mesh = document_ ? document_->banner.repair() : nullptr;
   if (mesh == nullptr)
-    return say({"the repair is not shown any more; repair the mesh again", Tone::error});
+    return say({"The repair is not shown any more. Repair the mesh again.", Tone::error});
   try {
     say(write_mesh(*mesh, path));
-    say("saved " + path.string());
+    say("Saved " + path.string());
     open(path, {});
   } catch (const Error& error) {
     ask_again(PathPurpose::save_repaired, path, error.what());

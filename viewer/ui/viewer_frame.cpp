@@ -9,6 +9,7 @@
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
 #include "ui/widgets.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -33,14 +34,14 @@ void append_state(std::string& text, const Editor& editor) {
   switch (status.phase) {
     case At::previewing:
     case At::solving:
-      append_part(text, "preparing: %s %.0f%%", status.stage.c_str(), percent);
+      append_part(text, "Preparing: %s %.0f%%", stage_in_words(status.stage).data(), percent);
       break;
     case At::settling:
       // During a drag the surface settles in every frame, so the text would flicker.
-      if (!editor.is_dragging()) append_part(text, "settling %.0f%%", percent);
+      if (!editor.is_dragging()) append_part(text, "Refining %.0f%%", percent);
       break;
     case At::failed:
-      append_part(text, "%s", "the edit cannot be prepared");
+      append_part(text, "%s", "The edit cannot be prepared");
       break;
     case At::idle:
     case At::ready:
@@ -48,16 +49,17 @@ void append_state(std::string& text, const Editor& editor) {
   }
   const WorkStatus step = editor.session().step_status();
   if (step.busy) {
-    append_part(text, "carrying out: %s %.0f%%", step.stage.c_str(), 100.0 * step.fraction);
+    append_part(text, "Applying: %s %.0f%%", stage_in_words(step.stage).data(),
+                100.0 * step.fraction);
   }
   if (editor.shows_live_result()) {
-    append_part(text, "%s", "settled as it is dragged");
+    append_part(text, "%s", "Refined while dragging");
   } else if (editor.surface().source() == SurfaceSource::preview) {
-    append_part(text, "%s", "preview");
+    append_part(text, "%s", "Rough preview");
   } else if (editor.surface().source() == SurfaceSource::exact) {
-    append_part(text, "%s", "exact response");
+    append_part(text, "%s", "Linear response");
   }
-  if (editor.shown().shows_before()) append_part(text, "%s", "before");
+  if (editor.shown().shows_before()) append_part(text, "%s", "Original");
 }
 
 }  // namespace
@@ -147,7 +149,6 @@ void ViewerApp::keep_preferences() {
     preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
     preferences_.grab_radius_pt = editor.grab_tool().radius_pt();
     preferences_.brush_radius_pt = editor.paint_tool().options().radius_pt;
-    preferences_.paints_through = editor.paint_tool().options().through;
     if (editor.row() != nullptr && chooses(*editor.row())) {
       preferences_.tool = editor.row()->name;
     }
@@ -191,15 +192,17 @@ const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
   text.clear();
   if (const WorkStatus loading = loader_.status(); loading.busy) {
-    text.append(loading_.file.filename().string()).append(": ").append(loading.stage);
+    text.append(loading_.file.filename().string())
+        .append(": ")
+        .append(stage_in_words(loading.stage));
     text.append(" (Escape cancels)");
     return text;
   }
-  if (!document_) return text = "? lists the controls";
+  if (!document_) return text = "? shows the controls";
   const Editor& editor = document_->editor;
   append(text, "%zu vertices", editor.positions().size());
   if (const std::size_t chosen = editor.state().selection.roi.vertices.size(); chosen > 0) {
-    append(text, "  |  ROI %zu", chosen);
+    append(text, "  |  Region %zu", chosen);
   }
   if (const std::size_t handles = editor.state().selection.handles.size(); handles > 0) {
     append(text, handles == 1 ? "  |  1 handle" : "  |  %zu handles", handles);

@@ -242,15 +242,27 @@ bool ViewerApp::handle(const InputEvent& event) {
       break;
     case InputKind::key:
     case InputKind::text:
-      if (event.kind == InputKind::key && event.key == kEscape) escape();
+      if (event.kind == InputKind::key && event.key == kEscape) {
+        if (cancel_layers()) return true;
+        escape();
+      }
       if (const auto action = action_of(event)) perform(*action);
       break;
   }
   return true;
 }
 
+// Ends the picking or painting of a coat or mix, or else its step under way, or else the coat or
+// mix. Returns false if there is none, or if something that Escape closes is open in front of it.
+bool ViewerApp::cancel_layers() {
+  const bool is_behind = view_before_ || show_machine_ || show_messages_ || loader_.status().busy;
+  if (!document_ || !document_->desk.is_open() || is_behind) return false;
+  document_->desk.cancel(document_->editor);
+  return true;
+}
+
 void ViewerApp::escape() {
-  if (recording_) return give_up_turntable("cancelled");
+  if (recording_) return give_up_turntable("Cancelled");
   if (overwriting_) return answer_overwriting(false);
   if (view_before_) look_back();
   show_controls_ = false;

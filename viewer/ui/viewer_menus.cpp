@@ -68,15 +68,15 @@ void ViewerApp::draw_file_menu() {
                               Item{"Save picture...", Action::save_picture},
                               Item{"Save turntable...", Action::save_turntable},
                               kDivider,
-                              Item{"Carry a file along...", Action::carry_file},
-                              Item{"Save carried objects", Action::save_carried},
+                              Item{"Attach object...", Action::carry_file},
+                              Item{"Save attached objects", Action::save_carried},
                               kDivider,
                               Item{"Save recipe...", Action::save_recipe},
-                              Item{"Replay a recipe...", Action::replay_recipe},
+                              Item{"Replay recipe...", Action::replay_recipe},
                               kDivider};
   if (ImGui::MenuItem("Open...", "Ctrl+O")) perform(Action::open);
   draw_recent_menu();
-  if (ImGui::MenuItem("Samples and shapes...")) show_start_ = true;
+  if (ImGui::MenuItem("Samples and primitives...")) show_start_ = true;
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
 }
@@ -90,9 +90,10 @@ void ViewerApp::draw_recent_menu() {
       chosen = item.path;
     }
   }
-  if (recent_.items().empty()) ImGui::TextDisabled("What you open is listed here.");
+  if (recent_.items().empty()) ImGui::TextDisabled("No recent files.");
   ImGui::Separator();
-  if (ImGui::MenuItem("Forget these", nullptr, false, !recent_.items().empty())) recent_.clear();
+  if (ImGui::MenuItem("Clear recent files", nullptr, false, !recent_.items().empty()))
+    recent_.clear();
   ImGui::EndMenu();
   if (chosen) open(*chosen);
 }
@@ -102,29 +103,29 @@ void ViewerApp::draw_edit_menu() {
                               Item{"Redo", Action::redo},
                               kDivider,
                               Item{"New edit", Action::new_edit},
-                              Item{"Choose ROI", Action::choose_roi},
-                              Item{"Choose handle", Action::choose_handle},
-                              Item{"Add a handle", Action::add_handle},
-                              Item{"Choose belt", Action::choose_belt},
+                              Item{"Select region", Action::choose_roi},
+                              Item{"Select handle", Action::choose_handle},
+                              Item{"Add handle", Action::add_handle},
+                              Item{"Select fixed border", Action::choose_belt},
                               Item{"Remove handle", Action::remove_handle},
                               kDivider,
-                              Item{"Choose all", Action::select_all},
-                              Item{"Choose nothing", Action::clear},
+                              Item{"Select all", Action::select_all},
+                              Item{"Select none", Action::clear},
                               Item{"Grow", Action::grow},
                               Item{"Shrink", Action::shrink},
                               Item{"Invert", Action::invert},
                               kDivider,
                               Item{"Measure", Action::take_ruler},
                               kDivider,
-                              Item{"Coat the ROI...", Action::begin_coat},
-                              Item{"Mix on the ROI...", Action::begin_mix},
-                              Item{"Transplant a part", Action::take_part}};
+                              Item{"Coat...", Action::begin_coat},
+                              Item{"Mix...", Action::begin_mix},
+                              Item{"Transplant part", Action::take_part}};
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
 }
 
 void ViewerApp::draw_view_menu() {
-  constexpr std::array kItems{Item{"Show all", Action::frame_all},
-                              Item{"Show the selection", Action::frame_selection},
+  constexpr std::array kItems{Item{"Frame all", Action::frame_all},
+                              Item{"Frame selected", Action::frame_selection},
                               kDivider,
                               Item{"Front", Action::view_front},
                               Item{"Back", Action::view_back},
@@ -135,10 +136,10 @@ void ViewerApp::draw_view_menu() {
                               Item{"Three-quarter", Action::view_three_quarter},
                               kDivider};
   if (const auto action = draw_items(kItems, true)) perform(*action);
-  if (ImGui::MenuItem("Parallel projection", "5", camera_.orthographic)) {
+  if (ImGui::MenuItem("Orthographic", "5", camera_.orthographic)) {
     perform(Action::toggle_projection);
   }
-  if (ImGui::MenuItem("z points up", nullptr, up_axis_ == UpAxis::z)) {
+  if (ImGui::MenuItem("Z up", nullptr, up_axis_ == UpAxis::z)) {
     up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;
     look_from(View::three_quarter);
   }
@@ -149,7 +150,7 @@ void ViewerApp::draw_view_menu() {
     }
     ImGui::EndMenu();
   }
-  if (!begin_menu("Mouse as in")) return;
+  if (!begin_menu("Mouse navigation")) return;
   for (const Keymap& each : keymaps()) {
     const std::string name(each.name);
     if (ImGui::MenuItem(name.c_str(), nullptr, preferences_.mouse == name)) use_mouse_of(name);

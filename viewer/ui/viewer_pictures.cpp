@@ -55,7 +55,7 @@ void ViewerApp::save_chosen_picture(const std::filesystem::path& path) {
                         static_cast<std::uint32_t>(picture_plan_.height)};
   try {
     save_picture(path, size);
-    say("saved " + path.string());
+    say("Saved " + path.string());
   } catch (const Error& error) {
     ask_again(PathPurpose::save_picture, path, error.what());
   }
@@ -92,9 +92,9 @@ void ViewerApp::record_turntable() {
     if (!recording_->is_done()) return;
     const auto done = std::exchange(recording_, nullptr);
     const TurntableRecording::Order& order = done->order();
-    say("saved " + (is_video(order.output)
+    say("Saved " + (is_video(order.output)
                         ? order.output.string()
-                        : frame_file(order.output, 1, order.count).string() + " and on"));
+                        : frame_file(order.output, 1, order.count).string() + " and following"));
   } catch (const Error& error) {
     const auto failed = std::exchange(recording_, nullptr);
     ask_again(PathPurpose::save_turntable, failed->order().output, error.what());
@@ -107,9 +107,9 @@ void ViewerApp::give_up_turntable(const std::string& why) {
   const auto given_up = std::exchange(recording_, nullptr);
   const TurntableRecording::Order& order = given_up->order();
   const int written = is_video(order.output) ? 0 : given_up->written();
-  say({why + (written == 0 ? ": no turntable was saved"
-                           : ": of the turntable the first " + std::to_string(written) +
-                                 " pictures were saved"),
+  say({why + (written == 0 ? ": turntable not saved."
+                           : ": only the first " + std::to_string(written) +
+                                 " pictures of the turntable were saved."),
        Tone::warning});
 }
 

@@ -119,12 +119,14 @@ void ViewerApp::draw_task(Task task) {
   Editor& editor = document_->editor;
   switch (task) {
     case Task::deform:
-      if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
-      if (ImGui::CollapsingHeader("Move", kOpen)) draw_deform_panel(editor, drafts_);
+      if (ImGui::CollapsingHeader("Selection", kOpen))
+        draw_selection_panel(editor, drafts_, preferences_.unit);
+      if (ImGui::CollapsingHeader("Move", kOpen))
+        draw_deform_panel(editor, drafts_, preferences_.unit);
       break;
     case Task::coat:
     case Task::mix:
-      if (const auto purpose = draw_layer_panel(document_->desk, editor, task)) {
+      if (const auto purpose = draw_layer_panel(document_->desk, editor, task, preferences_.unit)) {
         ask_for_path(*purpose);
       }
       break;
@@ -137,7 +139,7 @@ void ViewerApp::draw_task(Task task) {
     case Task::mesh:
       draw_mesh_panel(*document_, preferences_.unit);
       if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-      if (ImGui::CollapsingHeader("Carried objects")) {
+      if (ImGui::CollapsingHeader("Attached objects")) {
         if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
       }
       break;

@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include <algorithm>
+
 #include "window/theme.h"
 
 namespace lapwing::viewer {
@@ -7,6 +9,8 @@ namespace {
 
 // Width at which a tooltip wraps, in letters of the font.
 constexpr float kTooltipLetters = 28.0F;
+// Share of the panel's width that labels take.
+constexpr float kLabelShare = 0.42F;
 
 }  // namespace
 
@@ -23,6 +27,29 @@ void draw_swatch(const ImVec4& color) {
 
 float swatch_width() {
   return 0.95F * ImGui::GetFontSize();
+}
+
+void place_field() {
+  const float column = kLabelShare * ImGui::GetContentRegionMax().x;
+  const float after = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX() +
+                      ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SameLine(std::max(column, after));
+  ImGui::SetNextItemWidth(-1.0F);
+}
+
+void label_field(const char* label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  place_field();
+}
+
+std::string with_unit(const char* format, const std::string& unit) {
+  std::string text(format);
+  if (unit.empty()) return text;
+  // A unit is the user's text, and a percent sign in it is no format.
+  text += ' ';
+  for (const char c : unit) text += c == '%' ? std::string("%%") : std::string(1, c);
+  return text;
 }
 
 bool toggle_button(const char* label, bool on) {
@@ -66,7 +93,7 @@ void explain(std::string_view what, std::string_view more) {
 void explain(Action action) {
   if (!ImGui::IsItemHovered()) return;
   const ControlLine control = control_of(action);
-  explain(control.what, control.how.empty() ? std::string() : "key " + control.how);
+  explain(control.what, control.how.empty() ? std::string() : "Shortcut: " + control.how);
 }
 
 void center_next_window(ImGuiCond when) {

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -51,6 +52,15 @@ bool choose(const char* label, Value& value,
   ImGui::PopID();
   return clicked;
 }
+
+/// Writes a label at the left of a field. The next item takes the rest of the line.
+void label_field(const char* label);
+/// Prepares the rest of the line for a field after an item that serves as its label, such as a
+/// checkbox.
+void place_field();
+
+/// Returns a number format for lengths, such as "%.4g mm". Without a unit, returns `format`.
+std::string with_unit(const char* format, const std::string& unit);
 
 /// Draws a button that is highlighted while `on`. Returns whether it was pressed.
 bool toggle_button(const char* label, bool on);

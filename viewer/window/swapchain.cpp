@@ -67,7 +67,7 @@ void Swapchain::release() noexcept {
 
 void Swapchain::check(VkResult result, const char* call) const {
   if (result == VK_ERROR_SURFACE_LOST_KHR) {
-    throw SurfaceLost(std::string(call) + ": the desktop gave the window's pictures up");
+    throw SurfaceLost(std::string(call) + ": the desktop released the window's images");
   }
   context_.check(result, call);
 }
@@ -79,8 +79,8 @@ void Swapchain::check_support() const {
         "vkGetPhysicalDeviceSurfaceSupportKHR");
   if (supported != VK_FALSE) return;
   throw GpuError(context_.description().name +
-                 " cannot show pictures on this desktop; choose another with --device "
-                 "(`lapwing info` lists them)");
+                 " cannot draw on this desktop; choose another device with --device (`lapwing "
+                 "info` lists them)");
 }
 
 void Swapchain::choose_format() {
@@ -99,7 +99,7 @@ void Swapchain::choose_format() {
     format_ = format;
     return;
   }
-  throw GpuError("the desktop shows no sRGB images of " + context_.description().name +
+  throw GpuError("The desktop shows no sRGB images of " + context_.description().name +
                  "; choose another device with --device (`lapwing info` lists them)");
 }
 
@@ -109,9 +109,9 @@ bool Swapchain::resize(VkExtent2D pixels) {
         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
   // CachedPicture::record_copy copies the image of the scene into the swapchain's images.
   if ((can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) == 0) {
-    throw GpuError("the desktop lets no pictures of " + context_.description().name +
-                   " be copied to its windows; choose another device with --device "
-                   "(`lapwing info` lists them)");
+    throw GpuError("The desktop does not allow images of " + context_.description().name +
+                   " to be copied to its windows; choose another device with --device (`lapwing "
+                   "info` lists them)");
   }
   destroy_views();
   extent_ = fitting_extent(pixels, can);

@@ -42,9 +42,9 @@ std::string glfw_reason() {
 }
 
 [[noreturn]] void throw_no_window() {
-  throw WindowError("no window can be opened: " + glfw_reason() +
-                    "; start it on a desktop (or under xvfb-run), or use `lapwing render`, which "
-                    "makes pictures without one");
+  throw WindowError("Cannot open a window: " + glfw_reason() +
+                    ". Start it on a desktop (or under xvfb-run), or use `lapwing render`, which "
+                    "needs no window.");
 }
 
 Modifiers modifiers_of(int mods) {

@@ -32,12 +32,13 @@ std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& 
 }
 
 CertificateWarning not_settled(const Certificate& certificate) {
-  const std::string next =
-      certificate.lacks_hessian
-          ? "There is not enough memory for its Hessian. Choose a smaller ROI, or free memory."
-          : "Allow more iterations, widen the ROI, or move the handle in smaller parts.";
-  return {"Not settled after " + std::to_string(certificate.settle_iterations) +
-              formatted(" iterations: one more would move a vertex by %.2g mean edges. ",
+  const std::string next = certificate.lacks_hessian
+                               ? "There is not enough memory for the Hessian. Select a smaller "
+                                 "region, or close other programs."
+                               : "Enlarge the region, move the handle in smaller steps, or raise "
+                                 "\"Max iterations\" in the solver settings.";
+  return {"Not fully refined after " + std::to_string(certificate.settle_iterations) +
+              formatted(" iterations: the next one would move a vertex by %.2g mean edge lengths. ",
                         certificate.settle_last_step) +
               next,
           {}};
@@ -65,9 +66,9 @@ CertificateWarning folded(const Certificate& certificate, const Topology& topolo
 }
 
 CertificateWarning handle_missed(const Certificate& certificate) {
-  return {formatted("The handle misses its place by %.2g%% of the mesh's size.",
+  return {formatted("The handle misses its target by %.2g%% of the mesh's size.",
                     100.0 * certificate.handle_error / certificate.rest_diagonal) +
-              " Raise the constraint weight, or hold handles exactly.",
+              " Raise \"Constraint weight\" in the solver settings, or turn on \"Hold exactly\".",
           {}};
 }
 
@@ -84,7 +85,7 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
   }
   if (misses_handles(certificate)) warnings.push_back(handle_missed(certificate));
   if (certificate.detail_error > kMostDetailLost) {
-    warnings.push_back({formatted("%.0f%% of the details are lost.",
+    warnings.push_back({formatted("%.0f%% of the detail is lost.",
                                   std::min(100.0 * certificate.detail_error, 100.0)) +
                             advice(certificate),
                         {}});

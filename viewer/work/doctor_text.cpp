@@ -37,9 +37,9 @@ std::string problems_in_words(const CheckReport& report) {
 std::string hindrance_in_words(const CheckReport& report) {
   if (report.find(DefectKind::no_faces) != nullptr) return "There is nothing to edit.";
   if (report.find(DefectKind::non_finite_vertex) != nullptr) {
-    return "An edit cannot include non-finite vertices or their neighbours.";
+    return "A region cannot include non-finite vertices or their neighbours.";
   }
-  return "It can be edited as it is; shading and weights may be wrong at these places.";
+  return "You can edit the mesh, but shading and weights may be wrong in these places.";
 }
 
 std::string repairs_in_words(const FixReport& report) {
@@ -53,18 +53,16 @@ std::string repairs_in_words(const FixReport& report) {
 std::string emptiness_in_words(const std::string& name, const MeshStatistics& statistics) {
   const std::string vertices = counted(statistics.vertices, "vertices");
   if (statistics.vertices == 0) {
-    return name +
-           " holds no vertices and no faces. Export it again from where it was made, or open "
-           "another file.";
+    return name + " has no vertices and no faces. Export it again, or open another file.";
   }
   if (statistics.faces == 0) {
-    return name + " holds " + vertices +
-           " and no faces: a point cloud has no surface to edit. Reconstruct its surface first, or "
-           "open a mesh and carry the points along (File > Carry a file along).";
+    return name + " has " + vertices +
+           " and no faces. A point cloud has no surface to edit. Reconstruct its surface first, or "
+           "open a mesh and attach the points (File > Attach object).";
   }
-  return name + " holds " + vertices + " and " + counted(statistics.faces, "faces") +
-         ", none of which has three different corners at finite places. Export it again from where "
-         "it was made, or open another file.";
+  return name + " has " + vertices + " and " + counted(statistics.faces, "faces") +
+         ", none of which has three different corners at finite positions. Export it again, or "
+         "open another file.";
 }
 
 }  // namespace lapwing::viewer

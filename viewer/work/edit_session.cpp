@@ -29,7 +29,7 @@ MeshStamp file_of(const InterruptedEdit& edit) {
 
 void require_settled(const AppState& state) {
   if (!needs_settling(state)) return;
-  throw InputError("the drag is not settled yet; wait for its result, or undo it");
+  throw InputError("The last move is not refined yet. Wait for its result, or undo it.");
 }
 
 bool same_surface(const AppState& a, const AppState& b) {
@@ -206,7 +206,7 @@ void EditSession::replace_step(std::size_t index, const Step& step) {
 
 void EditSession::carry_along(const std::vector<fs::path>& files) {
   if (is_carrying_out()) {
-    throw InputError("a step is being carried out; add files once it is done");
+    throw InputError("A step is being applied. Attach the object when it is done.");
   }
   carried_out_on_ = state();
   needs_ = Needs::nothing;
@@ -313,14 +313,14 @@ void EditSession::keep_original_of(const fs::path& path) {
     for (const fs::path& read : files_read(*step)) {
       if (!is_same_file(read, path)) continue;
       throw InputError(path.string() +
-                       " is read by a step of this edit; save the mesh under another name");
+                       " is used by a step of this edit. Save the mesh under another name.");
     }
   }
   if (!file_ || original_ || !is_same_file(path, file_->path)) return;
   if (has_external_buffers(*state().rest)) {
     throw InputError(path.string() +
-                     " keeps its numbers in other files, which would be replaced as well; save the "
-                     "mesh as .glb or under another name");
+                     " stores its data in other files, which would be replaced as well. Save the "
+                     "mesh as .glb or under another name.");
   }
   original_ = FileBytes::read(file_->path);
   if (journal_) journal_->keep_mesh();
@@ -336,7 +336,7 @@ WriteReport EditSession::save_carried(const fs::path& path) const {
 
 fs::path EditSession::save_recipe(const fs::path& path) {
   require_settled(state());
-  if (!file_) throw InputError("a recipe names a mesh file; save the mesh first, and open that");
+  if (!file_) throw InputError("A recipe refers to a mesh file. Save the mesh first, and open it.");
   const fs::path folder = fs::absolute(path).parent_path();
   const fs::path copy = original_ ? write_copy(original_->view(), folder, file_->path) : fs::path();
   const fs::path& mesh = original_ ? copy : file_->path;

@@ -18,14 +18,14 @@ void require_complete(const LayerDraft& draft) {
                               : k == 0                  ? "the first source"
                                                         : "the second source";
     if (!is_chosen(source.patch)) {
-      throw InputError("choose a patch of " + which + ": drag a disk over it");
+      throw InputError("Select a patch of " + which + ": drag a disk on it.");
     }
     if (!(source.detail_size > 0.0)) {
-      throw InputError("the detail size of " + which + " must be above 0");
+      throw InputError("The detail size of " + which + " must be above 0.");
     }
   }
   if (!is_chosen(draft.target_patch)) {
-    throw InputError("choose the target patch: it is the ROI");
+    throw InputError("Select the region that gets the detail: press I, then drag a disk.");
   }
 }
 

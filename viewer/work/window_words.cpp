@@ -1,0 +1,213 @@
+#include "work/window_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace lapwing::viewer {
+namespace {
+
+using Words = std::pair<std::string_view, std::string_view>;
+
+// A key with a flag precedes the key of the same name without one.
+constexpr std::array kKeyWords{
+    KeyWords{"weights", "", "Laplacian weights", "Edge weights of the Laplacian."},
+    KeyWords{"tolerance", "", "Tolerance",
+             "Refining stops when no vertex would move farther than this, in mean edge lengths."},
+    KeyWords{"max_iterations", "", "Max iterations", "Refining stops after this many iterations."},
+    KeyWords{"detail_length", "", "Detail length",
+             "Details smaller than this keep their shape. Larger forms bend and stretch like an "
+             "elastic sheet. A fraction of the radius of the region."},
+    KeyWords{"response", "", "Linear response",
+             "Where a drag starts: the response of the energy (Tangent), or that of rotation and "
+             "scale invariant coordinates (RSI)."},
+    KeyWords{"constraint_weight", "", "Constraint weight",
+             "Holds the fixed border and the handles softly, with this weight. Off: they reach "
+             "their targets."},
+    KeyWords{"hard", "", "Hold exactly", "Holds the fixed border and the handles exactly."},
+    KeyWords{"settle", "", "Refine",
+             "Minimizes the energy. Off: the linear response, which is accurate for small "
+             "rotations only."},
+    KeyWords{"commit_every", "", "Split into steps of",
+             "Splits a larger rotation into equal steps of at most this many degrees. Each step "
+             "starts from the result of the last."},
+    KeyWords{"loose", "", "Loose parts",
+             "Components that no handle, fixed border or vertex outside the region holds: they "
+             "move along with the nearest surface, stay, or stop the edit."},
+    KeyWords{"seams", "", "Seams",
+             "Boundary edges that coincide, as along texture seams: edit them as one surface, or "
+             "let them move apart."},
+    KeyWords{"smooth_target", "", "Smooth target",
+             "Removes details of the target smaller than this first. 0 keeps them under the new "
+             "detail."},
+    KeyWords{"detail_size", "", "Detail size",
+             "Features of the source smaller than this are copied."},
+    KeyWords{"amplitude", "", "Amplitude",
+             "Height of the detail. 0 adds none, a negative value engraves it."},
+    KeyWords{"domain", "", "Domain", "The shape that both patches are mapped to."},
+    KeyWords{"sampling", "", "Sampling",
+             "How the detail is sampled: at each target vertex with its ring, or interpolated "
+             "linearly, which hides the triangles of the source on a finer target."},
+    KeyWords{"scale", "", "Scale",
+             "Size of the detail on the target relative to the source. Off: the local ratio of "
+             "lengths."},
+    KeyWords{"transition", "", "Transition",
+             "Blends the detail over a width of your choice. Off: a width chosen automatically."},
+    KeyWords{"width", "transition", "Transition width",
+             "Width over which one detail blends into the other. 0 is a step."},
+    KeyWords{"width", "belt", "Held width", "Width of the held zone beyond the padding."},
+    KeyWords{"width", "", "Transition width", ""},
+    KeyWords{"profile", "", "Profile", "Profile of the transition."},
+    KeyWords{"remesh", "", "Remesh",
+             "Refines triangles that are too coarse or uneven for the result. Off: keeps the "
+             "triangles."},
+    KeyWords{"belt", "", "Fixed border",
+             "Sets the zones beyond the transition. Vertices move over the padding and are held "
+             "over the width after it."},
+    KeyWords{"padding", "", "Padding", "Width of the zone beyond the transition that may move."},
+    KeyWords{"boundary_pairs", "", "Border points", ""},
+    KeyWords{"inner_pairs", "", "Inside points", ""},
+    KeyWords{"target_patch", "", "Region", ""},
+    KeyWords{"target_region", "", "Region", ""},
+    KeyWords{"source_patch", "", "Source patch", ""}};
+
+constexpr std::array kChoiceWords{Words{"rsi", "RSI"},     Words{"carry", "Move along"},
+                                  Words{"refuse", "Stop"}, Words{"auto", "Automatic"},
+                                  Words{"none", "Off"},    Words{"one_ring", "One-ring"}};
+
+constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
+                                 Words{"assemble", "Assembling the matrix"},
+                                 Words{"carry", "Moving attached objects"},
+                                 Words{"check", "Checking the mesh"},
+                                 Words{"coarse surface", "Reducing the region"},
+                                 Words{"collars", "Finding the transition"},
+                                 Words{"colours", "Reading colours"},
+                                 Words{"constraints", "Setting constraints"},
+                                 Words{"factor", "Factoring the matrix"},
+                                 Words{"frames", "Local frames"},
+                                 Words{"laplacian", "Laplacian"},
+                                 Words{"map", "Mapping the patches"},
+                                 Words{"normal_matrix", "Assembling the matrix"},
+                                 Words{"order", "Ordering the matrix"},
+                                 Words{"part", "Placing the part"},
+                                 Words{"pattern", "Assembling the matrix"},
+                                 Words{"peel", "Extracting detail"},
+                                 Words{"preview", "Preview"},
+                                 Words{"read", "Reading"},
+                                 Words{"remesh", "Remeshing"},
+                                 Words{"repair", "Repairing"},
+                                 Words{"response", "Linear response"},
+                                 Words{"sample", "Sampling detail"},
+                                 Words{"settle", "Refining"},
+                                 Words{"shares", "Handle weights"},
+                                 Words{"smooth", "Smoothing"},
+                                 Words{"solve", "Solving"},
+                                 Words{"solve_many", "Solving"},
+                                 Words{"source", "Source detail"},
+                                 Words{"topology", "Building the topology"},
+                                 Words{"zip", "Joining the part"}};
+
+// Phrases of the engine, the longer ones first.
+constexpr std::array kPhrases{
+    Words{"repair it with `lapwing check MESH --fix OUT`", "click \"Repair\""},
+    Words{"`lapwing check MESH --fix OUT`", "\"Repair\""},
+    Words{"`lapwing check --fix`", "\"Repair\""},
+    Words{"`deform`", "an edit"},
+    Words{"region of interest", "region"},
+    Words{"turn on \"settle\"", "turn on \"Refine\" in the solver settings"},
+    Words{"raise constraint_weight", "raise \"Constraint weight\" in the solver settings"},
+    Words{"to \"none\"", "to \"Off\""},
+    Words{"(\"remesh\": \"none\")", "(\"Remesh\" off)"},
+    Words{"remove \"", "turn off \""},
+    Words{"set \"width\" of \"transition\"", "set \"Transition width\""},
+    Words{"give \"transition\" a smaller \"width\"", "lower \"Transition width\""},
+    Words{"the ROI", "the region"},
+    Words{"ROI", "region"}};
+
+void replace_all(std::string& text, std::string_view old, std::string_view by) {
+  for (std::size_t at = text.find(old); at != std::string::npos;
+       at = text.find(old, at + by.size())) {
+    text.replace(at, old.size(), by);
+  }
+}
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+// Replaces whole words only, and none inside of file names.
+void replace_words(std::string& text, std::string_view old, std::string_view by) {
+  const auto continues_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-./").find(c) != std::string_view::npos;
+  };
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at)) {
+    const std::size_t end = at + old.size();
+    const bool begins = at == 0 || !continues_name(text[at - 1]);
+    const bool is_full_stop =
+        end < text.size() && text[end] == '.' && (end + 1 == text.size() || text[end + 1] == ' ');
+    const bool ends = end == text.size() || !continues_name(text[end]) || is_full_stop;
+    if (begins && ends) text.replace(at, old.size(), by);
+    at += begins && ends ? by.size() : old.size();
+  }
+}
+
+// Replaces "a/b/key: " and "key/2: " by the label of the key, because the window has no recipe to
+// point into.
+void replace_pointer(std::string& text, const KeyWords& words) {
+  const std::string key = "/" + std::string(words.key);
+  const std::size_t at = text.find(key);
+  const std::size_t end = text.find(':');
+  if (at == std::string::npos || end == std::string::npos || at > end) return;
+  if (text.find(' ') < at || end + 1 >= text.size() || text[end + 1] != ' ') return;
+  text.replace(0, end, words.label);
+}
+
+// Makes the initial letter a capital, unless the message begins with the name of a file.
+void capitalize(std::string& text) {
+  const std::size_t end = std::min(text.find_first_of(" :,;"), text.size());
+  const bool is_word = end > 0 && std::all_of(text.begin(), text.begin() + static_cast<long>(end),
+                                              [](char c) { return is_letter(c); });
+  if (is_word) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+}
+
+}  // namespace
+
+const KeyWords* words_of_key(std::string_view key, std::string_view flag) {
+  const auto found = std::ranges::find_if(kKeyWords, [&](const KeyWords& each) {
+    return each.key == key && (each.flag.empty() || each.flag == flag);
+  });
+  return found == kKeyWords.end() ? nullptr : &*found;
+}
+
+std::string choice_in_words(std::string_view name) {
+  const auto found = std::ranges::find(kChoiceWords, name, &Words::first);
+  std::string text(found == kChoiceWords.end() ? name : found->second);
+  std::ranges::replace(text, '_', ' ');
+  capitalize(text);
+  return text;
+}
+
+std::string_view stage_in_words(std::string_view stage) {
+  const auto found = std::ranges::find(kStageWords, stage, &Words::first);
+  return found == kStageWords.end() ? stage : found->second;
+}
+
+std::string in_window_words(std::string message) {
+  for (const KeyWords& words : kKeyWords) replace_pointer(message, words);
+  for (const auto& [old, by] : kPhrases) {
+    is_letter(old.front()) && is_letter(old.back()) ? replace_words(message, old, by)
+                                                    : replace_all(message, old, by);
+  }
+  for (const KeyWords& words : kKeyWords) {
+    const std::string quote = "\"";
+    replace_all(message, quote + std::string(words.key) + quote,
+                quote + std::string(words.label) + quote);
+  }
+  replace_words(message, "belt", "fixed border");
+  capitalize(message);
+  return message;
+}
+
+}  // namespace lapwing::viewer
