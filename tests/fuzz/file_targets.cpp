@@ -174,8 +174,12 @@ void read_glb(Bytes bytes) {
 }
 
 void read_colors(Bytes bytes) {
-  std::vector<std::string> notes;
-  read_material_library(file_of(bytes, "a.mtl"), notes);
+  try {
+    std::vector<std::string> notes;
+    read_material_library(file_of(bytes, "a.mtl"), notes);
+  } catch (const InputError&) {
+    // It is a file of another kind, such as a web page.
+  }
   Mesh mesh;
   mesh.edit_attributes().material_libraries = {"a.mtl"};
   mesh.edit_attributes().materials = {"wool", "wax"};

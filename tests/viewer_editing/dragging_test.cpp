@@ -104,6 +104,20 @@ TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs)
   EXPECT_EQ(on_screen(), before);
 }
 
+TEST_F(AnEditor, AKeyDragsFromTheCursorAlsoIfItMovedWithAnotherTool) {
+  const Vector2d middle = 0.5 * kWindow;
+  editor_->take(Action::take_disk);
+  send(move_to(middle));
+  editor_->take(Action::take_move);
+  send(key('G'));
+  send(move_to(middle + Vector2d(1.0, 0.0)));
+  ASSERT_TRUE(editor_->is_dragging());
+  const double way =
+      view_.projection().length_of_pixel(handle_centroid(editor_->state(), editor_->handle()));
+  const auto move = std::get<SimilarityMove>(editor_->gizmo_tool().move().value());
+  EXPECT_NEAR(move.translate.norm(), way, 0.1 * way);
+}
+
 TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
   // That of the editor has the worker's uploads, too.
   const auto context = std::make_shared<gpu::Context>();

@@ -82,6 +82,7 @@ ToolScene Editor::scene(const ViewFrame& view, const Projection& projection) {
 }
 
 Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
+  if (is_of_pointer(event)) tools_.gizmo.move_cursor(event.position);
   // Alt and the left button turn the view with every tool.
   if (event.kind == InputKind::press && event.modifiers.alt && !is_dragging()) return {};
   if (postpones(event, view)) return {true, false};

@@ -24,6 +24,11 @@ class GizmoTool final : public SceneTool {
 
   /// Starts to drag the scene's handle in the view plane at `pixel`, with the left button.
   void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
+  /// Sets the position of the cursor while another tool is active, because a key starts a drag
+  /// there. Does nothing during a drag.
+  void move_cursor(const Eigen::Vector2d& pixel) {
+    if (!drag_) cursor_ = pixel;
+  }
   /// The handle's move during a drag.
   const std::optional<Move>& move() const { return move_; }
   /// Returns whether the handle's orientation is free after the drag. It is free if the user drags

@@ -30,7 +30,7 @@ struct Material {
 /// Returns the materials of an MTL file in the order of the file. If two have the same name,
 /// returns the first one. Each statement that cannot be read is left out and adds one of `notes`:
 /// "path:line: what; next step". Throws IoError if the file cannot be read, and InputError if it is
-/// larger than 64 MiB.
+/// larger than 64 MiB or of another kind (FileBytes::read_data).
 std::vector<Material> read_material_library(const std::filesystem::path& path,
                                             std::vector<std::string>& notes);
 
