@@ -132,8 +132,8 @@ TEST(DialogCommand, SaysWhatIsAskedFor) {
                           "--filename=/a/"));
   const DialogProgram kdialog{DialogProgram::Kind::kdialog, "/bin/kdialog"};
   EXPECT_THAT(dialog_command(kdialog, {PathPurpose::save_picture, "/a", "hand.png"}),
-              ElementsAre("/bin/kdialog", "--title", "Save picture", "--getsavefilename",
-                          "/a/hand.png", "*.png *.PNG|Pictures\n*|All files"));
+              ElementsAre("/bin/kdialog", "--title", "Save image", "--getsavefilename",
+                          "/a/hand.png", "*.png *.PNG|Images\n*|All files"));
 }
 
 }  // namespace

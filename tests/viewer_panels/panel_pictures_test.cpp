@@ -104,7 +104,7 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   open_bent();
   for (const char* menu : {"File", "Edit", "View", "Help"}) check_menu(menu);
   viewer_->key('P', kControl);
-  ASSERT_TRUE(viewer_->shows("Save picture"));
+  ASSERT_TRUE(viewer_->shows("Save image"));
   check("dialog-picture");
   viewer_->key(kEscape);
   viewer_->key('P', kControlShift);
@@ -116,7 +116,7 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   check("dialog-controls");
   viewer_->key(kEscape);
   viewer_->click("Help");
-  viewer_->click("Machine");
+  viewer_->click("System info");
   check("dialog-machine");
   viewer_->key(kEscape);
   viewer_->app().open(viewer_->folder() / "a file with quite a long name that is not there.obj");

@@ -206,14 +206,14 @@ TEST_F(ViewerWindow, WithoutDisplaySaysSo) {
 TEST_F(ViewerWindow, SaysThatTheDisplayWentAway) {
   open_tube();
   desktop_->vanish();
-  expect_fails(5, "the display went away");
+  expect_fails(5, "lost the connection to the display");
 }
 
 TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
   open_tube();
   desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380");
   desktop_->vanish();
-  expect_fails(5, "the display went away");
+  expect_fails(5, "lost the connection to the display");
 }
 
 // Opening the window, showing the mesh and drawing the picture each take memory of the device.

@@ -132,7 +132,7 @@ void Editor::give_up_postponed() {
 }
 
 const char* Editor::hint() const {
-  if (picks_pivot_) return "Click the pivot on the surface. Escape cancels.";
+  if (picks_pivot_) return "Click on the surface to set the pivot. Escape cancels.";
   return tool_->hint(state(), part_);
 }
 

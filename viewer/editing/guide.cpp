@@ -21,7 +21,7 @@ const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, boo
                : "Press I, then select the region that gets the detail.";
   }
   if (!has_patch(desk, desk.current())) {
-    return "Drag a disk on the source, beside the mesh. Ctrl+Shift+K opens another mesh.";
+    return "Drag a disk on the source shown beside the mesh. Ctrl+Shift+K opens another mesh.";
   }
   if (desk.draft().source_count() == 2 && !has_patch(desk, 1 - desk.current())) {
     return "Press Shift+K, then drag a disk on the other source.";
@@ -61,7 +61,7 @@ Guide guide_of_transplant(const TransplantTool& desk, const Editor& editor) {
   guide.current = stands ? 2 : desk.has_part() ? 1 : 0;
   guide.what = !desk.has_part() ? "Reading the part."
                : !editor.has_in_hand(desk.tool())
-                   ? "Click \"Place by hand\" in the Transplant tab to go on with the part."
+                   ? "Click \"Place by hand\" in the Transplant tab to continue placing the part."
                    : editor.hint();
   return guide;
 }

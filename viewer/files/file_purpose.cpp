@@ -28,14 +28,14 @@ constexpr std::array<std::string_view, 15> kCarried{
 constexpr FileKind kAll{"All files", {}};
 constexpr std::array kMeshes{FileKind{"Meshes", kMesh}, kAll};
 constexpr std::array kRecipes{FileKind{"Recipes", kRecipe}, kAll};
-constexpr std::array kPictures{FileKind{"Pictures", kPicture}, kAll};
-constexpr std::array kTurntables{FileKind{"Videos and numbered pictures", kTurntable}, kAll};
+constexpr std::array kPictures{FileKind{"Images", kPicture}, kAll};
+constexpr std::array kTurntables{FileKind{"Videos and image sequences", kTurntable}, kAll};
 constexpr std::array kOpened{FileKind{"Meshes and recipes", kMeshOrRecipe},
                              FileKind{"Meshes", kMesh}, FileKind{"Recipes", kRecipe}, kAll};
 constexpr std::array kFollowers{FileKind{"Meshes, point clouds and tables", kCarried}, kAll};
 
 constexpr std::string_view kFormats =
-    "The extension chooses the format: glb, gltf, obj, off, ply or stl.";
+    "The extension sets the format: glb, gltf, obj, off, ply or stl.";
 
 // The texts of each PathPurpose, in the order of the enumeration.
 constexpr std::array<PathWords, 12> kWords{{
@@ -47,10 +47,10 @@ constexpr std::array<PathWords, 12> kWords{{
     {"Replay recipe", "Runs its steps on the open mesh.", "Replay", Wants::file, kRecipes},
     {"Open source mesh", "Select a patch of it in the view beside the open mesh.", "Open",
      Wants::file, kMeshes},
-    {"Attach object", "A mesh, point cloud or table of points that follows the surface.", "Add",
+    {"Attach object", "A mesh, point cloud or table of points that follows the surface.", "Attach",
      Wants::file, kFollowers},
-    {"Save picture", "The view without panels.", "Save", Wants::new_file, kPictures},
-    {"Save turntable", "A video (mp4, webm, gif; requires ffmpeg), or numbered pictures (png).",
+    {"Save image", "The view without panels.", "Save", Wants::new_file, kPictures},
+    {"Save turntable", "A video (mp4, webm, gif; requires ffmpeg), or an image sequence (png).",
      "Save", Wants::new_file, kTurntables},
     {"Parts folder", "The Transplant tab lists its meshes.", "Use this folder", Wants::folder, {}},
     {"Use part from file", "A mesh with a hole. The part is joined along its rim.", "Use",
@@ -83,7 +83,7 @@ std::string trouble_with_new(const fs::path& path, const PathWords& words) {
   const fs::path touched = fs::exists(path, error) ? path : folder;
   if (access(touched.c_str(), W_OK) != 0) {
     return touched.string() +
-           " cannot be written to. Choose another place, or change its permissions.";
+           " cannot be written to. Choose another location, or change its permissions.";
   }
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {

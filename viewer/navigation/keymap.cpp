@@ -62,8 +62,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'H', kShift, Action::add_handle, "Add a handle"},
      {'T', kPlain, Action::choose_belt, "Select the fixed border by hand"},
      {'G', kShift, Action::take_grab,
-      "Grab: press on the surface and pull. Shift: smaller part, Ctrl: larger part. [ and ] resize "
-      "the circle"},
+      "Grab: drag the surface. Shift: smaller area, Ctrl: larger area. [ and ] resize the circle"},
      {'D', kPlain, Action::take_disk,
       "Disk: drag from its centre to its edge, or click. [ and ] or a dot on its edge resize it"},
      {'O', kPlain, Action::take_loop, "Loop: click points, close the loop, click the side to keep"},
@@ -106,8 +105,9 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'S', kControlShift, Action::save_as, "Save the mesh as another file"},
      {'E', kControl, Action::save_recipe, "Save the steps as a recipe"},
      {'R', kControl, Action::replay_recipe, "Replay a recipe on this mesh"},
-     {'P', kControl, Action::save_picture, "Save a picture"},
-     {'P', kControlShift, Action::save_turntable, "Save a turntable, as a video or pictures"},
+     {'P', kControl, Action::save_picture, "Save an image"},
+     {'P', kControlShift, Action::save_turntable,
+      "Save a turntable, as a video or an image sequence"},
      {'Q', kControl, Action::quit, "Quit"}});
 
 // The descriptions of the motions, indexed by Motion.
@@ -148,7 +148,7 @@ std::vector<ControlLine> gizmo_controls() {
            "Constrain to an axis. Again: switch between local and world axes. Shift: constrain to "
            "a plane"},
           {"0 to 9, . and - while moving", "Type the value"},
-          {"Ctrl while moving", "Snap to steps"},
+          {"Ctrl while moving", "Snap to increments"},
           {"Enter or click, Escape or right click", "Confirm, cancel"},
           {"W, E, Q", "Gizmo to move, rotate, scale"}};
 }

@@ -112,7 +112,7 @@ void write_preferences(const Preferences& preferences, const fs::path& file) {
   fs::create_directories(file.parent_path(), error);
   if (error) {
     throw IoError("Cannot save the preferences in " + file.string() + ": " + error.message() +
-                  ". Set XDG_CONFIG_HOME to a folder that can be written.");
+                  ". Set XDG_CONFIG_HOME to a writable folder.");
   }
   Json json = parsed(file).value_or(Json::object());
   if (!json.is_object()) json = Json::object();

@@ -286,7 +286,7 @@ struct Applier {
     }
   }
   void operator()(const Settle& command) const {
-    if (!is_moved(state)) throw InputError("No handle is moved. Drag a handle first.");
+    if (!is_moved(state)) throw InputError("No handle has been moved. Drag a handle first.");
     if (!command.result) throw InputError("The result is missing. Refine the edit first.");
     if (any_follows(state.carried) && command.result->carried.size() != state.carried.size()) {
       throw InputError("The result lacks an attached object. Refine the edit again.");

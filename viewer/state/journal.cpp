@@ -58,7 +58,7 @@ const char* const kExtension = ".journal";
 
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw IoError("Cannot write the recovery file " + path.string() + ": " + std::strerror(error) +
-                ". Free some space, or set XDG_CACHE_HOME to a folder that can be written.");
+                ". Free some disk space, or set XDG_CACHE_HOME to a writable folder.");
 }
 
 // Converts the steps with the writer of recipes.

@@ -16,7 +16,7 @@ constexpr std::array<const char*, 3> kAxisNames{"X", "Y", "Z"};
 
 void append_direction(std::string& text, GizmoPart part, GizmoMode mode, GizmoAxes axes) {
   if (part == GizmoPart::view) return;
-  text += mode == GizmoMode::rotate ? " about " : is_plane(part) ? " without " : " along ";
+  text += mode == GizmoMode::rotate ? " about " : is_plane(part) ? " locking " : " along ";
   if (axes == GizmoAxes::local) text += "local ";
   if (axes == GizmoAxes::normal) text += "normal ";
   text += kAxisNames[static_cast<std::size_t>(axis_of(part))];

@@ -69,7 +69,7 @@ ToolAnswer GrabTool::handle(const InputEvent& event, const ToolScene& scene) {
 }
 
 const char* GrabTool::hint(const AppState&, const Part&) const {
-  return "Press on the surface and pull. Shift: smaller part, Ctrl: larger part.";
+  return "Drag the surface. Shift: smaller area, Ctrl: larger area.";
 }
 
 }  // namespace lapwing::viewer

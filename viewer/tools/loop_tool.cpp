@@ -39,7 +39,7 @@ ToolAnswer LoopTool::handle(const InputEvent& event, const ToolScene& scene) {
 const char* LoopTool::hint(const AppState&, const Part& part) const {
   if (closed_) return "Click the side to keep.";
   if (!corners_.empty()) {
-    return "Click further points. Enter or a click on the first point closes the loop.";
+    return "Click more points. Enter or a click on the first point closes the loop.";
   }
   return of_part(part, "Click points around the region.",
                  "Click points around the vertices to hold.",
@@ -72,7 +72,7 @@ ToolAnswer LoopTool::add(Index corner, const ToolScene& scene) {
 
 ToolAnswer LoopTool::close(const ToolScene& scene) {
   if (corners_.size() < kFewestCorners) {
-    return {true, {}, "A loop needs at least three points. Click further points."};
+    return {true, {}, "A loop needs at least three points. Click more points."};
   }
   pieces_.push_back(path(corners_.back(), corners_.front(), scene));
   closed_ = true;

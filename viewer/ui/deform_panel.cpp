@@ -100,7 +100,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
       editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : shown_move(state, handle);
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
-    ImGui::TextWrapped("Scaled along tilted axes: no numbers to type.");
+    ImGui::TextWrapped("Scaled along tilted axes. The values cannot be edited.");
     return;
   }
   SimilarityMove move = drafts.move.value_or(*similarity);

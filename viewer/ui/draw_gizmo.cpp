@@ -91,7 +91,7 @@ void draw_gizmo_panel(Editor& editor) {
     editor.show_gizmo(mode);
   }
   GizmoChoices choices = editor.gizmo_choices();
-  choose("Axes", choices.axes,
+  choose("Orientation", choices.axes,
          {{"World", GizmoAxes::world}, {"Local", GizmoAxes::local}, {"Normal", GizmoAxes::normal}});
   draw_pivot(editor, choices);
   ImGui::Checkbox("Snap to surface", &choices.sticks_to_surface);

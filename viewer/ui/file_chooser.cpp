@@ -81,7 +81,7 @@ void FileChooser::draw_waiting() {
   bool cancels = false;
   if (ImGui::Begin(title.c_str(), nullptr, kDialog)) {
     ImGui::TextUnformatted("Choose a file in the system file dialog.");
-    browses = ImGui::Button("Use built-in dialog");
+    browses = ImGui::Button("Use built-in file browser");
     ImGui::SameLine();
     cancels = ImGui::Button("Cancel");
   }

@@ -112,7 +112,7 @@ void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings
                         const Certificate* certificate, bool& open) {
   center_next_window(ImGuiCond_Appearing);
   ImGui::SetNextWindowSize({kWidthLetters * ImGui::GetFontSize(), 0.0F}, ImGuiCond_Appearing);
-  if (ImGui::Begin("Machine", &open, ImGuiWindowFlags_NoCollapse)) {
+  if (ImGui::Begin("System info", &open, ImGuiWindowFlags_NoCollapse)) {
     if (ImGui::BeginTable("Device", 2)) {
       ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);

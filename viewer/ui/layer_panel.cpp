@@ -69,14 +69,14 @@ void draw_patch(DetailTransferTool& desk) {
     return;
   }
   if (view->patch().vertices.empty()) {
-    ImGui::TextWrapped("Drag a disk on the source, beside the mesh, or use");
+    ImGui::TextWrapped("Drag a disk on the source shown beside the mesh, or use");
   } else {
     ImGui::Text("Source patch: %zu vertices", view->patch().vertices.size());
   }
   if (ImGui::Button("Whole source")) desk.choose_source_patch({AllVertices{}});
   if (view->patch().vertices.empty()) return;
   ImGui::SameLine();
-  if (ImGui::Button("Largest disk in it")) {
+  if (ImGui::Button("Largest disk")) {
     desk.choose_source_patch({DiskInRegion{{spec_of(view->patch(), "source patch")}}});
   }
 }
@@ -268,7 +268,7 @@ void draw_layer_result(DetailTransferTool& desk, Editor& editor) {
   ImGui::SameLine();
   bool previews = desk.previews();
   if (ImGui::Checkbox("Live preview", &previews)) desk.set_previews(previews);
-  explain("Updates the result while you change it.");
+  explain("Updates the result while you change the settings.");
   if (work.busy) {
     ImGui::ProgressBar(static_cast<float>(work.fraction), {-1.0F, 0.0F},
                        stage_in_words(work.stage).data());

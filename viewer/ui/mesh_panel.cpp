@@ -103,11 +103,11 @@ std::optional<Action> draw_carried_panel(Editor& editor) {
   std::optional<Action> wanted;
   std::optional<std::size_t> pressed;
   const std::vector<CarriedObject>& objects = editor.state().carried;
-  if (objects.empty()) ImGui::TextDisabled("Files that follow the surface.");
+  if (objects.empty()) ImGui::TextDisabled("Objects that follow the surface.");
   for (std::size_t k = 0; k < objects.size(); ++k) {
     if (draw_object(objects[k], k)) pressed = k;
   }
-  if (ImGui::Button("Add...")) wanted = Action::carry_file;
+  if (ImGui::Button("Attach...")) wanted = Action::carry_file;
   if (!objects.empty()) {
     ImGui::SameLine();
     if (ImGui::Button("Save attached objects")) wanted = Action::save_carried;

@@ -33,7 +33,7 @@ bool begin_dialog(const char* title, bool& open) {
 
 void ask_for_size(PicturePlan& plan) {
   std::array<int, 2> size{plan.width, plan.height};
-  label_number("Pixels");
+  label_number("Resolution");
   if (!ImGui::InputInt2("##pixels", size.data())) return;
   plan.width = std::max(1, size[0]);
   plan.height = std::max(1, size[1]);
@@ -53,7 +53,7 @@ bool draw_progress(const TurntableRecording& recording) {
   const int written = recording.written();
   ImGui::TextUnformatted(order.output.filename().c_str());
   std::array<char, 64> words{};
-  std::snprintf(words.data(), words.size(), "%d of %d pictures", written, order.count);
+  std::snprintf(words.data(), words.size(), "%d of %d frames", written, order.count);
   ImGui::ProgressBar(static_cast<float>(written) / static_cast<float>(order.count),
                      {kProgressLetters * ImGui::GetFontSize(), 0.0F}, words.data());
   return ImGui::Button("Cancel");
@@ -63,7 +63,7 @@ bool draw_progress(const TurntableRecording& recording) {
 
 bool draw_picture_panel(PicturePlan& plan) {
   bool save = false;
-  if (begin_dialog("Save picture", plan.open)) {
+  if (begin_dialog("Save image", plan.open)) {
     ask_for_size(plan);
     save = is_accepted(plan);
   }
@@ -75,7 +75,7 @@ bool draw_turntable_panel(TurntablePlan& plan) {
   bool save = false;
   if (begin_dialog("Save turntable", plan.picture.open)) {
     ImGui::TextUnformatted("The camera orbits once around the up axis.");
-    label_number("Pictures");
+    label_number("Frames");
     if (ImGui::InputInt("##pictures", &plan.count)) {
       plan.count = std::clamp(plan.count, 1, kMostPictures);
     }

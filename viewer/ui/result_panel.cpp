@@ -17,7 +17,7 @@ const char* words_of_ready(const Preparation& preparation) {
   if (drag_by.response == nullptr || drag_by.is_exact) return "Ready";
   return drag_by.response->why_not_exact().empty()
              ? "Ready: refines while dragging"
-             : "Rough preview ready: the region is too large for more";
+             : "Rough preview ready: the region is too large to refine while dragging";
 }
 
 const char* words(Phase phase, const Preparation& preparation, bool has_handle) {
@@ -93,9 +93,10 @@ void draw_numbers(const Editor& editor, const Certificate& certificate) {
   if (!ImGui::BeginTable("certificate", 4, ImGuiTableFlags_SizingFixedFit)) return;
   if (editor.state().parameters.settle) {
     draw_number("Residual force", "%.0e", certificate.relative_gradient,
-                "Gradient of the energy that is left, relative to that before refining. 0 is "
+                "Remaining gradient of the energy, relative to its value before refining. 0 is "
                 "equilibrium.");
-    draw_number("Iterations", "%.0f", certificate.settle_iterations, "Iterations of refining.");
+    draw_number("Iterations", "%.0f", certificate.settle_iterations,
+                "Number of iterations used to refine.");
   } else {
     draw_number("Residual", "%.0e", certificate.relative_residual,
                 "Residual of the linear system, relative to its right-hand side.");

@@ -60,7 +60,7 @@ void draw_parts(Editor& editor) {
 
 void draw_paint_options(Editor& editor) {
   PaintTool::Options& options = editor.paint_tool().options();
-  ImGui::Checkbox("Through", &options.through);
+  ImGui::Checkbox("Select through", &options.through);
   explain("Also paints vertices that the surface hides.");
   ImGui::SameLine();
   ImGui::Checkbox("Erase", &options.erase);

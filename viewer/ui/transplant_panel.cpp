@@ -49,7 +49,7 @@ bool draw_part(const PartLibraryView::Item& item, const UiPicture* picture, bool
   list.PopClipRect();
   if (item.trouble.empty()) {
     explain(item.file.string() + ", " + std::to_string(item.vertices) + " vertices",
-            "Click it, or drag it onto the mesh. N picks up one after the other.");
+            "Click it, or drag it onto the mesh. N picks up the next part.");
   } else {
     explain(item.trouble);
   }

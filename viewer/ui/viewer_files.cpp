@@ -107,7 +107,7 @@ void ViewerApp::once_settled(std::function<void()> action) {
   // Settling that was cancelled begins again, because half of a step is never saved.
   if (!session.awaits_result()) session.prepare();
   saving_ = std::move(action);
-  say("The last move is being refined. It is saved when that is done.");
+  say("The last move is being refined. The mesh will be saved when that is done.");
 }
 
 // Warns if running the saved recipe makes another surface.

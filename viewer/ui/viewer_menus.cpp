@@ -56,7 +56,7 @@ void ViewerApp::draw_menu() {
     if (ImGui::MenuItem("Controls", "?")) show_controls_ = true;
     ImGui::MenuItem("Guide", nullptr, &preferences_.shows_guide);
     ImGui::MenuItem("Messages", nullptr, &show_messages_);
-    ImGui::MenuItem("Machine", nullptr, &show_machine_);
+    ImGui::MenuItem("System info", nullptr, &show_machine_);
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
@@ -65,7 +65,7 @@ void ViewerApp::draw_menu() {
 void ViewerApp::draw_file_menu() {
   constexpr std::array kItems{Item{"Save", Action::save},
                               Item{"Save as...", Action::save_as},
-                              Item{"Save picture...", Action::save_picture},
+                              Item{"Save image...", Action::save_picture},
                               Item{"Save turntable...", Action::save_turntable},
                               kDivider,
                               Item{"Attach object...", Action::carry_file},

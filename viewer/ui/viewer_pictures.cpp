@@ -92,9 +92,9 @@ void ViewerApp::record_turntable() {
     if (!recording_->is_done()) return;
     const auto done = std::exchange(recording_, nullptr);
     const TurntableRecording::Order& order = done->order();
-    say("Saved " + (is_video(order.output)
-                        ? order.output.string()
-                        : frame_file(order.output, 1, order.count).string() + " and following"));
+    say("Saved " + (is_video(order.output) ? order.output.string()
+                                           : frame_file(order.output, 1, order.count).string() +
+                                                 " and the images after it"));
   } catch (const Error& error) {
     const auto failed = std::exchange(recording_, nullptr);
     ask_again(PathPurpose::save_turntable, failed->order().output, error.what());
@@ -109,7 +109,7 @@ void ViewerApp::give_up_turntable(const std::string& why) {
   const int written = is_video(order.output) ? 0 : given_up->written();
   say({why + (written == 0 ? ": turntable not saved."
                            : ": only the first " + std::to_string(written) +
-                                 " pictures of the turntable were saved."),
+                                 " frames of the turntable were saved."),
        Tone::warning});
 }
 

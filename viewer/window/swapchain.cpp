@@ -67,7 +67,7 @@ void Swapchain::release() noexcept {
 
 void Swapchain::check(VkResult result, const char* call) const {
   if (result == VK_ERROR_SURFACE_LOST_KHR) {
-    throw SurfaceLost(std::string(call) + ": the desktop released the window's images");
+    throw SurfaceLost(std::string(call) + ": the window surface was lost");
   }
   context_.check(result, call);
 }
@@ -99,7 +99,7 @@ void Swapchain::choose_format() {
     format_ = format;
     return;
   }
-  throw GpuError("The desktop shows no sRGB images of " + context_.description().name +
+  throw GpuError("The desktop does not support sRGB images of " + context_.description().name +
                  "; choose another device with --device (`lapwing info` lists them)");
 }
 

@@ -30,7 +30,7 @@ int code_without_display = 0;
 // `_exit`.
 int end_without_display(void*) {
   constexpr std::string_view kWords =
-      "lapwing-viewer: the display went away; start again where there is one\n";
+      "lapwing-viewer: lost the connection to the display; start it again on a desktop\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kWords.data(), kWords.size());
   _exit(code_without_display);
 }
@@ -188,7 +188,8 @@ Window::Window(const std::string& title, int width, int height) {
     }
   }
   glfwSetWindowUserPointer(handle_, this);
-  glfwSetWindowSizeLimits(handle_, 64, 64, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  // In a smaller window, the sidebar would leave no room for the view.
+  glfwSetWindowSizeLimits(handle_, 640, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
   ImGui::CreateContext();
   ImGui_ImplGlfw_InitForOther(handle_, false);
   panels_ = std::make_unique<PanelInput>(handle_);

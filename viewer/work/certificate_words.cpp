@@ -33,7 +33,7 @@ std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& 
 
 CertificateWarning not_settled(const Certificate& certificate) {
   const std::string next = certificate.lacks_hessian
-                               ? "There is not enough memory for the Hessian. Select a smaller "
+                               ? "There is not enough memory to refine. Select a smaller "
                                  "region, or close other programs."
                                : "Enlarge the region, move the handle in smaller steps, or raise "
                                  "\"Max iterations\" in the solver settings.";

@@ -20,8 +20,8 @@ constexpr std::array kKeyWords{
              "Details smaller than this keep their shape. Larger forms bend and stretch like an "
              "elastic sheet. A fraction of the radius of the region."},
     KeyWords{"response", "", "Linear response",
-             "Where a drag starts: the response of the energy (Tangent), or that of rotation and "
-             "scale invariant coordinates (RSI)."},
+             "Linear response that starts a drag: from the energy (Tangent), or from rotation- and "
+             "scale-invariant coordinates (RSI)."},
     KeyWords{"constraint_weight", "", "Constraint weight",
              "Holds the fixed border and the handles softly, with this weight. Off: they reach "
              "their targets."},
@@ -39,7 +39,8 @@ constexpr std::array kKeyWords{
              "Boundary edges that coincide, as along texture seams: edit them as one surface, or "
              "let them move apart."},
     KeyWords{"smooth_target", "", "Smooth target",
-             "Removes details of the target smaller than this first. 0 keeps them under the new "
+             "First removes details of the target that are smaller than this. 0 keeps them under "
+             "the new "
              "detail."},
     KeyWords{"detail_size", "", "Detail size",
              "Features of the source smaller than this are copied."},
@@ -55,16 +56,16 @@ constexpr std::array kKeyWords{
     KeyWords{"transition", "", "Transition",
              "Blends the detail over a width of your choice. Off: a width chosen automatically."},
     KeyWords{"width", "transition", "Transition width",
-             "Width over which one detail blends into the other. 0 is a step."},
+             "Width over which one detail blends into the other. 0 gives a sharp edge."},
     KeyWords{"width", "belt", "Held width", "Width of the held zone beyond the padding."},
     KeyWords{"width", "", "Transition width", ""},
     KeyWords{"profile", "", "Profile", "Profile of the transition."},
     KeyWords{"remesh", "", "Remesh",
-             "Refines triangles that are too coarse or uneven for the result. Off: keeps the "
+             "Subdivides triangles that are too coarse or uneven for the result. Off: keeps the "
              "triangles."},
     KeyWords{"belt", "", "Fixed border",
-             "Sets the zones beyond the transition. Vertices move over the padding and are held "
-             "over the width after it."},
+             "Sets the zones beyond the transition: vertices move in the padding, and are held in "
+             "the zone after it."},
     KeyWords{"padding", "", "Padding", "Width of the zone beyond the transition that may move."},
     KeyWords{"boundary_pairs", "", "Border points", ""},
     KeyWords{"inner_pairs", "", "Inside points", ""},
