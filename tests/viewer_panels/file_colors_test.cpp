@@ -73,7 +73,7 @@ TEST_F(TexturedSheet, ShowsItsImageUntilThatIsTurnedOff) {
   viewer_->click("Display");
   viewer_->click("Plain");
   EXPECT_NEAR(red("textured-sheet-plain"), shown, 0.01);
-  viewer_->click("Colours from file");
+  viewer_->click("File colours");
   EXPECT_LT(red("clay-sheet"), 0.01);
   viewer_->click("Mesh");
   EXPECT_TRUE(viewer_->shows("1 (with images: 1)"));
@@ -132,7 +132,7 @@ TEST_F(TexturedSheet, AnotherMeshWithoutColorsIsPlain) {
   viewer_->wait_for([&] { return red("plain-sheet") < 0.01; }, "the other mesh shows");
   viewer_->click("Display");
   EXPECT_TRUE(viewer_->shows("Wireframe"));
-  EXPECT_FALSE(viewer_->shows("Colours from file"));
+  EXPECT_FALSE(viewer_->shows("File colours"));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ class ATurntableOfTheViewer : public ::testing::Test {
     viewer_->key('P', {.shift = true, .control = true});
     ASSERT_TRUE(viewer_->shows("Save turntable"));
     viewer_->click("Save as...");
-    viewer_->wait_for([&] { return viewer_->says("numbered pictures (png)"); }, "a file is asked");
+    viewer_->wait_for([&] { return viewer_->says("an image sequence (png)"); }, "a file is asked");
     viewer_->click("Save");
   }
 
@@ -118,11 +118,11 @@ class ATurntableOfTheViewer : public ::testing::Test {
 TEST_F(ATurntableOfTheViewer, IsSavedWhileTheWindowIsDrawn) {
   const StandInFfmpeg ffmpeg(viewer_->folder());
   begin();
-  viewer_->wait_for([&] { return viewer_->says(" of 120 pictures"); }, "it is being saved");
+  viewer_->wait_for([&] { return viewer_->says(" of 120 frames"); }, "it is being saved");
   viewer_->wait_for([&] { return viewer_->says("Saved "); }, "it is saved");
   EXPECT_EQ(std::filesystem::file_size(viewer_->folder() / "tube-turntable.mp4"),
             120U * 640 * 480 * 4);
-  EXPECT_FALSE(viewer_->says(" of 120 pictures"));
+  EXPECT_FALSE(viewer_->says(" of 120 frames"));
   viewer_->click("File");
   EXPECT_TRUE(viewer_->shows("Quit")) << "and the menus can be used again";
 }
@@ -130,19 +130,19 @@ TEST_F(ATurntableOfTheViewer, IsSavedWhileTheWindowIsDrawn) {
 TEST_F(ATurntableOfTheViewer, IsCancelledByEscape) {
   const StandInFfmpeg ffmpeg(viewer_->folder());
   begin();
-  viewer_->wait_for([&] { return viewer_->says(" of 120 pictures"); }, "some are written");
+  viewer_->wait_for([&] { return viewer_->says(" of 120 frames"); }, "some are written");
   viewer_->click("File");
   EXPECT_FALSE(viewer_->shows("Quit")) << "nothing else can be done beside it";
   viewer_->key(kEscape);
   EXPECT_TRUE(viewer_->says("turntable not saved"));
-  EXPECT_FALSE(viewer_->says(" of 120 pictures"));
+  EXPECT_FALSE(viewer_->says(" of 120 frames"));
   EXPECT_FALSE(std::filesystem::exists(viewer_->folder() / "tube-turntable.mp4"));
 }
 
 TEST_F(ATurntableOfTheViewer, WithoutFfmpegIsNumberedPictures) {
   const lapwing::test::Environment path("PATH", viewer_->folder().string());
   begin();
-  viewer_->wait_for([&] { return viewer_->says(" of 120 pictures"); }, "some are written");
+  viewer_->wait_for([&] { return viewer_->says(" of 120 frames"); }, "some are written");
   viewer_->click("Cancel");
   EXPECT_TRUE(viewer_->says("only the first"));
   EXPECT_TRUE(std::filesystem::exists(viewer_->folder() / "tube-turntable-0001.png"));

@@ -84,7 +84,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   explain("Shows the mesh as it was opened.", "Shortcut: C");
   if (editor.shown().has_file_colors()) {
     ImGui::SameLine();
-    ImGui::Checkbox("Colours from file", &style.file_colors);
+    ImGui::Checkbox("File colours", &style.file_colors);
   }
   label_field("Feature angle");
   ImGui::SliderFloat("##feature", &choices.feature_angle, 0.0F, 180.0F, "%.0f°",
