@@ -25,7 +25,6 @@ using test::two_objects;
 using test::without_last_face;
 using ::testing::AllOf;
 using ::testing::Contains;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::string message_of(const fs::path& path) {

@@ -12,11 +12,7 @@ namespace {
 class AGrabTool : public ::testing::Test {
  protected:
   ToolAnswer press_at(const Vector2d& pixel, const Modifiers& modifiers = {}) {
-    InputEvent event = press(pixel);
-    event.modifiers = modifiers;
-    ToolAnswer answer = tool_.handle(event, sphere_.scene());
-    sphere_.perform(answer);
-    return answer;
+    return sphere_.press_with(tool_, pixel, modifiers);
   }
   double roi_radius() const {
     const RegionSpec& roi = sphere_.state.selection.roi.made;

@@ -12,11 +12,7 @@ namespace {
 class APin : public ::testing::Test {
  protected:
   ToolAnswer press_at(const Vector2d& pixel, bool shift = false) {
-    InputEvent event = press(pixel);
-    event.modifiers.shift = shift;
-    ToolAnswer answer = tool_.handle(event, sphere_.scene());
-    sphere_.perform(answer);
-    return answer;
+    return sphere_.press_with(tool_, pixel, {.shift = shift});
   }
   const std::vector<ChosenHandle>& handles() const { return sphere_.state.selection.handles; }
 

@@ -35,6 +35,14 @@ struct SphereScene {
   void perform(const ToolAnswer& answer) {
     if (answer.command) state = apply(std::move(state), *answer.command);
   }
+  /// Presses on `pixel` with the tool in hand, and performs its answer.
+  ToolAnswer press_with(SceneTool& tool, const Vector2d& pixel, const Modifiers& modifiers = {}) {
+    InputEvent event = press(pixel);
+    event.modifiers = modifiers;
+    ToolAnswer answer = tool.handle(event, scene());
+    perform(answer);
+    return answer;
+  }
   const VertexSet& roi() const { return state.selection.roi.vertices; }
 };
 

@@ -50,6 +50,15 @@ class Editing : public test::WindowTest {
     person_->look_from(View::right, mesh_.positions);
   }
 
+  // The scan of `libcgal-demo`, seen from the front.
+  void open_armadillo() {
+    const fs::path armadillo = folder_ / "armadillo.off";
+    fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
+    mesh_ = read_mesh(armadillo);
+    open(armadillo);
+    person_->look_from(View::front, mesh_.positions);
+  }
+
   // ROI and handle by brushes of the box tool: from z = 1 on, and from z = 5.4 on.
   void choose_parts() {
     person_->keys("b i");

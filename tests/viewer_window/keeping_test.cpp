@@ -167,11 +167,7 @@ TEST_F(Editing, ACoatOfAnOpenedRecipeIsUndoneRedoneAndSaved) {
 
 TEST_F(Editing, AScriptedPersonPosesThreeLimbsOfTheArmadilloByGrabs) {
   LAPWING_NEEDS_MODELS(files, "cgal");
-  const fs::path armadillo = folder_ / "armadillo.off";
-  fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
-  mesh_ = read_mesh(armadillo);
-  open(armadillo);
-  person_->look_from(View::front, mesh_.positions);
+  open_armadillo();
   const double size = bounds_of(mesh_.positions).diagonal();
   const auto farthest = [&](const Vector3d& direction) {
     return *std::ranges::max_element(mesh_.positions, {},
@@ -208,11 +204,7 @@ TEST_F(Editing, AScriptedPersonPosesThreeLimbsOfTheArmadilloByGrabs) {
 
 TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   LAPWING_NEEDS_MODELS(files, "cgal");
-  const fs::path armadillo = folder_ / "armadillo.off";
-  fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
-  mesh_ = read_mesh(armadillo);
-  open(armadillo);
-  person_->look_from(View::front, mesh_.positions);
+  open_armadillo();
   const Image opened = desktop_->settled_picture();
 
   // The left hand is what lies farthest to one side.

@@ -21,8 +21,8 @@ constexpr double kStep = 0.25;     // between the circles that are measured
 constexpr double kFirst = 0.5;     // radius of the first circle
 constexpr double kLargest = 10.0;  // radius of the last circle
 constexpr double kShortestLimb = 2.0;
-constexpr double kWithoutLimb =
-    3.0;  // radius of a region that no limb bounds, and where limbs begin
+// Radius of a region that no limb bounds. A limb begins at most this far from the vertex.
+constexpr double kWithoutLimb = 3.0;
 
 // On a limb, the lengths of the circles differ from their median by at most this fraction.
 constexpr double kVariation = 1.0 / 3.0;

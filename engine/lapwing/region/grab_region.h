@@ -20,9 +20,9 @@ struct GrabRegion {
 /// nearly constant, and where the limb joins the body it increases. The region ends there: after
 /// the longest interval of radii in which the length differs from its median by at most a third.
 /// The interval must be at least two brush radii long, begin within three brush radii and end
-/// within ten. Its end must be 2.5 times as far as its begin, which excludes planes and cones.
-/// Without such an interval, the region's radius is three brush radii. `factor` scales the radius.
-/// The disk never covers more than half of the component's area.
+/// within ten. Its end must be more than 2.5 times as far as its start, which excludes planes and
+/// cones. Without such an interval, the region's radius is three brush radii. `factor` scales the
+/// radius. The disk never covers more than half of the component's area.
 ///
 /// The disk may separate parts from the component's largest remaining part. Each part with less
 /// than half of that area belongs to the region.

@@ -59,7 +59,7 @@ class BridgeSolver {
   const RimLoop& host() const { return host_; }
   const RimLoop& part() const { return part_; }
 
-  /// Returns the cheapest strip through `nodes`, at least one, in the order of both loops.
+  /// Returns the cheapest strip through all `nodes` (at least one), in the order of both loops.
   BridgeStrip solve(std::vector<Node> nodes) const;
 
   /// Returns the cheapest strip through `node` and the rung opposite to it on both loops. In this
