@@ -85,7 +85,7 @@ class Guides : public ::testing::Test {
 };
 
 TEST_F(Guides, NameTheKeysOfAnEdit) {
-  expect_says("Press on the surface and pull");
+  expect_says("Drag the surface.");
   viewer_->key('I');
   expect_says("Drag from the centre of the region to its edge");
   expect_at("Region", "Shortcut: I");
