@@ -241,5 +241,24 @@ TEST(EdgePath, MissingEndIsRefused) {
   EXPECT_THROW(shortest_edge_path(mesh.topology(), mesh.positions, 0, 9), InputError);
 }
 
+TEST(AGeodesicFront, WithARaisedLimitHasTheDistancesOfOneMarch) {
+  const Mesh mesh = icosphere(4);
+  const Topology& topology = mesh.topology();
+  const Index source = 7;
+  GeodesicFront front(topology, mesh.positions, {&source, 1});
+  for (const double limit : {0.3, 0.35, 1.0, 2.0}) {
+    front.march_to(limit);
+    const std::vector<double> once =
+        geodesic_distances(topology, mesh.positions, {&source, 1}, limit);
+    for (Index v = 0; v < topology.vertex_count(); ++v) {
+      EXPECT_EQ(front.distances()[v] <= limit, once[v] <= limit) << v;
+      if (once[v] <= limit) {
+        EXPECT_NEAR(front.distances()[v], once[v], 1e-9) << v;
+      }
+    }
+  }
+  EXPECT_LT(front.reached().size(), topology.vertex_count());
+}
+
 }  // namespace
 }  // namespace lapwing

@@ -78,6 +78,7 @@ TEST(AGrab, InTheMiddleOfALimbTakesTheTipAlong) {
     if (mesh.positions[v].z() > 5.0) continue;
     const bool is_cut_off = std::ranges::binary_search(region.cut_off, v);
     EXPECT_TRUE(is_cut_off || distances[v] <= region.radius) << v;
+    EXPECT_TRUE(std::ranges::binary_search(region.vertices, v)) << v;
   }
   for (const Index v : region.cut_off) EXPECT_LT(mesh.positions[v].z(), 15.0);
 }

@@ -26,8 +26,10 @@ TEST(Command, ChoosingMakesARegionThatFits) {
 }
 
 TEST(Command, AGrabMakesTheEditAStepAndBeginsAnotherOne) {
-  const Grab grab{box(0.6, 4.0), box(3.0, 4.0), {.transition = Transition{.width = 0.2}}};
-  const AppState after = apply(settled_tube(), grab);
+  const AppState before = settled_tube();
+  const Grab grab{
+      choose(box(0.6, 4.0), *before.rest), box(3.0, 4.0), {.transition = Transition{.width = 0.2}}};
+  const AppState after = apply(before, grab);
   EXPECT_EQ(after.steps.size(), 1U);
   ASSERT_EQ(after.selection.handles.size(), 1U);
   EXPECT_EQ(after.selection.handles[0].falloff, grab.falloff);

@@ -36,6 +36,7 @@ TEST_F(AGrabTool, ChoosesRegionAndHandleAtOnceAndPulls) {
                         sphere_.view.length_of_pixel(sphere_.state.rest->positions[front_]);
   EXPECT_NEAR(handle().falloff.transition->width, 0.5 * circle, 0.1 * circle);
   EXPECT_NEAR(roi_radius(), 3.0 * circle, 0.1 * circle);
+  EXPECT_EQ(sphere_.roi(), resolve(sphere_.state.selection.roi.made, *sphere_.state.rest));
   EXPECT_FALSE(edit_region(sphere_.state).belt.empty());
 }
 

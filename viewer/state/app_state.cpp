@@ -39,10 +39,14 @@ AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
                      : AxisRotation{shortest.axis(), angle * kDegrees};
 }
 
-// Returns the open step with its vertices on `surface_of(state)`.
+// Returns the open step with its vertices on `surface_of(state)`. Lists the vertices of the ROI,
+// because resolving its form again would compute geodesic distances.
 DeformRequest step_on_surface(const AppState& state) {
   const JoinedSurface* joined = joined_seams(state);
-  return joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
+  DeformRequest step =
+      joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
+  step.roi.form = ListedVertices{state.selection.roi.vertices};
+  return step;
 }
 
 // Calls `visit` for each handle of the DeformSolver. The arguments are its index, its move, and the

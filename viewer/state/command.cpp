@@ -213,7 +213,7 @@ struct Applier {
     require_falloff_here(state, command.falloff, "handle");
     (*this)(NewEdit{});
     const JoinedSurface* joined = joined_seams(state);
-    state.selection.roi = choose(command.roi, *state.rest, joined);
+    state.selection.roi = command.roi;
     ChosenHandle handle = choose(command.handle, *state.rest, joined);
     handle.falloff = command.falloff;
     state.selection.handles.push_back(std::move(handle));

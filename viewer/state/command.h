@@ -33,7 +33,7 @@ struct Paint {
 
 /// Begins another edit with this region and one handle.
 struct Grab {
-  RegionSpec roi;
+  ChosenRegion roi;
   RegionSpec handle;
   Falloff falloff;
 };

@@ -33,10 +33,11 @@ Grab grab_at(const SurfacePoint& pick, double radius, double factor, const ToolS
   GrabRegion region =
       grab_region(surface_of(scene.state)->topology(), scene.positions, pick.vertex, brush, factor);
   Grab grab;
-  grab.roi = {GeodesicDisk{pick.vertex, region.radius}, "ROI"};
+  grab.roi.vertices = std::move(region.vertices);
+  grab.roi.made = {GeodesicDisk{pick.vertex, region.radius}, "ROI"};
   if (!region.cut_off.empty()) {
     RegionSpec cut_off{ListedVertices{std::move(region.cut_off)}, "ROI"};
-    grab.roi = {UnionRegion{{std::move(grab.roi), std::move(cut_off)}}, "ROI"};
+    grab.roi.made = {UnionRegion{{std::move(grab.roi.made), std::move(cut_off)}}, "ROI"};
   }
   grab.handle = {GeodesicDisk{pick.vertex, kFullPart * brush}, "handle"};
   grab.falloff.transition = Transition{.width = (1.0 - kFullPart) * brush};

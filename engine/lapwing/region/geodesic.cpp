@@ -87,91 +87,6 @@ double distance_through_triangle(const Vector3d& a, const Vector3d& b, const Vec
   return plane.crosses_edge ? plane.distance : kNoLimit;
 }
 
-class Front {
- public:
-  Front(const Topology& topology, std::span<const Vector3d> positions, double max_distance,
-        std::span<const char> allowed)
-      : topology_(topology),
-        positions_(positions),
-        max_distance_(max_distance),
-        allowed_(allowed),
-        distances_(topology.vertex_count(), kNoLimit),
-        offers_left_(kMostOffers * topology.vertex_count()),
-        sources_(topology.vertex_count(), kNoIndex) {}
-
-  void start_at(Index source) {
-    if (is_allowed(source)) offer(source, 0.0, source);
-  }
-
-  std::vector<double> march() {
-    CancelCheck cancel_check;
-    while (!queue_.empty()) {
-      cancel_check();
-      const auto [distance, v] = queue_.top();
-      queue_.pop();
-      if (distance > distances_[v]) continue;
-      for (const Index t : topology_.vertex_triangles[v])
-        update_triangle(topology_.triangles[t], v);
-    }
-    for (double& distance : distances_) {
-      if (distance > max_distance_) distance = kNoLimit;
-    }
-    return std::move(distances_);
-  }
-
- private:
-  using Entry = std::pair<double, Index>;
-
-  bool is_allowed(Index v) const { return allowed_.empty() || allowed_[v] != 0; }
-
-  void update_triangle(const Triangle& triangle, Index v) {
-    const std::size_t at = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
-    const Index u = triangle[(at + 1) % 3];
-    const Index w = triangle[(at + 2) % 3];
-    update_corner(v, u, w);
-    update_corner(v, w, u);
-  }
-
-  // Updates the distance of w by the paths along the edge vw and through the triangle from the edge
-  // vu.
-  void update_corner(Index v, Index u, Index w) {
-    if (!is_allowed(w)) return;
-    double best = distances_[v] + (positions_[w] - positions_[v]).norm();
-    Index source = sources_[v];
-    if (std::isfinite(distances_[u])) {
-      const double through =
-          distance_through_triangle(positions_[v], positions_[u], positions_[w], distances_[v],
-                                    distances_[u], sources_[v] == sources_[u]);
-      if (through < best) {
-        best = through;
-        if (distances_[u] < distances_[v]) source = sources_[u];
-      }
-    }
-    // Keep one layer of vertices beyond the limit, because triangles across the limit need them.
-    if (best > max_distance_ && distances_[v] > max_distance_) return;
-    offer(w, best, source);
-  }
-
-  void offer(Index v, double distance, Index source) {
-    if (!(distance < distances_[v] * (1.0 - kSmallestGain)) || offers_left_ == 0) return;
-    --offers_left_;
-    distances_[v] = distance;
-    sources_[v] = source;
-    queue_.emplace(distance, v);
-  }
-
-  const Topology& topology_;
-  std::span<const Vector3d> positions_;
-  double max_distance_;
-  std::span<const char> allowed_;
-  std::vector<double> distances_;
-  std::size_t offers_left_;
-  std::vector<Index> sources_;  // the source whose front reached each vertex
-  // Entries are ordered by distance, then by vertex, so that the order of equal distances is
-  // deterministic.
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-};
-
 void require_end(const Topology& topology, Index v) {
   if (v < topology.vertex_count()) return;
   throw InputError("vertex " + std::to_string(v) + " cannot end a path: the mesh has " +
@@ -186,11 +101,14 @@ struct Reached {
 
 }  // namespace
 
-std::vector<double> geodesic_distances(const Topology& topology,
-                                       std::span<const Vector3d> positions,
-                                       std::span<const Index> sources, double max_distance,
-                                       std::span<const char> allowed) {
-  Front front(topology, positions, max_distance, allowed);
+GeodesicFront::GeodesicFront(const Topology& topology, std::span<const Vector3d> positions,
+                             std::span<const Index> sources, std::span<const char> allowed)
+    : topology_(topology),
+      positions_(positions),
+      allowed_(allowed),
+      distances_(topology.vertex_count(), kNoLimit),
+      sources_(topology.vertex_count(), kNoIndex),
+      offers_left_(kMostOffers * topology.vertex_count()) {
   for (const Index source : sources) {
     if (source >= topology.vertex_count()) {
       throw InputError("vertex " + std::to_string(source) +
@@ -198,9 +116,74 @@ std::vector<double> geodesic_distances(const Topology& topology,
                            std::to_string(topology.vertex_count()) + " vertices (numbered from 0)",
                        {source});
     }
-    front.start_at(source);
+    if (is_allowed(source)) offer(source, 0.0, source);
   }
-  return front.march();
+}
+
+void GeodesicFront::march_to(double max_distance) {
+  max_distance_ = max_distance;
+  for (const Entry& entry : std::exchange(beyond_, {})) queue_.push(entry);
+  CancelCheck cancel_check;
+  while (!queue_.empty()) {
+    cancel_check();
+    const auto [distance, v] = queue_.top();
+    queue_.pop();
+    if (distance > distances_[v]) continue;
+    if (distance > max_distance_) beyond_.emplace_back(distance, v);
+    for (const Index t : topology_.vertex_triangles[v]) update_triangle(topology_.triangles[t], v);
+  }
+}
+
+void GeodesicFront::update_triangle(const Triangle& triangle, Index v) {
+  const std::size_t at = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+  const Index u = triangle[(at + 1) % 3];
+  const Index w = triangle[(at + 2) % 3];
+  update_corner(v, u, w);
+  update_corner(v, w, u);
+}
+
+// Updates the distance of w by the paths along the edge vw and through the triangle from the edge
+// vu.
+void GeodesicFront::update_corner(Index v, Index u, Index w) {
+  if (!is_allowed(w)) return;
+  // A front only advances, so it cannot decrease the distance of a vertex that it has passed.
+  if (distances_[w] <= std::min(distances_[v], distances_[u])) return;
+  double best = distances_[v] + (positions_[w] - positions_[v]).norm();
+  Index source = sources_[v];
+  if (std::isfinite(distances_[u])) {
+    const double through =
+        distance_through_triangle(positions_[v], positions_[u], positions_[w], distances_[v],
+                                  distances_[u], sources_[v] == sources_[u]);
+    if (through < best) {
+      best = through;
+      if (distances_[u] < distances_[v]) source = sources_[u];
+    }
+  }
+  // Keep one layer of vertices beyond the limit, because triangles across the limit need them.
+  if (best > max_distance_ && distances_[v] > max_distance_) return;
+  offer(w, best, source);
+}
+
+void GeodesicFront::offer(Index v, double distance, Index source) {
+  if (!(distance < distances_[v] * (1.0 - kSmallestGain)) || offers_left_ == 0) return;
+  --offers_left_;
+  if (distances_[v] == kNoLimit) reached_.push_back(v);
+  distances_[v] = distance;
+  sources_[v] = source;
+  queue_.emplace(distance, v);
+}
+
+std::vector<double> geodesic_distances(const Topology& topology,
+                                       std::span<const Vector3d> positions,
+                                       std::span<const Index> sources, double max_distance,
+                                       std::span<const char> allowed) {
+  GeodesicFront front(topology, positions, sources, allowed);
+  front.march_to(max_distance);
+  std::vector<double> distances = front.take_distances();
+  for (double& distance : distances) {
+    if (distance > max_distance) distance = kNoLimit;
+  }
+  return distances;
 }
 
 std::vector<Index> shortest_edge_path(const Topology& topology,

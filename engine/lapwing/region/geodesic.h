@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "lapwing/mesh/topology.h"
@@ -30,6 +33,46 @@ std::vector<double> geodesic_distances(const Topology& topology,
                                        std::span<const Index> sources,
                                        double max_distance = kNoLimit,
                                        std::span<const char> allowed = {});
+
+/// The computation of geodesic_distances with a limit that can be raised, for a search that does
+/// not know in advance how far it must go.
+class GeodesicFront {
+ public:
+  /// All arguments must outlive the object. Throws InputError if a source is not a vertex.
+  GeodesicFront(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+                std::span<const Index> sources, std::span<const char> allowed = {});
+
+  /// Computes the distances up to `max_distance`, which must not decrease from call to call. A
+  /// second call costs only the vertices that the first did not reach.
+  void march_to(double max_distance);
+
+  /// Returns the distance of each vertex. Those beyond the limit are upper bounds, or infinite.
+  std::span<const double> distances() const { return distances_; }
+  std::vector<double> take_distances() { return std::move(distances_); }
+  /// Returns the vertices whose distance is not infinite, in the order in which they were reached.
+  std::span<const Index> reached() const { return reached_; }
+
+ private:
+  using Entry = std::pair<double, Index>;
+
+  bool is_allowed(Index v) const { return allowed_.empty() || allowed_[v] != 0; }
+  void update_triangle(const Triangle& triangle, Index v);
+  void update_corner(Index v, Index u, Index w);
+  void offer(Index v, double distance, Index source);
+
+  const Topology& topology_;
+  std::span<const Eigen::Vector3d> positions_;
+  std::span<const char> allowed_;
+  double max_distance_ = 0.0;
+  std::vector<double> distances_;
+  std::vector<Index> sources_;  // the source whose front reached each vertex
+  std::vector<Index> reached_;
+  std::size_t offers_left_;
+  // Entries are ordered by distance, then by vertex, so that the order of equal distances is
+  // deterministic.
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::vector<Entry> beyond_;  // entries beyond the limit, to visit again when it is raised
+};
 
 /// Returns the shortest path from `from` to `to` along edges (Dijkstra), including both ends. If
 /// both are equal, the path is `from`; if they are not connected, it is empty. Ties are broken

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/region/geodesic.h"
 
@@ -38,35 +40,47 @@ double radius_of(std::size_t circle) {
   return kFirst + kStep * static_cast<double>(circle);
 }
 
-// Returns the lengths of the circles of radius `radius_of(k) * brush` up to `largest` brush radii.
-std::vector<double> circle_lengths(const Topology& topology, std::span<const Vector3d> positions,
-                                   std::span<const double> distances, double brush,
-                                   double largest) {
-  const auto count = static_cast<std::size_t>((largest - kFirst) / kStep) + 1;
-  std::vector<double> lengths(count, 0.0);
-  for (const Triangle& t : topology.triangles) {
-    std::array<std::size_t, 3> corner{0, 1, 2};
-    std::ranges::sort(corner, {}, [&](std::size_t k) { return distances[t[k]]; });
-    const Index low = t[corner[0]];
-    const Index middle = t[corner[1]];
-    const Index high = t[corner[2]];
-    if (!std::isfinite(distances[high])) continue;
+std::size_t circle_count(double largest) {
+  return static_cast<std::size_t>((largest - kFirst) / kStep) + 1;
+}
+
+// Appends the lengths of the circles of radius `radius_of(k) * brush` for the next k, up to
+// `largest` brush radii. `front` has marched that far.
+void measure_circles(std::vector<double>& lengths, const GeodesicFront& front,
+                     const Topology& topology, std::span<const Vector3d> positions, double brush,
+                     double largest) {
+  const std::span<const double> distances = front.distances();
+  const std::size_t begin = lengths.size();
+  const double smallest = radius_of(begin) * brush;
+  lengths.resize(circle_count(largest), 0.0);
+  const auto measure = [&](const Triangle& t, Index highest) {
+    std::array<std::pair<double, Index>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = {distances[t[k]], t[k]};
+    std::ranges::sort(corners);
+    const auto [low, middle, high] =
+        std::array{corners[0].second, corners[1].second, corners[2].second};
+    // Each triangle is measured from one of its corners.
+    if (high != highest || !std::isfinite(distances[high])) return;
     const auto crossing = [&](Index a, Index b, double radius) -> Vector3d {
       const double way = (radius - distances[a]) / (distances[b] - distances[a]);
       return positions[a] + way * (positions[b] - positions[a]);
     };
     const double first = std::ceil((distances[low] / brush - kFirst) / kStep);
-    for (auto k = static_cast<std::size_t>(std::max(first, 0.0)); k < count; ++k) {
+    const std::size_t from = std::max(begin, static_cast<std::size_t>(std::max(first, 0.0)));
+    for (std::size_t k = from; k < lengths.size(); ++k) {
       const double radius = radius_of(k) * brush;
       if (radius >= distances[high]) break;
       if (radius < distances[low]) continue;
-      const Vector3d from = crossing(low, high, radius);
-      const Vector3d to = radius < distances[middle] ? crossing(low, middle, radius)
-                                                     : crossing(middle, high, radius);
-      lengths[k] += (to - from).norm();
+      const Vector3d start = crossing(low, high, radius);
+      const Vector3d end = radius < distances[middle] ? crossing(low, middle, radius)
+                                                      : crossing(middle, high, radius);
+      lengths[k] += (end - start).norm();
     }
+  };
+  for (const Index v : front.reached()) {
+    if (distances[v] <= smallest) continue;
+    for (const Index t : topology.vertex_triangles[v]) measure(topology.triangles[t], v);
   }
-  return lengths;
 }
 
 // Calls `visit(first, last, median)` for all intervals of circles that may be a limb: their lengths
@@ -88,10 +102,15 @@ void visit_limbs(std::span<const double> lengths, const Visit& visit) {
   }
 }
 
-bool may_be_limb(std::span<const double> lengths) {
-  bool is_one = false;
-  visit_limbs(lengths, [&](auto...) { is_one = true; });
-  return is_one;
+// Returns whether more circles may lengthen a limb or show where it ends: an interval that may be a
+// limb reaches the last brush radius that was measured.
+bool may_go_on(std::span<const double> lengths) {
+  constexpr auto kRadius = static_cast<std::size_t>(1.0 / kStep);
+  bool goes_on = false;
+  visit_limbs(lengths, [&](std::size_t, std::size_t last, double) {
+    goes_on = goes_on || last + kRadius >= lengths.size();
+  });
+  return goes_on;
 }
 
 // Returns the circle at which a limb joins the body, or nothing if there is no limb.
@@ -107,78 +126,133 @@ std::optional<std::size_t> end_of_limb(std::span<const double> lengths) {
   return end;
 }
 
-double area_of(const Triangle& t, std::span<const Vector3d> positions) {
-  const Vector3d ab = positions[t[1]] - positions[t[0]];
-  return 0.5 * ab.cross(positions[t[2]] - positions[t[0]]).norm();
+// Returns a third of the area of the triangles around the vertex.
+double area_of(Index v, const Topology& topology, std::span<const Vector3d> positions) {
+  double area = 0.0;
+  for (const Index k : topology.vertex_triangles[v]) {
+    const Triangle& t = topology.triangles[k];
+    const Vector3d ab = positions[t[1]] - positions[t[0]];
+    area += ab.cross(positions[t[2]] - positions[t[0]]).norm() / 6.0;
+  }
+  return area;
 }
 
-// Returns the largest radius at most `radius` whose disk covers at most half of the area of the
-// component of `center`. `distances` are complete up to `radius`.
-double limited_to_half(double radius, const Topology& topology, std::span<const Vector3d> positions,
-                       std::span<const double> distances, Index center) {
-  const Components components = connected_components(topology.rings);
-  double component_area = 0.0;
-  std::vector<std::pair<double, double>> covered;  // largest distance of a corner, area
-  double covered_area = 0.0;
-  for (const Triangle& t : topology.triangles) {
-    if (components.of_vertex[t[0]] != components.of_vertex[center]) continue;
-    const double area = area_of(t, positions);
-    component_area += area;
-    const double farthest = std::max({distances[t[0]], distances[t[1]], distances[t[2]]});
-    if (farthest > radius) continue;
-    covered_area += area;
-    covered.emplace_back(farthest, area);
+// The connected vertices that are not in the disk, and the search for them.
+class Outside {
+ public:
+  Outside(const GeodesicFront& front, const Topology& topology, double radius)
+      : topology_(topology), is_visited_(topology.vertex_count(), 0) {
+    for (const Index v : front.reached()) {
+      if (front.distances()[v] <= radius) inside_.push_back(v);
+    }
+    for (const Index v : inside_) is_visited_[v] = 1;
   }
-  if (covered_area <= 0.5 * component_area) return radius;
+
+  const std::vector<Index>& inside() const { return inside_; }
+
+  // Returns the vertices outside that have a neighbour inside.
+  std::vector<Index> rim() const {
+    std::vector<Index> rim;
+    for (const Index v : inside_) {
+      for (const Index w : topology_.rings[v]) {
+        if (is_visited_[w] == 0) rim.push_back(w);
+      }
+    }
+    std::ranges::sort(rim);
+    rim.erase(std::ranges::unique(rim).begin(), rim.end());
+    return rim;
+  }
+
+  // Visits all vertices that are connected with `starts` by vertices of `among` and were not
+  // visited before. An empty `among` stands for all. Stops if `visit(v)` returns false.
+  template <class Visit>
+  void spread(std::span<const Index> starts, const Visit& visit,
+              std::span<const Index> among = {}) {
+    std::vector<Index> open;
+    const auto reach = [&](Index v) {
+      if (is_visited_[v] != 0) return;
+      if (!among.empty() && !std::ranges::binary_search(among, v)) return;
+      is_visited_[v] = 1;
+      open.push_back(v);
+    };
+    for (const Index v : starts) reach(v);
+    while (!open.empty()) {
+      const Index v = open.back();
+      open.pop_back();
+      if (!visit(v)) return;
+      for (const Index w : topology_.rings[v]) reach(w);
+    }
+  }
+
+ private:
+  const Topology& topology_;
+  std::vector<char> is_visited_;
+  std::vector<Index> inside_;
+};
+
+// Returns a radius of at most `radius`, the largest possible, whose disk covers at most half of the
+// area of the component of its centre. `front` has marched to `radius`. Visits no more of the rest
+// than the disk's area.
+double limited_to_half(double radius, const GeodesicFront& front, const Topology& topology,
+                       std::span<const Vector3d> positions) {
+  Outside outside(front, topology, radius);
+  std::vector<std::pair<double, double>> covered;  // distance and area of each vertex
+  double covered_area = 0.0;
+  for (const Index v : outside.inside()) {
+    covered.emplace_back(front.distances()[v], area_of(v, topology, positions));
+    covered_area += covered.back().second;
+  }
+  double area_outside = 0.0;
+  outside.spread(outside.rim(), [&](Index v) {
+    area_outside += area_of(v, topology, positions);
+    return area_outside < covered_area;
+  });
+  if (area_outside >= covered_area) return radius;
   std::ranges::sort(covered);
   double area = 0.0;
-  for (const auto& [distance, of_triangle] : covered) {
-    area += of_triangle;
-    if (area > 0.5 * component_area) return distance;
+  double last = 0.0;
+  for (const auto& [distance, of_vertex] : covered) {
+    area += of_vertex;
+    // Halfway between two vertices, rounding errors do not decide which vertices the disk has.
+    if (area > 0.5 * (covered_area + area_outside)) return 0.5 * (last + distance);
+    last = distance;
   }
   return radius;
 }
 
 // Returns the vertices of the parts into which the disk divides the rest of its component, without
 // the largest part and those that are nearly as large.
-VertexSet parts_cut_off(const Topology& topology, std::span<const Vector3d> positions,
-                        std::span<const double> distances, double radius) {
-  constexpr Index kInside = kNoIndex - 1;
-  std::vector<Index> part(topology.vertex_count(), kNoIndex);
-  for (Index v = 0; v < part.size(); ++v) {
-    if (distances[v] <= radius) part[v] = kInside;
-  }
-  std::vector<double> areas;
-  std::vector<Index> open;
-  const auto spread = [&](Index to) {
-    if (part[to] != kNoIndex) return;
-    part[to] = static_cast<Index>(areas.size());
-    open.push_back(to);
+VertexSet parts_cut_off(double radius, const GeodesicFront& front, const Topology& topology,
+                        std::span<const Vector3d> positions) {
+  Outside outside(front, topology, radius);
+  const std::vector<Index> rim = outside.rim();
+  if (rim.empty()) return {};
+  // If the rim is connected, so is the rest, which then need not be visited.
+  std::size_t on_rim = 0;
+  Outside(outside).spread(
+      std::span(rim).first(1), [&](Index) { return ++on_rim > 0; }, rim);
+  if (on_rim == rim.size()) return {};
+  struct PartOutside {
+    double area = 0.0;
+    VertexSet vertices;
   };
-  for (Index v = 0; v < part.size(); ++v) {
-    if (part[v] != kInside) continue;
-    for (const Index start : topology.rings[v]) {
-      spread(start);
-      if (open.empty()) continue;
-      while (!open.empty()) {
-        const Index at = open.back();
-        open.pop_back();
-        for (const Index next : topology.rings[at]) spread(next);
-      }
-      areas.push_back(0.0);
-    }
+  std::vector<PartOutside> parts;
+  for (const Index start : rim) {
+    PartOutside part;
+    outside.spread({&start, 1}, [&](Index v) {
+      part.area += area_of(v, topology, positions);
+      part.vertices.push_back(v);
+      return true;
+    });
+    if (!part.vertices.empty()) parts.push_back(std::move(part));
   }
-  if (areas.size() < 2) return {};
-  for (const Triangle& t : topology.triangles) {
-    for (const Index v : t) {
-      if (part[v] < kInside) areas[part[v]] += area_of(t, positions) / 3.0;
-    }
-  }
-  const double largest = std::ranges::max(areas);
+  const double largest = std::ranges::max(parts, {}, &PartOutside::area).area;
   VertexSet cut_off;
-  for (Index v = 0; v < part.size(); ++v) {
-    if (part[v] < kInside && areas[part[v]] < kCutOff * largest) cut_off.push_back(v);
+  for (const PartOutside& part : parts) {
+    if (part.area >= kCutOff * largest) continue;
+    cut_off.insert(cut_off.end(), part.vertices.begin(), part.vertices.end());
   }
+  std::ranges::sort(cut_off);
   return cut_off;
 }
 
@@ -194,22 +268,27 @@ GrabRegion grab_region(const Topology& topology, std::span<const Vector3d> posit
     throw InputError("Vertex " + std::to_string(center) +
                      " belongs to no triangle, so it cannot be grabbed.");
   }
-  std::vector<double> distances;
-  const auto measure_to = [&](double largest) {
-    const double reach = brush * largest * std::max(1.0, factor);
-    distances = geodesic_distances(topology, positions, {&center, 1}, reach);
-    return circle_lengths(topology, positions, distances, brush, largest);
-  };
+  GeodesicFront front(topology, positions, {&center, 1});
+  std::vector<double> lengths;
   // Most of a large mesh is never visited if no limb begins near the vertex.
-  std::optional<std::size_t> limb;
-  if (may_be_limb(measure_to(kWithoutLimb + kShortestLimb))) {
-    limb = end_of_limb(measure_to(kLargest));
-  }
+  double largest = kWithoutLimb + kShortestLimb;
+  const auto measure = [&] {
+    front.march_to(largest * brush);
+    measure_circles(lengths, front, topology, positions, brush, largest);
+  };
+  for (measure(); largest < kLargest && may_go_on(lengths); measure()) largest += 1.0;
+  const std::optional<std::size_t> limb = end_of_limb(lengths);
   GrabRegion region;
   region.is_limb = limb.has_value();
-  region.radius = limited_to_half(factor * brush * (limb ? radius_of(*limb) : kWithoutLimb),
-                                  topology, positions, distances, center);
-  region.cut_off = parts_cut_off(topology, positions, distances, region.radius);
+  const double radius = factor * brush * (limb ? radius_of(*limb) : kWithoutLimb);
+  front.march_to(std::max(radius, largest * brush));
+  region.radius = limited_to_half(radius, front, topology, positions);
+  region.cut_off = parts_cut_off(region.radius, front, topology, positions);
+  for (const Index v : front.reached()) {
+    if (front.distances()[v] <= region.radius) region.vertices.push_back(v);
+  }
+  region.vertices.insert(region.vertices.end(), region.cut_off.begin(), region.cut_off.end());
+  std::ranges::sort(region.vertices);
   return region;
 }
 

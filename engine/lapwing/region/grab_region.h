@@ -10,6 +10,7 @@ namespace lapwing {
 /// The region that moves when a user pulls at one place of a surface.
 struct GrabRegion {
   double radius = 0.0;   ///< geodesic radius of its disk around the grabbed vertex
+  VertexSet vertices;    ///< the disk and `cut_off`
   VertexSet cut_off;     ///< parts that the disk cuts off from the rest, such as a limb's tip
   bool is_limb = false;  ///< whether the shape bounds the region, not the brush
 };
@@ -27,8 +28,10 @@ struct GrabRegion {
 /// The disk may separate parts from the component's largest remaining part. Each part with less
 /// than half of that area belongs to the region.
 ///
-/// O(n log n) for the vertices within ten brush radii, and linear in the mesh. Throws InputError if
-/// `center` is not a vertex of a triangle, or unless `brush` and `factor` are finite and positive.
+/// O(n log n) for the vertices that it visits: those up to the end of the limb or five brush radii,
+/// and a part of the rest that is as large. If the disk cuts off parts, also all others. Throws
+/// InputError if `center` is not a vertex of a triangle, or unless `brush` and `factor` are finite
+/// and positive.
 GrabRegion grab_region(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                        Index center, double brush, double factor = 1.0);
 
