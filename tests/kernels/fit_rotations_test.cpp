@@ -195,7 +195,8 @@ TEST(FitRotationsInRanges, GiveTheSameBits) {
   LAPWING_NEEDS_GPU();
   const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 9));
   const TurnedRings turned = test::turned_rings(sample, 100, 0.3, 0.1, 10);
-  const auto state = std::make_shared<VulkanState>(std::make_shared<gpu::Context>(), false);
+  const auto state = std::make_shared<VulkanState>(
+      compile_kernels(std::make_shared<gpu::Context>(), Precision::float32), false);
   const auto run = [&](std::size_t most_entries) {
     VulkanRingRotations rotations(state, turned.rings, most_entries);
     const Fitted fitted = fit(rotations, turned);

@@ -10,7 +10,8 @@
 namespace lapwing::viewer {
 
 /// Returns a function that makes kernels on `context`. They continue on the CPU if the device fails
-/// (FallbackKernels). Any thread may call it, but kernels belong to one thread.
+/// (FallbackKernels). Compiles the shaders at its first call. Any thread may call it, but kernels
+/// belong to one thread.
 std::function<std::unique_ptr<Kernels>()> kernels_like(
     const std::shared_ptr<gpu::Context>& context);
 

@@ -51,24 +51,33 @@ std::vector<Eigen::Vector3d> target_edges(const RegionRings& rings, const RingBa
 
 }  // namespace
 
+std::shared_ptr<const VulkanPrograms> compile_kernels(std::shared_ptr<gpu::Context> context,
+                                                      Precision precision) {
+  const bool float64 = choose_float64(*context, precision);
+  return std::make_shared<VulkanPrograms>(std::move(context), float64);
+}
+
 VulkanKernels::VulkanKernels(const VulkanOptions& options)
     : VulkanKernels(std::make_shared<gpu::Context>(), Precision::automatic,
                     options.frames_on_device) {}
 
 VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
                              bool frames_on_device)
-    : state_(std::make_shared<VulkanState>(context, choose_float64(*context, precision),
-                                           frames_on_device)),
+    : VulkanKernels(compile_kernels(std::move(context), precision), frames_on_device) {}
+
+VulkanKernels::VulkanKernels(std::shared_ptr<const VulkanPrograms> programs, bool frames_on_device)
+    : state_(std::make_shared<VulkanState>(std::move(programs), frames_on_device)),
       device_(describe(*state_)) {}
 
 VulkanKernels::~VulkanKernels() = default;
 
 void VulkanKernels::assemble_rsi(const RingProblem& problem, std::span<double> blocks) {
-  RingBatches(*state_, problem).assemble(state_->assemble_rsi, "RSI blocks", blocks);
+  RingBatches(*state_, problem).assemble(state_->programs->assemble_rsi, "RSI blocks", blocks);
 }
 
 void VulkanKernels::assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) {
-  RingBatches(*state_, problem).assemble(state_->assemble_tangent, "tangent blocks", blocks);
+  RingBatches(*state_, problem)
+      .assemble(state_->programs->assemble_tangent, "tangent blocks", blocks);
 }
 
 void VulkanKernels::sample_laplacians(const RingProblem& problem,
@@ -78,7 +87,7 @@ void VulkanKernels::sample_laplacians(const RingProblem& problem,
   const gpu::Buffer output(*state.context, "Laplacians",
                            state.real_bytes(3 * rings.largest().row_count));
   for (const RingBatch& batch : rings.batches()) {
-    rings.run(batch, state.sample_laplacians, output);
+    rings.run(batch, state.programs->sample_laplacians, output);
     state.download_reals(output, numbers_of(laplacians.subspan(batch.first_row, batch.row_count)));
   }
 }
@@ -94,7 +103,7 @@ void VulkanKernels::sample_mapped_laplacians(const MappedRings& rings, MappedSam
   for (const RingBatch& batch : mapped.batches()) {
     const auto all_weights = std::span(rings.target.weights);
     state.upload_reals(weights, all_weights.subspan(mapped.first_entry(batch), batch.entry_count));
-    mapped.run(batch, state.sample_mapped_laplacians, {weights, output},
+    mapped.run(batch, state.programs->sample_mapped_laplacians, {weights, output},
                sampling == MappedSampling::linear);
     state.download_reals(output, numbers_of(laplacians.subspan(batch.first_row, batch.row_count)));
   }
@@ -119,7 +128,8 @@ void VulkanKernels::rotate_frames(const MappedRings& rings, const FramedSurface&
     state.upload_reals(edges, numbers_of(std::span(own_edges)));
     state.upload_reals(target_normals,
                        numbers_of(target.normals.subspan(batch.first_row, batch.row_count)));
-    mapped.run(batch, state.rotate_frames, {edges, source_normals, target_normals, output});
+    mapped.run(batch, state.programs->rotate_frames,
+               {edges, source_normals, target_normals, output});
     state.download_reals(output, numbers_of(transforms.subspan(batch.first_row, batch.row_count)));
   }
 }

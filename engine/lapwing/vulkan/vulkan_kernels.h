@@ -11,12 +11,20 @@ class Context;
 }
 class VulkanState;
 
+/// The compiled shaders of the kernels on a device. Any number of VulkanKernels on any threads may
+/// share them.
+struct VulkanPrograms;
+
 /// The precision of the kernels. Those of drawn surfaces always use float32.
 enum class Precision {
   automatic,  ///< float64 if the device supports it
   float32,
   float64,  ///< throws GpuError if the device does not support it
 };
+
+/// Compiles the shaders. On a software device, this takes some tenths of a second. Throws GpuError.
+std::shared_ptr<const VulkanPrograms> compile_kernels(std::shared_ptr<gpu::Context> context,
+                                                      Precision precision);
 
 struct VulkanOptions {
   /// If true, shaders minimize the energy even on a software device (DeviceInfo::frames).
@@ -32,6 +40,8 @@ class VulkanKernels final : public Kernels {
   /// Uses a context that other objects, such as a window, may also use.
   VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
                 bool frames_on_device = false);
+  explicit VulkanKernels(std::shared_ptr<const VulkanPrograms> programs,
+                         bool frames_on_device = false);
   ~VulkanKernels() override;
 
   const DeviceInfo& device() const override { return device_; }

@@ -114,7 +114,7 @@ void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first,
 void VulkanRingRotations::record_fit_rotations() {
   gpu::Recorder recorder(fit_rotations_);
   for (const Range& range : ranges_) {
-    recorder.dispatch(state_->fit_rotations, range.push.row_count,
+    recorder.dispatch(state_->programs->fit_rotations, range.push.row_count,
                       {displacement_, range.starts, range.neighbours, range.edges, range.weights,
                        range.stiffness, row_weights_, turns_, residuals_, energies_, stretch_},
                       range.push);
@@ -134,7 +134,7 @@ void VulkanRingRotations::record_energy_gradient() {
   gpu::Recorder recorder(energy_gradient_);
   for (const Range& range : ranges_) {
     recorder.dispatch(
-        state_->energy_gradient, range.push.row_count,
+        state_->programs->energy_gradient, range.push.row_count,
         {displacement_, residuals_, turns_, range.unknowns, range.starts, range.neighbours,
          range.edges, range.reverse_weights, range.stiffness, result_, stretch_},
         range.push);

@@ -33,19 +33,17 @@ constexpr std::uint32_t kMappedRingBytes = 3 * sizeof(std::uint32_t);
 
 using Spirv = std::span<const std::uint32_t>;
 
-gpu::Kernel kernel(const VulkanState& state, std::string name, Spirv float64, Spirv float32,
+gpu::Kernel kernel(const VulkanPrograms& programs, std::string name, Spirv float64, Spirv float32,
                    std::uint32_t push_constant_bytes) {
-  return {*state.context, std::move(name), state.float64 ? float64 : float32, push_constant_bytes};
+  return {*programs.context, std::move(name), programs.float64 ? float64 : float32,
+          push_constant_bytes};
 }
 
 }  // namespace
 
-VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
-                         bool frames_on_device)
+VulkanPrograms::VulkanPrograms(std::shared_ptr<gpu::Context> shared_context, bool in_float64)
     : context(std::move(shared_context)),
       float64(in_float64),
-      frames(frames_on_device || context->description().type != "software"),
-      transfer(*context),
       assemble_rsi(kernel(*this, "assemble_rsi", shaders::assemble_rsi_float64(),
                           shaders::assemble_rsi_float32(), kCountBytes)),
       assemble_tangent(kernel(*this, "assemble_tangent", shaders::assemble_tangent_float64(),
@@ -61,6 +59,13 @@ VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_f
       sample_mapped_laplacians(
           kernel(*this, "sample_mapped_laplacians", shaders::sample_mapped_laplacians_float64(),
                  shaders::sample_mapped_laplacians_float32(), kMappedRingBytes)) {}
+
+VulkanState::VulkanState(std::shared_ptr<const VulkanPrograms> of, bool frames_on_device)
+    : programs(std::move(of)),
+      context(programs->context),
+      float64(programs->float64),
+      frames(frames_on_device || context->description().type != "software"),
+      transfer(*context) {}
 
 std::size_t VulkanState::real_bytes(std::size_t count) const {
   return count * (float64 ? sizeof(double) : sizeof(float));

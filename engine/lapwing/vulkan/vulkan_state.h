@@ -13,12 +13,25 @@
 
 namespace lapwing {
 
-/// The state that VulkanKernels shares with its ring rotations. It contains the compiled kernels,
-/// and transfers numbers in the precision of the kernels (shaders/precision.glsl).
+struct VulkanPrograms {
+  VulkanPrograms(std::shared_ptr<gpu::Context> shared_context, bool in_float64);
+
+  std::shared_ptr<gpu::Context> context;
+  bool float64;
+  gpu::Kernel assemble_rsi;
+  gpu::Kernel assemble_tangent;
+  gpu::Kernel energy_gradient;
+  gpu::Kernel fit_rotations;
+  gpu::Kernel rotate_frames;
+  gpu::Kernel sample_laplacians;
+  gpu::Kernel sample_mapped_laplacians;
+};
+
+/// The state that VulkanKernels shares with its ring rotations. It transfers numbers in the
+/// precision of the kernels (shaders/precision.glsl).
 class VulkanState {
  public:
-  VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
-              bool frames_on_device = false);
+  VulkanState(std::shared_ptr<const VulkanPrograms> of, bool frames_on_device);
 
   std::size_t real_bytes(std::size_t count) const;
   void upload_reals(const gpu::Buffer& buffer, std::span<const double> numbers);
@@ -29,17 +42,11 @@ class VulkanState {
   static std::size_t place_bytes(std::size_t count) { return count * 3 * sizeof(double); }
   void upload_places(const gpu::Buffer& buffer, std::span<const Eigen::Vector3d> vectors);
 
+  std::shared_ptr<const VulkanPrograms> programs;
   std::shared_ptr<gpu::Context> context;
   bool float64;
   bool frames;  ///< DeviceInfo::frames
   gpu::Transfer transfer;
-  gpu::Kernel assemble_rsi;
-  gpu::Kernel assemble_tangent;
-  gpu::Kernel energy_gradient;
-  gpu::Kernel fit_rotations;
-  gpu::Kernel rotate_frames;
-  gpu::Kernel sample_laplacians;
-  gpu::Kernel sample_mapped_laplacians;
 };
 
 }  // namespace lapwing
