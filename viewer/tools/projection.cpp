@@ -1,10 +1,14 @@
 #include "tools/projection.h"
 
 #include <algorithm>
+#include <compare>
 #include <limits>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include "lapwing/base/parallel.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -78,17 +82,25 @@ namespace {
 template <typename Counts>
 std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const Vector3d> positions,
                                      const Ray& ray, const Counts& counts) {
-  double least = kMiss;
-  Index first = kNoIndex;
-  for (Index t = 0; t < topology.triangles.size(); ++t) {
-    if (!counts(topology.triangles[t])) continue;
-    const double distance = distance_to(topology.triangles[t], positions, ray);
-    if (distance >= least) continue;
-    least = distance;
-    first = t;
-  }
-  if (first == kNoIndex) return std::nullopt;
-  return surface_point(topology, positions, first, ray.origin + least * ray.direction);
+  struct Hit {
+    double distance = kMiss;
+    Index triangle = kNoIndex;
+    auto operator<=>(const Hit&) const = default;
+  };
+  constexpr std::size_t kPerTask = 16384;
+  std::vector<Hit> hits((topology.triangles.size() + kPerTask - 1) / kPerTask);
+  parallel_for(topology.triangles.size(), kPerTask, [&](std::size_t begin, std::size_t end) {
+    Hit& hit = hits[begin / kPerTask];
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!counts(topology.triangles[t])) continue;
+      const double distance = distance_to(topology.triangles[t], positions, ray);
+      if (distance < hit.distance) hit = {distance, static_cast<Index>(t)};
+    }
+  });
+  const auto first = std::ranges::min_element(hits);
+  if (first == hits.end() || first->triangle == kNoIndex) return std::nullopt;
+  return surface_point(topology, positions, first->triangle,
+                       ray.origin + first->distance * ray.direction);
 }
 
 }  // namespace
