@@ -68,6 +68,11 @@ constexpr std::array kExamples{
   lapwing shape bumpy-plane -o bumps.ply
   lapwing peel bumps.ply --detail-size 0.2 -o smooth.ply
   lapwing peel bumps.ply --detail-size 0.2 --coating height -o heights.ply)"},
+    Examples{"lapwing wrap", R"(
+  lapwing shape tube -o template.ply
+  lapwing deform template.ply --handle near:0,0,6,1 --translate 1,0,0 --save bent.ply
+  lapwing remesh bent.ply --scale 0.8 -o scan.ply
+  lapwing wrap template.ply scan.ply -o wrapped.ply)"},
     Examples{"lapwing cut", R"(
   lapwing shape tube -o tube.obj
   lapwing cut tube.obj --region near:0.5,0,3,0.4 -o patch.obj

@@ -223,7 +223,7 @@ DeformResult DeformSolver::solve_along(std::span<const HandleMotions> path,
 
 DeformResult DeformSolver::solve_from(const DragState& pose, const HandleMotions& motions,
                                       const Progress& progress) const {
-  return solved(pose.empty() ? nullptr : &pose, motions, progress);
+  return solved(pose.displacement.empty() ? nullptr : &pose, motions, progress);
 }
 
 DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& motions,

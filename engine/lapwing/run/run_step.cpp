@@ -40,13 +40,10 @@ StepReport run_step(const DeformRequest& step, const StepContext& on) {
   named.carry.clear();
   const std::vector<std::size_t> carried = open_carried(step.carry, on);
   if (!named.targets.file.empty()) {
-    const NumberTable table = read_number_table(on.base_directory / named.targets.file);
-    const NumberColumns columns = number_columns(table);
-    for (std::size_t r = 0; r < table.row_count(); ++r) {
-      named.targets.rows.push_back(target_row(columns.of_row(table, r), table.place(r)));
-    }
-    named.targets.where = table.name;
-    on.result.inputs.emplace_back(table.name);
+    const std::filesystem::path file = on.base_directory / named.targets.file;
+    named.targets.rows = read_target_rows(file);
+    named.targets.where = file.string();
+    on.result.inputs.emplace_back(file);
   }
   RunResult& result = on.result;
   const Positions rest = carried.empty() ? Positions() : result.mesh.positions;
@@ -182,6 +179,16 @@ void record_device(const DeviceInfo& device, RunResult& result) {
 }
 
 }  // namespace
+
+std::vector<TargetRow> read_target_rows(const std::filesystem::path& path) {
+  const NumberTable table = read_number_table(path);
+  const NumberColumns columns = number_columns(table);
+  std::vector<TargetRow> rows;
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
+    rows.push_back(target_row(columns.of_row(table, r), table.place(r)));
+  }
+  return rows;
+}
 
 StepReport report_of(Deformed& done) {
   StepReport report;

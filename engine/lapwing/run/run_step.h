@@ -19,6 +19,10 @@
 
 namespace lapwing {
 
+/// Reads a table of landmarks: one `target_row` per row, in columns that are numbers. Throws the
+/// errors of `read_number_table`, `number_columns` and `target_row`.
+std::vector<TargetRow> read_target_rows(const std::filesystem::path& path);
+
 /// State of a run after some of its steps.
 struct RunState {
   Mesh mesh;  ///< with the edited positions

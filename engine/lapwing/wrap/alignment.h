@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/wrap/scan_surface.h"
+
+namespace lapwing {
+
+/// How a similarity was found.
+enum class AlignmentMethod {
+  none,       ///< the surfaces are already in place
+  landmarks,  ///< least squares over pairs of points (Umeyama 1991)
+  surfaces,   ///< principal axes, then iterative closest points
+};
+
+/// A similarity that brings a surface to a scan.
+struct Alignment {
+  AlignmentMethod method = AlignmentMethod::none;
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  double scale = 1.0;  ///< of `map`
+  /// The pose from which the surface is deformed: an affine map near `map` that fits better, or
+  /// `map`.
+  Eigen::Affine3d start = Eigen::Affine3d::Identity();
+  /// For the method `surfaces`: the mean distance between the surfaces after the map `start`,
+  /// without the farthest fifth, over the scan's diagonal.
+  double mean_distance = 0.0;
+};
+
+/// Returns the similarity that minimizes the squared distances of `to` from the mapped `from`. Its
+/// rotation is never a reflection. Throws InputError unless at least three points of each side are
+/// not on one line.
+Alignment align_points(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to);
+
+/// Returns a similarity that brings `surface` onto `scan`. Tries all 24 rotations that map
+/// principal axes to principal axes. From each, it iterates closest points (Besl and McKay 1992)
+/// with samples of both surfaces, and leaves out the farthest fifth. An affine map is then fitted
+/// in the same way, because a surface that leans or is stretched otherwise fits no better than one
+/// that faces another way. Returns the start with the smallest distance of the affine map. A
+/// symmetric surface may face the wrong way. Throws InputError if no start succeeds, and Cancelled.
+Alignment align_surfaces(const ScanSurface& surface, const ScanSurface& scan);
+
+}  // namespace lapwing

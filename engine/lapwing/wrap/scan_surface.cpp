@@ -1,0 +1,76 @@
+#include "lapwing/wrap/scan_surface.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/region/border_belt.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// The cosine of the largest angle between normals of corresponding points, 60 degrees.
+constexpr double kAgree = 0.5;
+
+Vector3d area_vector(const Triangle& t, std::span<const Vector3d> positions) {
+  const Vector3d edge = positions[t[1]] - positions[t[0]];
+  return 0.5 * edge.cross(positions[t[2]] - positions[t[0]]);
+}
+
+Adjacency one_group(std::size_t count) {
+  Adjacency groups;
+  groups.values.resize(count);
+  std::iota(groups.values.begin(), groups.values.end(), Index{0});
+  groups.starts.push_back(static_cast<Index>(count));
+  return groups;
+}
+
+}  // namespace
+
+ScanSurface::ScanSurface(const Topology& topology, std::span<const Vector3d> positions)
+    : topology_(topology),
+      positions_(positions),
+      normals_(positions.size(), Vector3d::Zero()),
+      areas_(positions.size(), 0.0),
+      on_boundary_(positions.size(), 0) {
+  for (const Triangle& t : topology.triangles) {
+    const Vector3d area = area_vector(t, positions);
+    for (const Index v : t) {
+      normals_[v] += area;
+      areas_[v] += area.norm() / 3.0;
+    }
+  }
+  for (Vector3d& normal : normals_) normal.normalize();
+  for (Index v = 0; v < positions.size(); ++v) {
+    on_boundary_[v] = on_mesh_boundary(v, topology) ? 1 : 0;
+  }
+  closest_.emplace(topology.triangles, positions, one_group(topology.triangles.size()));
+}
+
+// Returns whether the point is on an edge or at a vertex of the boundary.
+bool ScanSurface::is_on_boundary(const TrianglePoint& point) const {
+  constexpr double kOff = 1e-9;
+  const Triangle& t = topology_.triangles[point.triangle];
+  bool all = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (point.weights[k] > kOff && on_boundary_[t[k]] == 0) all = false;
+  }
+  const bool is_inside = std::ranges::all_of(point.weights, [](double w) { return w > kOff; });
+  return all && !is_inside;
+}
+
+Counterpart ScanSurface::counterpart(const Vector3d& point, const Vector3d& normal,
+                                     Index& hint) const {
+  const TrianglePoint found = closest_->find(0, point, normal, hint);
+  hint = found.hint;
+  const Triangle& t = topology_.triangles[found.triangle];
+  Counterpart counterpart{{t, found.weights}, found.position, (found.position - point).norm()};
+  const Vector3d facing = area_vector(t, positions_).normalized();
+  counterpart.agrees = facing.dot(normal) > kAgree && !is_on_boundary(found);
+  return counterpart;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lapwing/mesh/closest_point.h"
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+/// The counterpart of a point on another surface.
+struct Counterpart {
+  SurfacePoint point;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double distance = 0.0;
+  bool agrees = false;  ///< the normals agree, and the point is not on the surface's boundary
+};
+
+/// A surface to which closest points are searched. Threads may share an object.
+class ScanSurface {
+ public:
+  /// Both arguments must outlive the object. O(n log n).
+  ScanSurface(const Topology& topology, std::span<const Eigen::Vector3d> positions);
+
+  const Topology& topology() const { return topology_; }
+  std::span<const Eigen::Vector3d> positions() const { return positions_; }
+  /// Unit normals, weighted by area; zero for a vertex without triangles.
+  std::span<const Eigen::Vector3d> normals() const { return normals_; }
+  /// A third of the area of the triangles around each vertex.
+  std::span<const double> areas() const { return areas_; }
+
+  /// Returns the closest point to `point`, preferably where the surface faces along `normal`.
+  /// `hint` is the triangle of a nearby answer or kNoIndex, and is replaced by that of this answer.
+  Counterpart counterpart(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                          Index& hint) const;
+
+ private:
+  bool is_on_boundary(const TrianglePoint& point) const;
+
+  const Topology& topology_;
+  std::span<const Eigen::Vector3d> positions_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<double> areas_;
+  std::vector<char> on_boundary_;  // per vertex
+  std::optional<ClosestPoint> closest_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/closest_point.h"
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/region/targets.h"
+#include "lapwing/wrap/alignment.h"
+
+namespace lapwing {
+
+struct WrapRequest {
+  /// Points of the template and their places on the scan. `file` and `hard` have no effect.
+  TargetSpec landmarks = {.where = "landmarks"};
+  bool aligned = false;  ///< the template is already in place, so that it is only deformed
+  bool operator==(const WrapRequest&) const = default;
+};
+
+/// Distances from the points of one surface to another, in the unit of the scan.
+struct SurfaceDistance {
+  double mean = 0.0;
+  double percentile_95 = 0.0;
+  double max = 0.0;
+};
+
+struct WrapReport {
+  Alignment alignment;
+  SurfaceDistance to_scan;      ///< from the vertices of the result
+  SurfaceDistance to_template;  ///< from the vertices of the scan
+  /// The share of the template's area that has a counterpart on the scan.
+  double coverage = 0.0;
+  double landmark_error = 0.0;  ///< the largest
+  std::size_t flipped_triangles = 0;
+  int steps = 0;  ///< number of minimizations
+};
+
+struct Wrapped {
+  Positions positions;  ///< of the template's vertices
+  /// For each vertex of the template, its counterpart on the scan (triangles of the scan's
+  /// topology), or `nowhere()`.
+  std::vector<SurfacePoint> counterparts;
+  WrapReport report;
+};
+
+/// Deforms a template so that it covers a scan (non-rigid registration).
+///
+/// The template is aligned by a similarity: by its landmarks if there are three, otherwise by
+/// `align_surfaces`. Springs then pull its vertices to their
+/// closest points on the scan, and points of the scan pull the template, while the energy of
+/// ENERGY.md, section 3, preserves the shape of the template. The springs are soft at first, so
+/// that only long-wave deformations follow them, and become stiffer step by step, down to the
+/// length of an edge (Amberg, Romdhani, Vetter 2007). Pairs whose normals disagree, that end at a
+/// boundary of the scan, or that are far apart compared with the others pull little or nothing.
+///
+/// Parts of the template without a counterpart keep their shape and follow the rest. Landmarks are
+/// prescribed from the first step on. All triangles of both meshes must be consistently oriented
+/// outward.
+///
+/// About forty minimizations. Reports the stages "align" and "wrap". Throws InputError if a mesh
+/// has no surface, and the errors of `resolve_targets`, `align_points` and `align_surfaces`. Also
+/// throws SolverError, GpuError and Cancelled.
+Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, Kernels& kernels,
+             const Progress& progress = {});
+
+/// Returns why a result is not usable, with what to try, or an empty string: less than half of the
+/// template has a counterpart, or more than a thousandth of its triangles are flipped.
+std::string why_failed(const WrapReport& report, std::size_t triangle_count);
+
+}  // namespace lapwing

@@ -1,0 +1,159 @@
+#include "lapwing/wrap/wrap.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/compact.h"
+#include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
+#include "support/models.h"
+#include "wrap/known_scan.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using test::KnownScan;
+using test::mean_error;
+
+Wrapped wrapped(const Mesh& mesh, const Mesh& scan, const WrapRequest& request = {}) {
+  CpuKernels kernels;
+  return wrap(mesh, scan, request, kernels);
+}
+
+Mesh egg() {
+  Mesh mesh = icosphere(3);
+  for (Vector3d& p : mesh.positions) p = p.cwiseProduct(Vector3d(1.0, 1.3, 1.8));
+  return mesh;
+}
+
+TEST(Wrap, OntoItselfKeepsTheTemplate) {
+  const Mesh mesh = egg();
+  const Wrapped result = wrapped(mesh, mesh, {.aligned = true});
+  EXPECT_LT(mean_error(result.positions, mesh.positions), 1e-6);
+  EXPECT_DOUBLE_EQ(result.report.coverage, 1.0);
+  EXPECT_EQ(result.report.alignment.method, AlignmentMethod::none);
+}
+
+TEST(Wrap, CoversAScanOfOtherTriangles) {
+  const Mesh mesh = icosphere(3);
+  Mesh scan = icosphere(4);
+  for (Vector3d& p : scan.positions) p = p.cwiseProduct(Vector3d(1.2, 1.0, 0.9));
+  const Wrapped result = wrapped(mesh, scan, {.aligned = true});
+  const double size = bounds_of(scan.positions).diagonal();
+  EXPECT_LT(result.report.to_scan.mean, 5e-4 * size);
+  EXPECT_LE(result.report.to_scan.mean, result.report.to_scan.percentile_95);
+  EXPECT_LE(result.report.to_scan.percentile_95, result.report.to_scan.max);
+  EXPECT_EQ(result.report.flipped_triangles, 0U);
+  EXPECT_EQ(why_failed(result.report, mesh.face_count()), "");
+}
+
+TEST(Wrap, CounterpartsAreOnTheScanBesideTheResult) {
+  const Mesh mesh = icosphere(3);
+  const Mesh scan = icosphere(4);
+  const Wrapped result = wrapped(mesh, scan, {.aligned = true});
+  ASSERT_EQ(result.counterparts.size(), mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    ASSERT_FALSE(result.counterparts[v].is_nowhere()) << v;
+    const auto place = result.counterparts[v].of(std::span<const Vector3d>(scan.positions));
+    EXPECT_LT((place - result.positions[v]).norm(), 0.02) << v;
+  }
+}
+
+// The upper half of the scan is missing.
+TEST(Wrap, PartsWithoutACounterpartKeepTheirShape) {
+  const Mesh mesh = icosphere(3);
+  Mesh scan = icosphere(4);
+  KeepMask lower(scan.vertex_count());
+  for (Index v = 0; v < scan.vertex_count(); ++v) lower[v] = scan.positions[v].z() < 0.2;
+  keep_vertices(scan, lower);
+  for (Vector3d& p : scan.positions) p += Vector3d(0.1, 0.0, 0.0);
+  const Wrapped result = wrapped(mesh, scan, {.aligned = true});
+  EXPECT_NEAR(result.report.coverage, 0.6, 0.1);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Vector3d place = mesh.positions[v] + Vector3d(0.1, 0.0, 0.0);
+    EXPECT_LT((result.positions[v] - place).norm(), 0.1) << v;
+    if (mesh.positions[v].z() > 0.5) {
+      EXPECT_TRUE(result.counterparts[v].is_nowhere()) << v;
+    }
+  }
+}
+
+TEST(Wrap, ReachesItsLandmarks) {
+  const Mesh mesh = icosphere(3);
+  const std::vector<Index> vertices = test::spread_vertices(mesh.positions, 5);
+  // The sphere turns within itself, which only landmarks can tell.
+  Positions places = mesh.positions;
+  const Eigen::AngleAxisd turn(0.5, Vector3d::UnitZ());
+  for (Vector3d& p : places) p = turn * p;
+  WrapRequest request{.landmarks = test::landmarks_at(vertices, places)};
+  const Wrapped result = wrapped(mesh, mesh, request);
+  EXPECT_EQ(result.report.alignment.method, AlignmentMethod::landmarks);
+  EXPECT_LT(result.report.landmark_error, 1e-3);
+  EXPECT_LT(mean_error(result.positions, places), 1e-3);
+}
+
+TEST(Wrap, IsTheSameAfterARotationOfTheScan) {
+  const Mesh mesh = egg();
+  const KnownScan known = test::known_scan(mesh, 0.9);
+  const std::vector<Index> vertices = test::spread_vertices(mesh.positions, 6);
+  const Wrapped result =
+      wrapped(mesh, known.scan, {.landmarks = test::landmarks_at(vertices, known.places)});
+  const Eigen::Affine3d turn(Eigen::Translation3d(-2.0, 5.0, 1.0) *
+                             Eigen::AngleAxisd(1.1, Vector3d(3, 1, 2).normalized()));
+  KnownScan turned = known;
+  for (Vector3d& p : turned.scan.positions) p = turn * p;
+  for (Vector3d& p : turned.places) p = turn * p;
+  const Wrapped other =
+      wrapped(mesh, turned.scan, {.landmarks = test::landmarks_at(vertices, turned.places)});
+  Positions back = other.positions;
+  for (Vector3d& p : back) p = turn.inverse() * p;
+  EXPECT_LT(mean_error(back, result.positions), 1e-4);
+}
+
+TEST(Wrap, RefusesWhatIsNoSurfaceAndLandmarksThatDoNotFit) {
+  const Mesh mesh = icosphere(1);
+  Mesh points;
+  points.positions = mesh.positions;
+  EXPECT_THAT(error_message<InputError>([&] { wrapped(mesh, points); }),
+              testing::HasSubstr("scan"));
+  EXPECT_THAT(error_message<InputError>([&] { wrapped(points, mesh); }),
+              testing::HasSubstr("template"));
+  WrapRequest request;
+  request.landmarks.rows = {{.point = Index{999}, .position = Vector3d::Zero()}};
+  EXPECT_THAT(error_message<InputError>([&] { wrapped(mesh, mesh, request); }),
+              testing::HasSubstr("landmarks"));
+}
+
+TEST(WhyFailed, NamesWhatIsWrongAndWhatToTry) {
+  WrapReport report{.coverage = 0.3};
+  EXPECT_THAT(why_failed(report, 1000), testing::HasSubstr("30%"));
+  report.coverage = 0.9;
+  EXPECT_EQ(why_failed(report, 1000), "");
+  report.flipped_triangles = 2;
+  EXPECT_THAT(why_failed(report, 1000), testing::HasSubstr("2 of 1000 triangles"));
+}
+
+TEST(WrapOfTheElephant, FindsItsPlacesWithAndWithoutLandmarks) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  const auto file = std::ranges::find(files, "elephant.off",
+                                      [](const auto& path) { return path.filename().string(); });
+  ASSERT_NE(file, files.end());
+  const Mesh mesh = read_mesh(*file);
+  const KnownScan known = test::known_scan(mesh, 0.8);
+  const std::vector<Index> vertices = test::spread_vertices(mesh.positions, 8);
+  const Wrapped by_landmarks =
+      wrapped(mesh, known.scan, {.landmarks = test::landmarks_at(vertices, known.places)});
+  EXPECT_LT(mean_error(by_landmarks.positions, known.places), 0.006);
+  EXPECT_GT(by_landmarks.report.coverage, 0.95);
+  const Wrapped by_surfaces = wrapped(mesh, known.scan);
+  EXPECT_EQ(by_surfaces.report.alignment.method, AlignmentMethod::surfaces);
+  EXPECT_LT(mean_error(by_surfaces.positions, known.places), 0.006);
+}
+
+}  // namespace
+}  // namespace lapwing
