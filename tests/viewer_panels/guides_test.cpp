@@ -165,6 +165,53 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   viewer_->wait_for([&] { return !document.transplant.is_open(); }, "the part is applied");
   ASSERT_NE(document.editor.row(), nullptr);
   EXPECT_EQ(document.editor.row()->action, Action::take_disk);
+  EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+}
+
+TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
+  const auto drag_source = [&] {
+    const auto& [width, height] = viewer_->look().size;
+    const Eigen::Vector2d source(0.45 * width, 0.55 * height);
+    viewer_->drag(source, source + Eigen::Vector2d(60.0, 0.0));
+  };
+  const Document& document = *viewer_->app().document();
+  for (const int key : {static_cast<int>('K'), static_cast<int>('M')}) {
+    viewer_->key(key, kControl);
+    viewer_->wait_for([&] { return viewer_->says("ource: "); }, "the source is there");
+    choose_roi();
+    for (std::size_t k = 0; k < document.desk.draft().source_count(); ++k) {
+      if (k > 0) viewer_->key('K', {.shift = true});
+      drag_source();
+    }
+    viewer_->key('M');
+    ASSERT_EQ(document.editor.row()->action, Action::take_move);
+    viewer_->key(kEnter, kControl);
+    viewer_->wait_for([&] { return !document.desk.is_open(); }, "the step is applied");
+    EXPECT_EQ(document.editor.row()->action, Action::take_disk);
+    EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+  }
+  EXPECT_EQ(document.editor.state().steps.size(), 2U);
+}
+
+TEST_F(Guides, SayThatNothingHoldsTheSurface) {
+  write_mesh(icosphere(3), folder_ / "ball.obj");
+  viewer_->open(folder_ / "ball.obj");
+  viewer_->wait_for([&] { return viewer_->says("642 vertices"); }, "the ball is open");
+  viewer_->key('A', kControl);
+  drag_disk(20.0);
+  expect_says("Nothing holds the surface");
+  viewer_->click("Select fixed border");
+  EXPECT_EQ(viewer_->app().document()->editor.part().role, Part::Role::belt);
+  viewer_->key('A', kControl);
+  viewer_->look_at();
+  EXPECT_FALSE(viewer_->says("Nothing holds the surface"));
+}
+
+TEST_F(Guides, NameTheStepAtUndoAndRedo) {
+  choose_roi();
+  expect_at("Undo", "Undo: Region: disk");
+  viewer_->key('Z', kControl);
+  expect_at("Redo", "Redo: Region: disk");
 }
 
 TEST_F(Guides, SayThatACutNeedsARegionAndAName) {
