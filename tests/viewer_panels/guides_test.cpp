@@ -73,6 +73,15 @@ class Guides : public ::testing::Test {
     viewer_->send({.kind = InputKind::move, .position = place});
     viewer_->look_at();
   }
+  // Into the field that has the keyboard.
+  void type_number(const std::string& number) {
+    for (const char letter : number) {
+      viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
+      viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
+    }
+    viewer_->send({.kind = InputKind::key, .key = kEnter});
+    viewer_->look_at();
+  }
   void expect_in_menu(const std::string& menu, const std::string& keys) {
     viewer_->click(menu);
     EXPECT_TRUE(viewer_->says(keys)) << menu << " does not say " << keys;
@@ -254,14 +263,32 @@ TEST_F(Guides, ANumberMayHaveAnExponent) {
   viewer_->key('M');
   viewer_->click("Selection");
   viewer_->click("0?");  // the reader of the screen knows no degree sign
-  for (const char letter : std::string("1e-3")) {
-    viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
-    viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
-  }
-  viewer_->send({.kind = InputKind::key, .key = kEnter});
-  viewer_->look_at();
+  type_number("1e-3");
   const AppState& state = viewer_->app().document()->editor.state();
   EXPECT_DOUBLE_EQ(turn_of(state.moves.at(0).move).degrees, 1e-3);
+}
+
+TEST_F(Guides, AScaleIsTypedForEachAxis) {
+  choose_roi();
+  viewer_->key('H');
+  drag_disk(20.0);
+  viewer_->key('M');
+  viewer_->click("Selection");
+  // The field is right of the last Z: rows of the move and the rotation's axis have one, too.
+  const auto axis = find_text(viewer_->look_at(), "Z");
+  ASSERT_TRUE(axis);
+  const Eigen::Vector2d field(axis->max.x + 30.0F, axis->middle().y);
+  for (const InputKind kind : {InputKind::move, InputKind::press, InputKind::release}) {
+    const bool is_move = kind == InputKind::move;
+    viewer_->send({.kind = kind,
+                   .position = field,
+                   .button = is_move ? MouseButton::none : MouseButton::left});
+  }
+  viewer_->send({.kind = InputKind::key, .modifiers = kControl, .key = 'A'});
+  type_number("2");
+  const Move& move = viewer_->app().document()->editor.state().moves.at(0).move;
+  ASSERT_TRUE(std::holds_alternative<SimilarityMove>(move));
+  EXPECT_EQ(std::get<SimilarityMove>(move).scale, Eigen::Vector3d(1.0, 1.0, 2.0));
 }
 
 TEST_F(Guides, TheTitleFollowsSaveAs) {

@@ -69,6 +69,12 @@ TEST(WindowWords, MessagesNameLabelsInsteadOfKeys) {
             "Choose a narrower \"Transition\", or set \"Remesh\" to \"Off\"");
   EXPECT_EQ(in_window_words("sources/0/boundary_pairs: the disk needs one pair"),
             "Border points: the disk needs one pair");
+  EXPECT_EQ(
+      in_window_words("the region is not a disk. Choose another region, or replace it by "
+                      "{\"disk_in\": REGION} to use the largest disk inside, which has 7 of its 9 "
+                      "vertices"),
+      "The region is not a disk. Choose another region, such as the largest disk inside, which "
+      "has 7 of its 9 vertices");
   EXPECT_EQ(in_window_words("Add belt vertices there"), "Add fixed border vertices there");
 }
 

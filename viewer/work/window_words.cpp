@@ -111,9 +111,8 @@ constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
 
 // Phrases of the engine, the longer ones first.
 constexpr std::array kPhrases{
-    Words{". Choose another region, or replace it by {\"disk_in\": REGION} to use the largest disk "
-          "inside,",
-          ". Choose another region. The largest disk inside it,"},
+    Words{", or replace it by {\"disk_in\": REGION} to use the largest disk inside",
+          ", such as the largest disk inside"},
     Words{", or use {\"disk_in\": REGION}", ", or drag a disk"},
     Words{"; set LAPWING_VALIDATION=1 to learn why, or run with --device cpu", ". Try again"},
     Words{", or run with --device cpu", ""},
