@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 from bpy_extras import view3d_utils
+from gpu_extras.presets import draw_circle_2d
 
 from . import grab
 from .background import EngineOperator, Work, finished, warn
@@ -26,6 +27,7 @@ _SIZES = {
     "RIGHT_BRACKET": _PER_NOTCH, "LEFT_BRACKET": 1.0 / _PER_NOTCH,
 }
 _LEAST_PIXELS, _MOST_PIXELS = 5, 500
+_CIRCLE_COLOR = (1.0, 0.94, 0.78, 0.9)
 
 
 def reach_of(event: Any) -> float:
@@ -96,6 +98,10 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
         manager = context.window_manager
         manager.modal_handler_add(self)
         self._timer = manager.event_timer_add(_TICK_SECONDS, window=context.window)
+        self._region, _, self._cursor = _view(context, event)
+        self._circle = bpy.types.SpaceView3D.draw_handler_add(
+            self._draw_circle, (manager,), "WINDOW", "POST_PIXEL"
+        )
         self._say(context)
         return {"RUNNING_MODAL"}
 
@@ -113,6 +119,9 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
 
     def _hear(self, context: bpy.types.Context, event: bpy.types.Event) -> Set[str]:
         is_press = event.value == "PRESS"
+        if event.type == "MOUSEMOVE":
+            _, _, self._cursor = _view(context, event)
+            self._region.tag_redraw()
         if event.type in ("ESC", "RIGHTMOUSE") and is_press:
             return self._give_up(context)
         if event.type in _SIZES and is_press:
@@ -163,6 +172,7 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
         pixels = factor * manager.lapwing_grab_pixels
         manager.lapwing_grab_pixels = min(max(pixels, _LEAST_PIXELS), _MOST_PIXELS)
         self._say(context)
+        self._region.tag_redraw()
         if self._gesture is not None and not self._is_released:
             self.radius = manager.lapwing_grab_pixels * self._pixel
             self._gesture.resize(self._request(self._gesture.obj))
@@ -185,9 +195,15 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
 
     def _over(self, context: bpy.types.Context, answer: Set[str]) -> Set[str]:
         self._gesture = None
+        bpy.types.SpaceView3D.draw_handler_remove(self._circle, "WINDOW")
+        self._region.tag_redraw()
         context.window_manager.event_timer_remove(self._timer)
         context.workspace.status_text_set(None)
         return answer
+
+    def _draw_circle(self, manager: bpy.types.WindowManager) -> None:
+        if bpy.context.region == self._region:
+            draw_circle_2d(self._cursor, _CIRCLE_COLOR, manager.lapwing_grab_pixels, segments=64)
 
     def _say(self, context: bpy.types.Context) -> None:
         context.workspace.status_text_set(
