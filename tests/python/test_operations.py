@@ -84,7 +84,8 @@ def vase(sides=48, rings=81):
     radius = 1.0 + 5.0 * np.clip((z - 20.0) / 4.0, 0.0, 1.0)
     i, j = (a.ravel() for a in np.meshgrid(np.arange(rings - 1), np.arange(sides), indexing="ij"))
     k = (j + 1) % sides
-    faces = np.stack([i * sides + j, i * sides + k, (i + 1) * sides + k, (i + 1) * sides + j], axis=1)
+    low = i * sides
+    faces = np.stack([low + j, low + k, low + sides + k, low + sides + j], axis=1)
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=1), faces
 
 

@@ -28,7 +28,8 @@ from . import (
 
 _CLASSES = (
     *preferences.CLASSES, *operators_region.CLASSES, *operators_edit.CLASSES,
-    *operators_grab.CLASSES, *operators_surface.CLASSES, *operators_recipe.CLASSES, *operators_bake.CLASSES, *panel.CLASSES,
+    *operators_grab.CLASSES, *operators_surface.CLASSES, *operators_recipe.CLASSES,
+    *operators_bake.CLASSES, *panel.CLASSES,
 )
 
 
