@@ -1,5 +1,7 @@
-"""Edits in a window by mouse and keys: the surface follows a drag, settles and is undone; Esc cancels."""
+"""Edits in a window by mouse and keys: the surface follows a drag or grab, settles and is undone; Esc
+cancels."""
 
+import json
 import os
 import sys
 import threading
@@ -88,6 +90,8 @@ def story():
     yield from until("there is a shape key", lambda: bpy.data.objects[name].data.shape_keys)
     assert not bpy.data.objects[name].lapwing.is_live
 
+    yield from grab_story(window)
+
     # Esc cancels a long operation and leaves the mesh unchanged.
     with window.context():
         source = scene.add_mesh("Source", *scene.grid(150, lambda x, y: 0.02 * np.sin(40 * x)))
@@ -108,6 +112,56 @@ def story():
     with window.context():
         bpy.ops.lapwing.coat("INVOKE_DEFAULT", **COAT)
     yield from until("the coat is there", lambda: "lapwing_edits" in bpy.data.objects["Target"])
+
+
+def grab_story(window):
+    """The mouse grabs a mesh in the middle of the view, and undo takes it back in one step."""
+    with window.context():
+        for obj in list(bpy.data.objects):
+            obj.hide_set(True)
+        obj = scene.add_mesh("Sheet", *scene.grid(40, lambda x, y: 0.02 * np.sin(9 * x)))
+        bpy.ops.view3d.view_axis(type="TOP")
+        bpy.ops.view3d.view_selected()
+        bpy.ops.ed.undo_push(message="sheet")
+    sheet = lambda: bpy.data.objects["Sheet"]
+    shown = lambda: coordinates(sheet().data.vertices)
+    rest = shown()
+    moved = lambda: np.flatnonzero((shown() != rest).any(axis=1))
+    yield
+
+    def drag():
+        with window.context():
+            bpy.ops.lapwing.grab("INVOKE_DEFAULT")
+        yield
+        window.event("LEFTMOUSE", "PRESS")
+        yield
+        for _ in range(4):
+            window.move_mouse(0, 10)
+            yield
+        yield from until("the surface follows the mouse", lambda: len(moved()) > 0)
+
+    yield from drag()
+    small = len(moved())
+    for _ in range(5):
+        window.press("WHEELUPMOUSE")
+        yield
+    yield from until("a larger brush moves more", lambda: len(moved()) > 1.3 * small)
+    window.event("LEFTMOUSE", "RELEASE")
+    yield from until("the grab is kept", lambda: "lapwing_edits" in sheet())
+    assert "lapwing_rest" not in sheet().data.attributes
+    handle = json.loads(sheet()["lapwing_edits"])[0]["steps"][0]["handles"][0]
+    pull = np.array(handle["move"]["matrix"]).reshape(4, 4)[:3, 3]
+    assert abs(pull[2]) < 1e-3 * np.linalg.norm(pull), "it moves in the plane of the view"
+    window.press("Z", ctrl=True)
+    yield from until("undo takes the grab back in one step", lambda: len(moved()) == 0)
+    assert "lapwing_edits" not in sheet()
+
+    yield from drag()
+    window.press("ESC")
+    yield from until("Esc cancels", lambda: len(moved()) == 0)
+    window.event("LEFTMOUSE", "RELEASE")
+    yield
+    assert "lapwing_edits" not in sheet()
 
 
 def tell(steps):

@@ -77,6 +77,41 @@ def test_a_transplant_has_the_hosts_vertices_first():
         lapwing.transplant(host, target_region=hole)
 
 
+def vase(sides=48, rings=81):
+    """Returns a tube of radius 1 about the z axis that widens to radius 6 between z = 20 and 24."""
+    z, angle = (a.ravel() for a in np.meshgrid(
+        np.linspace(0.0, 40.0, rings), np.arange(sides) * 2 * np.pi / sides, indexing="ij"))
+    radius = 1.0 + 5.0 * np.clip((z - 20.0) / 4.0, 0.0, 1.0)
+    i, j = (a.ravel() for a in np.meshgrid(np.arange(rings - 1), np.arange(sides), indexing="ij"))
+    k = (j + 1) % sides
+    low = i * sides
+    faces = np.stack([low + j, low + k, low + sides + k, low + sides + j], axis=1)
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=1), faces
+
+
+def test_a_grabbed_region_ends_where_the_limb_joins_the_body():
+    V, F = vase()
+    tip = int(np.argmin(np.linalg.norm(V - [1.0, 0.0, 2.0], axis=1)))
+    grab = lapwing.grab_region((V, F), tip, 2.5)
+    assert grab.is_limb and grab.radius == pytest.approx(18.0, abs=2.0)
+    assert V[grab.vertices][:, 2].max() < 24.0
+    assert set(np.flatnonzero(V[:, 2] == 0.0)) <= set(grab.vertices), "the rim is cut off"
+    half = lapwing.grab_region(V, tip, 2.5, faces=F, factor=0.5)
+    assert half.radius == pytest.approx(0.5 * grab.radius)
+    hand = {"disk": {"center": tip, "radius": 1.0}}
+    result = lapwing.deform(V, F, roi=grab.vertices, handles=[(hand, {"translate": [3, 0, 0]})])
+    assert result.vertices[tip, 0] - V[tip, 0] == pytest.approx(3.0, abs=0.05)
+    outside = np.setdiff1d(np.arange(len(V)), grab.vertices)
+    np.testing.assert_array_equal(result.vertices[outside], V[outside])
+
+
+def test_a_grab_needs_a_vertex_and_a_radius(sheet):
+    for vertex, radius, words in ((10**6, 1.0, "belongs to no triangle"), (0, -1.0, "positive"),
+                                  (-1, 1.0, "vertex number from 0")):
+        with pytest.raises(lapwing.InputError, match=words):
+            lapwing.grab_region(sheet, vertex, radius)
+
+
 def test_check_and_fix():
     corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0], [5, 5, 5]]
     found = lapwing.check(corners, [[0, 1, 2], [3, 4, 5]])

@@ -100,6 +100,67 @@ TEST_F(AnEditor, AGrabThatMovesNothingIsNoStep) {
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
 }
 
+TEST_F(AnEditor, ChoosesAllOfThePartThatTheToolInHandChooses) {
+  const EditSelection& selection = editor_->state().selection;
+  editor_->take(Action::take_disk);
+  editor_->choose(kHandle);
+  EXPECT_TRUE(perform_on(*editor_, Action::select_all));
+  EXPECT_EQ(selection.handles.at(0).vertices, selection.roi.vertices);
+  EXPECT_EQ(editor_->part(), kHandle);
+  editor_->undo();
+  // The gizmo chooses nothing.
+  editor_->take(Action::take_move);
+  const VertexSet handle = selection.handles.at(0).vertices;
+  EXPECT_TRUE(perform_on(*editor_, Action::select_all));
+  EXPECT_EQ(selection.roi.vertices.size(), rest().size());
+  EXPECT_EQ(selection.handles.at(0).vertices, handle);
+}
+
+TEST_F(AnEditor, GoesOnToTheHandleAfterAllOfTheRegion) {
+  editor_->perform(NewEdit{});
+  editor_->take(Action::take_ruler);
+  EXPECT_TRUE(perform_on(*editor_, Action::select_all));
+  EXPECT_EQ(editor_->state().selection.roi.vertices.size(), rest().size());
+  EXPECT_EQ(editor_->part(), kHandle);
+  EXPECT_EQ(editor_->row()->action, Action::take_disk);
+}
+
+TEST_F(AnEditor, CarriesOutTheRemediesOfWarnings) {
+  turn_and_settle(20.0);
+  const std::size_t before = editor_->state().selection.roi.vertices.size();
+  const std::vector<HandleMove> moves = editor_->state().moves;
+  editor_->carry_out(Remedy::enlarge_region);
+  wait_until_ready();
+  EXPECT_GT(editor_->state().selection.roi.vertices.size(), before);
+  EXPECT_EQ(editor_->state().moves, moves);
+  EXPECT_NE(editor_->state().settled, nullptr) << "refined in the larger region";
+  EXPECT_EQ(editor_->session().history().names().back(), "Enlarge region");
+  editor_->carry_out(Remedy::undo);
+  EXPECT_EQ(editor_->state().selection.roi.vertices.size(), before);
+  const int iterations = editor_->state().parameters.settle->max_iterations;
+  editor_->carry_out(Remedy::raise_iterations);
+  EXPECT_EQ(editor_->state().parameters.settle->max_iterations, 2 * iterations);
+  editor_->carry_out(Remedy::hold_exactly);
+  EXPECT_TRUE(editor_->state().parameters.hard);
+  editor_->carry_out(Remedy::select_region);
+  EXPECT_EQ(editor_->part(), kRoi);
+  EXPECT_TRUE(editor_->chooses_parts());
+}
+
+TEST_F(AnEditor, SelectsOnlyWhatIsSeenAtFirst) {
+  EXPECT_FALSE(editor_->paint_tool().options().through);
+}
+
+TEST_F(AnEditor, KnowsWhetherSomethingHoldsTheSurface) {
+  EXPECT_FALSE(editor_->moves_as_a_whole());
+  editor_->perform(Choose{kRoi, {AllVertices{}}});
+  EXPECT_FALSE(editor_->moves_as_a_whole()) << "the rim at the foot is the belt";
+  editor_->perform(Choose{kBelt, listed({})});
+  EXPECT_TRUE(editor_->moves_as_a_whole());
+  editor_->perform(Choose{kSecondHandle, box(0.0, 0.2)});
+  EXPECT_FALSE(editor_->moves_as_a_whole());
+}
+
 TEST_F(AnEditor, TakesTheDiskWhenAPartIsChosenAndNoToolInHandChoosesParts) {
   ASSERT_TRUE(editor_->take(Action::take_grab));
   EXPECT_FALSE(editor_->chooses_parts());

@@ -62,6 +62,13 @@ TEST(Guide, HasTheStepOfItsWords) {
   EXPECT_EQ(guide.current, guide.count) << "no step selects the fixed border";
 }
 
+TEST(Guide, OfAPinIsAboutTheHandle) {
+  const PinTool pin;
+  const Guide guide = guide_of(open_state(bumpy_tube()), kHandle, pin, false);
+  EXPECT_EQ(guide.steps.at(guide.current).name, std::string("Handle"));
+  EXPECT_THAT(guide.what, HasSubstr("pin"));
+}
+
 TEST(Guide, OfAPaintedPartSaysThatEnterGoesOn) {
   const PaintTool paint;
   AppState state = open_state(bumpy_tube());

@@ -73,6 +73,15 @@ class Guides : public ::testing::Test {
     viewer_->send({.kind = InputKind::move, .position = place});
     viewer_->look_at();
   }
+  // Into the field that has the keyboard.
+  void type_number(const std::string& number) {
+    for (const char letter : number) {
+      viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
+      viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
+    }
+    viewer_->send({.kind = InputKind::key, .key = kEnter});
+    viewer_->look_at();
+  }
   void expect_in_menu(const std::string& menu, const std::string& keys) {
     viewer_->click(menu);
     EXPECT_TRUE(viewer_->says(keys)) << menu << " does not say " << keys;
@@ -165,6 +174,53 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   viewer_->wait_for([&] { return !document.transplant.is_open(); }, "the part is applied");
   ASSERT_NE(document.editor.row(), nullptr);
   EXPECT_EQ(document.editor.row()->action, Action::take_disk);
+  EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+}
+
+TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
+  const auto drag_source = [&] {
+    const auto& [width, height] = viewer_->look().size;
+    const Eigen::Vector2d source(0.45 * width, 0.55 * height);
+    viewer_->drag(source, source + Eigen::Vector2d(60.0, 0.0));
+  };
+  const Document& document = *viewer_->app().document();
+  for (const int key : {static_cast<int>('K'), static_cast<int>('M')}) {
+    viewer_->key(key, kControl);
+    viewer_->wait_for([&] { return viewer_->says("ource: "); }, "the source is there");
+    choose_roi();
+    for (std::size_t k = 0; k < document.desk.draft().source_count(); ++k) {
+      if (k > 0) viewer_->key('K', {.shift = true});
+      drag_source();
+    }
+    viewer_->key('M');
+    ASSERT_EQ(document.editor.row()->action, Action::take_move);
+    viewer_->key(kEnter, kControl);
+    viewer_->wait_for([&] { return !document.desk.is_open(); }, "the step is applied");
+    EXPECT_EQ(document.editor.row()->action, Action::take_disk);
+    EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+  }
+  EXPECT_EQ(document.editor.state().steps.size(), 2U);
+}
+
+TEST_F(Guides, SayThatNothingHoldsTheSurface) {
+  write_mesh(icosphere(3), folder_ / "ball.obj");
+  viewer_->open(folder_ / "ball.obj");
+  viewer_->wait_for([&] { return viewer_->says("642 vertices"); }, "the ball is open");
+  viewer_->key('A', kControl);
+  drag_disk(20.0);
+  expect_says("Nothing holds the surface");
+  viewer_->click("Select fixed border");
+  EXPECT_EQ(viewer_->app().document()->editor.part().role, Part::Role::belt);
+  viewer_->key('A', kControl);
+  viewer_->look_at();
+  EXPECT_FALSE(viewer_->says("Nothing holds the surface"));
+}
+
+TEST_F(Guides, NameTheStepAtUndoAndRedo) {
+  choose_roi();
+  expect_at("Undo", "Undo: Region: disk");
+  viewer_->key('Z', kControl);
+  expect_at("Redo", "Redo: Region: disk");
 }
 
 TEST_F(Guides, SayThatACutNeedsARegionAndAName) {
@@ -207,14 +263,32 @@ TEST_F(Guides, ANumberMayHaveAnExponent) {
   viewer_->key('M');
   viewer_->click("Selection");
   viewer_->click("0?");  // the reader of the screen knows no degree sign
-  for (const char letter : std::string("1e-3")) {
-    viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
-    viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
-  }
-  viewer_->send({.kind = InputKind::key, .key = kEnter});
-  viewer_->look_at();
+  type_number("1e-3");
   const AppState& state = viewer_->app().document()->editor.state();
   EXPECT_DOUBLE_EQ(turn_of(state.moves.at(0).move).degrees, 1e-3);
+}
+
+TEST_F(Guides, AScaleIsTypedForEachAxis) {
+  choose_roi();
+  viewer_->key('H');
+  drag_disk(20.0);
+  viewer_->key('M');
+  viewer_->click("Selection");
+  // The field is right of the last Z: rows of the move and the rotation's axis have one, too.
+  const auto axis = find_text(viewer_->look_at(), "Z");
+  ASSERT_TRUE(axis);
+  const Eigen::Vector2d field(axis->max.x + 30.0F, axis->middle().y);
+  for (const InputKind kind : {InputKind::move, InputKind::press, InputKind::release}) {
+    const bool is_move = kind == InputKind::move;
+    viewer_->send({.kind = kind,
+                   .position = field,
+                   .button = is_move ? MouseButton::none : MouseButton::left});
+  }
+  viewer_->send({.kind = InputKind::key, .modifiers = kControl, .key = 'A'});
+  type_number("2");
+  const Move& move = viewer_->app().document()->editor.state().moves.at(0).move;
+  ASSERT_TRUE(std::holds_alternative<SimilarityMove>(move));
+  EXPECT_EQ(std::get<SimilarityMove>(move).scale, Eigen::Vector3d(1.0, 1.0, 2.0));
 }
 
 TEST_F(Guides, TheTitleFollowsSaveAs) {

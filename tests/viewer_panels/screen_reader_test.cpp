@@ -84,6 +84,20 @@ TEST_F(ScreenReader, FindsTheWordsAtTheCursorInsideTheWindow) {
   }
 }
 
+TEST_F(ScreenReader, FindsLongWordsAtTheCursorInSeveralLines) {
+  const auto texts = read(100.0F, [&] {
+    draw_words(*ImGui::GetForegroundDrawList(), {390.0, 290.0},
+               "Rotate 270 degrees about local X: the surface may rotate the other way. Rotate in "
+               "several steps.");
+  });
+  EXPECT_GT(texts.size(), 2U);
+  for (const ShownText& text : texts) {
+    EXPECT_FALSE(text.is_cut) << text.words;
+    EXPECT_LE(text.max.x, 400.0F) << text.words;
+    EXPECT_LE(text.max.y, 300.0F) << text.words;
+  }
+}
+
 TEST_F(ScreenReader, MeasuresContrast) {
   const auto contrast = [&](float ink, float ground) {
     const auto texts = read(300.0F, [&] {

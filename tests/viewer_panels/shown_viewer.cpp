@@ -194,7 +194,23 @@ void ShownViewer::place_mouse(const ImVec2& at) {
   for (int k = 0; k < kFramesPerChange; ++k) lay_out();
 }
 
+void ShownViewer::scroll_to(const std::string& words) {
+  const auto scroll = [this](float notches) {
+    place_mouse({0.1F * static_cast<float>(look_.size.width),
+                 0.25F * static_cast<float>(look_.size.height)});
+    ImGui::GetIO().MouseWheel = notches;
+    lay_out();
+    place_mouse({-1.0F, -1.0F});  // a tooltip could hide the words
+  };
+  if (find_text(look_at(), words)) return;
+  scroll(1000.0F);
+  if (find_text(look_at(), words)) return;
+  for (int k = 0; k < 100 && !find_text(look_at(), words); ++k) scroll(-0.5F);
+  scroll(-0.3F);  // away from the lower edge
+}
+
 void ShownViewer::point_at(const std::string& words) {
+  scroll_to(words);
   const auto text = find_text(look_at(), words);
   ASSERT_TRUE(text.has_value()) << "nothing says " << words << "; there is" << all_texts();
   place_mouse(text->middle());

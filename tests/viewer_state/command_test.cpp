@@ -229,6 +229,19 @@ TEST(Command, DragMustSettleBeforeSomethingElseIsChosen) {
   EXPECT_THROW(apply(state, Commit{}), InputError);
 }
 
+TEST(Command, ALargerRegionKeepsTheMovesAndDiscardsTheResult) {
+  const AppState before = settled_tube();
+  const VertexSet all = resolve({AllVertices{}}, *before.rest);
+  const AppState after = apply(before, EnlargeRoi{subtract(all, before.selection.roi.vertices)});
+  EXPECT_EQ(after.selection.roi.vertices, all);
+  EXPECT_EQ(after.selection.handles, before.selection.handles);
+  EXPECT_EQ(after.moves, before.moves);
+  EXPECT_EQ(after.rest, before.rest);
+  EXPECT_TRUE(after.steps.empty());
+  EXPECT_TRUE(needs_settling(after));
+  EXPECT_EQ(apply(before, EnlargeRoi{}).settled, before.settled) << "nothing was added";
+}
+
 TEST(Command, WhatDoesNotFitIsRefused) {
   const AppState state = chosen_tube();
   EXPECT_THROW(apply(state, RemoveHandle{1}), InputError);
@@ -243,6 +256,7 @@ TEST(Command, StepsHaveNames) {
   EXPECT_EQ(describe(Choose{kRoi, box(0, 1)}), "Region: box");
   EXPECT_EQ(describe(Paint{kHandle, {1}, {}}), "Paint handle 1");
   EXPECT_EQ(describe(Paint{kBelt, {}, {1}}), "Erase fixed border");
+  EXPECT_EQ(describe(EnlargeRoi{{1}}), "Enlarge region");
   EXPECT_EQ(describe(SetBeltWidth{0.1}), "Fixed border: 10%");
   EXPECT_EQ(describe(MoveHandle{0, twisted(270.0)}), "Move handle 1, rotate 270°");
 }

@@ -72,6 +72,14 @@ TEST_F(AGizmoTool, KeysAxisAndNumberSayTheMove) {
   EXPECT_LT((translation(performed(send(key(kEnter)))) - Vector3d(0, 0, -1.25)).norm(), 1e-12);
 }
 
+TEST_F(AGizmoTool, TypedNumberMayHaveAnExponent) {
+  send(key('G'));
+  send(key('X'));
+  type("e2e-1");
+  EXPECT_LT((translation(performed(send(key(kEnter)))) - Vector3d(0.2, 0, 0)).norm(), 1e-12)
+      << "a number does not begin with an exponent";
+}
+
 TEST_F(AGizmoTool, TypedTurnKeepsWholeTurns) {
   send(key('R'));
   send(key('Z'));

@@ -146,6 +146,18 @@ TEST(History, AGestureOfTwoCommandsIsOneStep) {
   EXPECT_TRUE(same(history.state(), after));
 }
 
+TEST(History, APulledGrabIsNamedAGrab) {
+  History history(chosen_tube());
+  history.perform(Grab{box(0.6, 4.0), box(3.0, 4.0), {}});
+  history.perform(MoveHandle{0, bent()}, Joining::with_last);
+  history.perform(Settle{handles_alone(history.state())});
+  EXPECT_THAT(history.names(), ElementsAre("Grab"));
+  history.undo();
+  history.redo();
+  history.perform(MoveHandle{0, twisted(20.0)});
+  EXPECT_EQ(history.name(0), "Grab");
+}
+
 TEST(History, JoinedStepsKnowWhatWasSaved) {
   History history = drag_and_settle();
   history.perform(Choose{kSecondHandle, listed({100})});

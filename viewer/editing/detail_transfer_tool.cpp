@@ -79,6 +79,9 @@ void DetailTransferTool::close(Editor& editor) {
   reading_.reset();
   is_to_read_ = {};
   for (auto& view : views_) view.reset();
+  start_.reset();
+  committed_.reset();
+  committed_from_.reset();
   previewed_.reset();
   editor.shown().end_preview();
 }
@@ -183,7 +186,7 @@ void DetailTransferTool::update(Editor& editor) {
     applies_ = false;
     if (editor.state().steps != steps_before_) {
       close(editor);
-      editor.take(Action::take_disk);
+      editor.begin_choosing({Part::Role::roi});
       return;
     }
   }

@@ -314,12 +314,43 @@ bool Editor::handles_leave_roi() const {
 
 void Editor::enlarge_roi() {
   const EditSelection& selection = state().selection;
+  const VertexSet& roi = selection.roi.vertices;
+  const auto& rings = surface_of(state())->topology().rings;
   VertexSet wanted;
-  for (const ChosenRegion& handle : selection.handles) wanted = unite(wanted, handle.vertices);
-  for (int ring = 0; ring < kRingsAroundHandle; ++ring) {
-    wanted = with_ring_neighbours(wanted, surface_of(state())->topology().rings);
+  if (handles_leave_roi()) {
+    for (const ChosenRegion& handle : selection.handles) wanted = unite(wanted, handle.vertices);
+    for (int ring = 0; ring < kRingsAroundHandle; ++ring) {
+      wanted = with_ring_neighbours(wanted, rings);
+    }
+  } else {
+    wanted = roi;
+    for (std::size_t before = 0; before < wanted.size() && 2 * wanted.size() < 3 * roi.size();) {
+      before = wanted.size();
+      wanted = with_ring_neighbours(wanted, rings);
+    }
   }
-  perform(Paint{{Role::roi}, subtract(wanted, selection.roi.vertices), {}});
+  perform(EnlargeRoi{subtract(wanted, roi)});
+}
+
+void Editor::carry_out(Remedy remedy) {
+  EditParameters parameters = state().parameters;
+  switch (remedy) {
+    case Remedy::enlarge_region:
+      return enlarge_roi();
+    case Remedy::select_region:
+      return begin_choosing({Role::roi});
+    case Remedy::raise_iterations:
+      if (!parameters.settle) return;
+      parameters.settle->max_iterations *= 2;
+      perform(SetParameters{parameters});
+      return;
+    case Remedy::hold_exactly:
+      parameters.hard = true;
+      perform(SetParameters{parameters});
+      return;
+    case Remedy::undo:
+      return undo();
+  }
 }
 
 void Editor::take(const ToolRow& row) {
@@ -369,6 +400,16 @@ void Editor::go_on() {
     handle_ = part_.handle;
     take(Action::take_move);
   }
+}
+
+void Editor::choose_all() {
+  if (is_dragging()) return;
+  if (waits()) return postpone([this] { choose_all(); });
+  if (!chooses_parts()) choose({Role::roi});
+  change_part(viewer::choose_all);
+  if (part_.role != Role::roi) return;
+  go_on();
+  if (handle_count() == 0) begin_choosing(part_);
 }
 
 std::vector<Index> Editor::selected() const {

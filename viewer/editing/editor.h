@@ -88,10 +88,13 @@ class Editor {
   /// Finds the symmetry plane of the surface and turns mirroring on in this plane. Reports how far
   /// the surface is from its mirror image.
   void mirror_by_shape();
-  /// Returns whether handles have vertices outside the ROI. `enlarge_roi` adds these vertices and
-  /// some rings of neighbours to the ROI.
+  /// Returns whether handles have vertices outside the ROI.
   bool handles_leave_roi() const;
+  /// Adds these vertices and some rings of neighbours to the ROI. If the handles are inside, adds a
+  /// margin of half as many vertices as the ROI has. The handles keep their moves.
   void enlarge_roi();
+  /// Does what a warning advises.
+  void carry_out(Remedy remedy);
 
   const EditSession& session() const { return *session_; }
   EditSession& session() { return *session_; }
@@ -111,12 +114,17 @@ class Editor {
   /// The part that the tools choose.
   const Part& part() const { return part_; }
   void choose(const Part& part);
-  /// Whether the active tool chooses vertices of `part()`.
-  bool chooses_parts() const { return !has_in_hand(tools_.gizmo) && !has_in_hand(tools_.grab); }
+  /// Returns whether the active tool chooses vertices of `part()`.
+  bool chooses_parts() const {
+    return has_in_hand(tools_.disk) || has_in_hand(tools_.loop) || has_in_hand(tools_.paint);
+  }
   /// Calls `choose`, and activates the disk unless the active tool chooses parts.
   void begin_choosing(const Part& part);
   /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
   void go_on();
+  /// Chooses all vertices of the part that the active tool chooses, by default of the ROI. Goes on
+  /// from the ROI to the handle.
+  void choose_all();
 
   GrabTool& grab_tool() { return tools_.grab; }
   PaintTool& paint_tool() { return tools_.paint; }
@@ -138,6 +146,8 @@ class Editor {
   /// Returns the number of vertices of `part`, including those that are being chosen.
   std::size_t count(const Part& part) const;
 
+  /// Returns true if nothing holds the surface against its only handle (`moves_as_a_whole`).
+  bool moves_as_a_whole() const { return moves_as_a_whole_; }
   /// The problems of the result that is shown.
   const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
@@ -215,6 +225,7 @@ class Editor {
   GizmoKeys gizmo_keys_ = GizmoKeys::blender;
   bool picks_pivot_ = false;
 
+  bool moves_as_a_whole_ = false;
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
   double longest_lead_ = 0.0;

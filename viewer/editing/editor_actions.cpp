@@ -19,9 +19,7 @@ struct PartAction {
   Action action;
   std::optional<Command> (*change)(const AppState&, const Part&);
 };
-constexpr std::array kPartActions{PartAction{Action::select_all, choose_all},
-                                  PartAction{Action::clear, clear},
-                                  PartAction{Action::grow, grow},
+constexpr std::array kPartActions{PartAction{Action::clear, clear}, PartAction{Action::grow, grow},
                                   PartAction{Action::shrink, shrink},
                                   PartAction{Action::invert, invert},
                                   PartAction{Action::remove_handle, remove_handle}};
@@ -50,6 +48,9 @@ bool perform_on(Editor& editor, Action action) {
   switch (action) {
     case Action::go_on:
       editor.go_on();
+      return true;
+    case Action::select_all:
+      editor.choose_all();
       return true;
     case Action::new_edit:
       editor.new_edit();

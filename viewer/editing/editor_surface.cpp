@@ -29,6 +29,7 @@ void Editor::state_changed(bool by_result) {
     tools_.disk.reset();
     tools_.loop.reset();
   }
+  moves_as_a_whole_ = viewer::moves_as_a_whole(now);
   warnings_.clear();
   if (const Certificate* certificate = session_->certificate()) {
     warnings_ = warnings_of(*certificate, surface_of(now)->topology());

@@ -58,9 +58,10 @@ Guide guide_of_transplant(const TransplantTool& desk, const Editor& editor) {
   const bool stands = desk.tool().stage() == Stage::set_down;
   Guide guide;
   guide.steps = {{{"Part", desk.has_part()}, {"Place", stands}, {"Apply", false}, {"", false}}};
-  guide.current = stands ? 2 : desk.has_part() ? 1 : 0;
+  const bool is_in_hand = editor.has_in_hand(desk.tool());
+  guide.current = stands && is_in_hand ? 2 : desk.has_part() ? 1 : 0;
   guide.what = !desk.has_part() ? "Reading the part."
-               : !editor.has_in_hand(desk.tool())
+               : !is_in_hand
                    ? "Click \"Place by hand\" in the Transplant tab to continue placing the part."
                    : editor.hint();
   return guide;
@@ -96,7 +97,9 @@ Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplan
     return {.count = 0, .what = editor.hint()};
   }
   const bool moves = editor.has_in_hand(editor.gizmo_tool());
-  return guide_of(editor.state(), editor.part(), editor.tool(), moves);
+  // A pin is a handle, whichever part was chosen before.
+  const Part part = tool == Action::take_pin ? Part{Part::Role::handle} : editor.part();
+  return guide_of(editor.state(), part, editor.tool(), moves);
 }
 
 }  // namespace lapwing::viewer

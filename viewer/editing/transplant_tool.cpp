@@ -314,7 +314,7 @@ void TransplantTool::apply(Editor& editor) {
 // The user goes on with another region.
 void TransplantTool::close_applied(Editor& editor) {
   close(editor);
-  editor.take(Action::take_disk);
+  editor.begin_choosing({Part::Role::roi});
 }
 
 void TransplantTool::release_device() {

@@ -147,7 +147,7 @@ std::vector<ControlLine> gizmo_controls() {
           {"X, Y, Z while moving",
            "Constrain to an axis. Again: switch between local and world axes. Shift: constrain to "
            "a plane"},
-          {"0 to 9, . and - while moving", "Type the value"},
+          {"0 to 9, ., - and e while moving", "Type the value"},
           {"Ctrl while moving", "Snap to increments"},
           {"Enter or click, Escape or right click", "Confirm, cancel"},
           {"W, E, Q", "Gizmo to move, rotate, scale"}};

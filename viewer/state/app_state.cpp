@@ -130,6 +130,16 @@ std::shared_ptr<const Mesh> surface_of(const AppState& state) {
   return {state.joined, &state.joined->surface};
 }
 
+bool moves_as_a_whole(const AppState& state) {
+  const EditSelection& selection = state.selection;
+  const VertexSet& roi = selection.roi.vertices;
+  if (selection.handles.size() != 1 || roi.empty() || !selection.belt.vertices.empty() ||
+      selection.mirror) {
+    return false;
+  }
+  return with_ring_neighbours(roi, surface_of(state)->topology().rings).size() == roi.size();
+}
+
 bool is_moved(const AppState& state) {
   return any_moved(state.moves);
 }

@@ -209,6 +209,14 @@ struct Applier {
     VertexSet vertices = subtract(unite(before.vertices, command.added), command.removed);
     replace(command.part, repainted(before, std::move(vertices)));
   }
+  void operator()(const EnlargeRoi& command) const {
+    require_vertices(state, command.added);
+    const ChosenRegion& before = state.selection.roi;
+    VertexSet vertices = unite(before.vertices, command.added);
+    if (vertices.size() == before.vertices.size()) return;
+    replace({Part::Role::roi}, repainted(before, std::move(vertices)));
+    state.settled = nullptr;
+  }
   void operator()(const Grab& command) const {
     require_falloff_here(state, command.falloff, "handle");
     (*this)(NewEdit{});
@@ -411,6 +419,7 @@ struct CommandDescriber {
                                                : "Change ";
     return verb + name_of(command.part);
   }
+  std::string operator()(const EnlargeRoi&) const { return "Enlarge region"; }
   std::string operator()(const Grab&) const { return "Grab"; }
   std::string operator()(const SetFalloff& command) const {
     const Falloff& falloff = command.falloff;

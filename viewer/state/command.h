@@ -31,6 +31,12 @@ struct Paint {
   VertexSet removed;
 };
 
+/// Adds vertices to the ROI of the open edit. Unlike Paint, this does not commit: the handles'
+/// moves stay.
+struct EnlargeRoi {
+  VertexSet added;
+};
+
 /// Begins another edit with this region and one handle.
 struct Grab {
   ChosenRegion roi;
@@ -112,9 +118,9 @@ struct Revise {
 };
 
 /// One action of a user, a test or a recipe.
-using Command = std::variant<Choose, Paint, Grab, SetFalloff, RemoveHandle, SetBeltWidth, SetMirror,
-                             MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
-                             CarryAlong, StopCarrying, Apply, Revise>;
+using Command = std::variant<Choose, Paint, EnlargeRoi, Grab, SetFalloff, RemoveHandle,
+                             SetBeltWidth, SetMirror, MoveHandle, MoveHandles, Settle, Commit,
+                             NewEdit, SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
 
 template <class... Kinds>
 bool is_one_of(const Command& command) {
@@ -123,9 +129,9 @@ bool is_one_of(const Command& command) {
 
 /// Returns the state after `command`. Choose, Paint, RemoveHandle, NewEdit and Apply commit first,
 /// so that regions are chosen on the visible surface. If the ROI changes, vertices outside it are
-/// removed from the handles and from a belt that the user has chosen. If moves, falloffs,
-/// parameters, mirror, belt width or carried files change, the rest shape stays and the result is
-/// discarded. Throws the errors of `resolve`. Throws InputError if the state does not allow the
+/// removed from the handles and from a belt that the user has chosen. EnlargeRoi and changes of
+/// moves, falloffs, parameters, mirror, belt width or carried files keep the rest shape and discard
+/// the result. Throws the errors of `resolve`. Throws InputError if the state does not allow the
 /// command, for example a choice while the result of a drag is not yet computed.
 AppState apply(AppState state, const Command& command);
 

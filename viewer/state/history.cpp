@@ -17,7 +17,10 @@ void History::perform(const Command& command, Joining joining) {
   } else if (joining == Joining::own_step) {
     record(describe(command), state_, std::move(after));
   } else {
-    replace_last(describe(command), std::move(after));
+    // The pull of a grab is part of the grab.
+    const std::string grab = describe(Grab{});
+    const bool is_pull = joining == Joining::with_last && steps_[done_ - 1].name == grab;
+    replace_last(is_pull ? grab : describe(command), std::move(after));
   }
 }
 

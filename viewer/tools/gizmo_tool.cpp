@@ -41,8 +41,10 @@ std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
   return std::nullopt;
 }
 
-bool belongs_to_number(char32_t c) {
-  return (c >= U'0' && c <= U'9') || c == U'.' || c == U'-';
+// Returns whether the character may follow `typed`. An exponent needs a digit before it.
+bool continues_number(const std::string& typed, char32_t c) {
+  if ((c >= U'0' && c <= U'9') || c == U'.' || c == U'-') return true;
+  return (c == U'e' || c == U'E') && typed.find_first_of("0123456789") != std::string::npos;
 }
 
 }  // namespace
@@ -150,7 +152,7 @@ ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const ToolScene& 
 
 ToolAnswer GizmoTool::handle_text(const InputEvent& event, const ToolScene& scene) {
   if (!drag_) return ToolAnswer::passed_on();
-  if (belongs_to_number(event.text)) {
+  if (continues_number(typed_, event.text)) {
     typed_ += static_cast<char>(event.text);
     renew(scene);
   }

@@ -75,15 +75,16 @@ SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
 
 void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   SurfaceStyle& style = choices.style;
+  const float right = right_end();
   ImGui::Checkbox("Wireframe", &style.wireframe);
   ImGui::SameLine();
   ImGui::Checkbox("Flat", &style.flat);
-  ImGui::SameLine();
+  stay_on_line(button_width("Original") + ImGui::GetFrameHeight(), right);
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Original", &before)) editor.show_before(before);
   explain("Shows the mesh as it was opened.", "Shortcut: C");
   if (editor.shown().has_file_colors()) {
-    ImGui::SameLine();
+    stay_on_line(button_width("File colours") + ImGui::GetFrameHeight(), right);
     ImGui::Checkbox("File colours", &style.file_colors);
   }
   label_field("Feature angle");
@@ -117,20 +118,19 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
 }
 
 void draw_preferences_panel(Preferences& preferences) {
+  const float right = right_end();
   choose("Theme", preferences.theme, {{"Dark", Theme::dark}, {"Light", Theme::light}});
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Mouse navigation");
   for (const Keymap& keymap : keymaps()) {
     const std::string name(keymap.name);
-    stay_on_line(ImGui::CalcTextSize(name.c_str()).x + 1.5F * ImGui::GetFrameHeight(), right_end());
-    if (ImGui::RadioButton(name.c_str(), preferences.mouse == name)) preferences.mouse = name;
+    if (radio_on_line(name.c_str(), preferences.mouse == name, right)) preferences.mouse = name;
   }
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("Unit");
   for (const char* unit : {"", "mm", "cm", "m", "in"}) {
-    ImGui::SameLine();
     const char* name = *unit == '\0' ? "None" : unit;
-    if (ImGui::RadioButton(name, preferences.unit == unit)) preferences.unit = unit;
+    if (radio_on_line(name, preferences.unit == unit, right)) preferences.unit = unit;
     explain("Shown after lengths. Files store numbers without a unit.");
   }
   ImGui::Checkbox("Show guide", &preferences.shows_guide);

@@ -11,8 +11,10 @@
 namespace lapwing::viewer {
 namespace {
 
-void draw_lines(const char* id, const std::vector<ControlLine>& lines) {
+// Text wraps at `right`, in the window's coordinates.
+void draw_lines(const char* id, const std::vector<ControlLine>& lines, float right) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) return;
+  ImGui::PushTextWrapPos(right);
   for (const ControlLine& line : lines) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -20,6 +22,7 @@ void draw_lines(const char* id, const std::vector<ControlLine>& lines) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(line.what.c_str());
   }
+  ImGui::PopTextWrapPos();
   ImGui::EndTable();
 }
 
@@ -99,11 +102,13 @@ void draw_controls_list(const Keymap& keymap, bool& open) {
       "Controls", &open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   if (shown) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = 0.95F * all.x - style.WindowPadding.x - style.ScrollbarSize;
     ImGui::TextDisabled("Mouse navigation: %s", std::string(keymap.name).c_str());
-    draw_lines("mouse", mouse_controls(keymap));
+    draw_lines("mouse", mouse_controls(keymap), right);
     ImGui::Spacing();
     ImGui::TextDisabled("Keys");
-    draw_lines("keys", key_controls());
+    draw_lines("keys", key_controls(), right);
   }
   ImGui::End();
 }

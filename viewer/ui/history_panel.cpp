@@ -6,14 +6,32 @@
 #include "ui/widgets.h"
 
 namespace lapwing::viewer {
+namespace {
+
+// Draws a button that goes one step through the history. Its tooltip names the step, if there is
+// one.
+bool draw_step_button(const char* label, Action action, const std::string* step) {
+  const bool pressed = ImGui::Button(label);
+  if (step == nullptr) {
+    explain(action);
+  } else if (ImGui::IsItemHovered()) {  // or else the words would be allocated in every frame
+    explain(label + (": " + *step), "Shortcut: " + control_of(action).how);
+  }
+  return pressed;
+}
+
+}  // namespace
 
 std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& drafts) {
   const History& history = editor.session().history();
-  if (ImGui::Button("Undo")) editor.undo();
-  explain(Action::undo);
+  const std::size_t done = history.done();
+  if (draw_step_button("Undo", Action::undo, done > 0 ? &history.name(done - 1) : nullptr)) {
+    editor.undo();
+  }
   ImGui::SameLine();
-  if (ImGui::Button("Redo")) editor.redo();
-  explain(Action::redo);
+  if (draw_step_button("Redo", Action::redo, history.can_redo() ? &history.name(done) : nullptr)) {
+    editor.redo();
+  }
   std::optional<PathPurpose> purpose;
   const float right = right_end();
   stay_on_line(button_width("Save recipe"), right);

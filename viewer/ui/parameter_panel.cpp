@@ -84,13 +84,13 @@ void ParameterPanel::boolean(const StepKey& key, bool& value) {
 void ParameterPanel::choose(const StepKey& key, std::size_t& chosen,
                             const std::vector<std::string_view>& names) {
   const std::string label = label_of(key);
+  const float right = right_end();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label.c_str());
   explain_key(key);
   ImGui::PushID(label.c_str());
   for (std::size_t k = 0; k < names.size(); ++k) {
-    ImGui::SameLine();
-    if (!ImGui::RadioButton(choice_in_words(names[k]).c_str(), chosen == k)) continue;
+    if (!radio_on_line(choice_in_words(names[k]).c_str(), chosen == k, right)) continue;
     chosen = k;
     edited_ = chosen_ = true;
   }

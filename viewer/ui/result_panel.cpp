@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstdio>
 #include <imgui.h>
+#include <optional>
+#include <utility>
 
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -78,6 +80,14 @@ void draw_progress(Editor& editor) {
   ImGui::TextDisabled("%s", words_of_surface(editor));
 }
 
+void draw_missing_hold(Editor& editor) {
+  draw_colored(Tone::warning,
+               "Nothing holds the surface, so it moves as a whole with the handle. Select a fixed "
+               "border, add a second handle, or select a smaller region.");
+  if (ImGui::SmallButton("Select fixed border")) editor.begin_choosing({Part::Role::belt});
+  explain(Action::choose_belt);
+}
+
 // Draws one number of the certificate, in half a line.
 void draw_number(const char* label, const char* format, double number, const char* meaning) {
   ImGui::TableNextColumn();
@@ -111,13 +121,26 @@ void draw_numbers(const Editor& editor, const Certificate& certificate) {
   ImGui::EndTable();
 }
 
-// Returns true if the user wants to see the warning's vertices.
-bool draw_warning(const CertificateWarning& warning) {
+struct WarningWish {
+  bool show = false;  // the warning's vertices
+  std::optional<Remedy> remedy;
+};
+
+WarningWish draw_warning(const CertificateWarning& warning) {
+  WarningWish wish;
   draw_colored(Tone::warning, warning.text);
-  if (warning.vertices.empty()) return false;
-  const bool pressed = ImGui::SmallButton("Show");
-  explain("Frames these vertices and marks them.");
-  return pressed;
+  const float right = right_end();
+  if (!warning.vertices.empty()) {
+    wish.show = ImGui::SmallButton("Show");
+    explain("Frames these vertices and marks them.");
+  }
+  bool first = warning.vertices.empty();
+  for (const Remedy remedy : warning.remedies) {
+    if (!std::exchange(first, false)) stay_on_line(button_width(label_of(remedy)), right);
+    if (ImGui::SmallButton(label_of(remedy))) wish.remedy = remedy;
+    explain(explanation_of(remedy));
+  }
+  return wish;
 }
 
 }  // namespace
@@ -125,6 +148,7 @@ bool draw_warning(const CertificateWarning& warning) {
 ResultWish draw_result_panel(Editor& editor, bool points) {
   ResultWish wish;
   draw_progress(editor);
+  if (editor.moves_as_a_whole()) draw_missing_hold(editor);
   if (points) {
     wish.back = ImGui::SmallButton("Previous view");
     explain("Returns to the view before \"Show\".", "Shortcut: Escape");
@@ -132,12 +156,16 @@ ResultWish draw_result_panel(Editor& editor, bool points) {
   const Certificate* certificate = editor.session().certificate();
   if (certificate == nullptr) return wish;
   draw_numbers(editor, *certificate);
+  std::optional<Remedy> remedy;
   int number = 0;
   for (const CertificateWarning& warning : editor.warnings()) {
     ImGui::PushID(number++);
-    if (draw_warning(warning)) wish.show = warning.vertices;
+    const WarningWish of_warning = draw_warning(warning);
+    if (of_warning.show) wish.show = warning.vertices;
+    if (of_warning.remedy) remedy = of_warning.remedy;
     ImGui::PopID();
   }
+  if (remedy) editor.carry_out(*remedy);  // replaces the warnings
   return wish;
 }
 

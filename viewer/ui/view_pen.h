@@ -21,11 +21,12 @@ inline constexpr ImU32 kGround = IM_COL32(20, 20, 24, 225);
 inline constexpr double kThickPt = 2.5;
 
 /// Draws text on a dark background, so that it is legible on any scene. The text moves into the
-/// window if it would leave it.
+/// window if it would leave it, and wraps if it is wider than half of the window.
 inline void draw_words(ImDrawList& list, const Eigen::Vector2d& place, const std::string& words) {
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  const float padding = 0.27F * ImGui::GetFontSize();
   const ImGuiViewport& window = *ImGui::GetMainViewport();
+  const float wrap = 0.5F * window.WorkSize.x;
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap);
+  const float padding = 0.27F * ImGui::GetFontSize();
   const auto inside = [padding](double wanted, float least, float most, float length) {
     return std::max(std::min(static_cast<float>(wanted), most - length - padding), least + padding);
   };
@@ -35,7 +36,7 @@ inline void draw_words(ImDrawList& list, const Eigen::Vector2d& place, const std
   list.AddRectFilled({from.x - padding, from.y - 0.5F * padding},
                      {from.x + size.x + padding, from.y + size.y + 0.5F * padding}, kGround,
                      ImGui::GetStyle().FrameRounding);
-  list.AddText(from, kLine, words.c_str());
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), from, kLine, words.c_str(), nullptr, wrap);
 }
 
 /// Draws over the scene and under the panels. Positions are in pixels of the rendered image, sizes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <iterator>
 #include <utility>
 
 #include "ui/viewer_app.h"
@@ -29,15 +30,29 @@ constexpr Tab kTabs[]{{"Deform", Task::deform}, {"Coat", Task::coat},
                       {"Mix", Task::mix},       {"Transplant", Task::transplant},
                       {"Mesh", Task::mesh},     {"Display", Task::display}};
 
-// Returns the smallest width, in letters of the font, at which no tab's name is cut off.
+// Returns the width of all tabs without the padding beside their names.
+float bare_width_of_tabs() {
+  float width = 0.0F;
+  for (const Tab& tab : kTabs) {
+    width += ImGui::CalcTextSize(tab.name).x + ImGui::GetStyle().ItemInnerSpacing.x + 1.0F;
+  }
+  return width;
+}
+
+// Returns the smallest width of the sidebar, in letters of the font, at which the tabs have their
+// usual padding.
 double least_letters() {
   const ImGuiStyle& style = ImGui::GetStyle();
-  float width = 2.0F * style.WindowPadding.x;
-  for (const Tab& tab : kTabs) {
-    width +=
-        ImGui::CalcTextSize(tab.name).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x;
-  }
+  const float width = 2.0F * style.WindowPadding.x + bare_width_of_tabs() +
+                      2.0F * style.FramePadding.x * static_cast<float>(std::size(kTabs));
   return std::ceil(static_cast<double>(width / ImGui::GetFontSize()));
+}
+
+// Returns the padding beside a tab's name. On a small window it is narrow, so that no name is cut.
+float padding_of_tabs() {
+  const float free = ImGui::GetContentRegionAvail().x - bare_width_of_tabs();
+  const float share = std::floor(0.5F * free / static_cast<float>(std::size(kTabs)));
+  return std::clamp(share, 0.0F, ImGui::GetStyle().FramePadding.x);
 }
 
 float height_of_lines(float lines, float most) {
@@ -101,11 +116,18 @@ void ViewerApp::follow_task() {
 
 void ViewerApp::draw_tabs() {
   follow_task();
-  if (!ImGui::BeginTabBar("tasks")) return;
+  const ImVec2 padding{padding_of_tabs(), ImGui::GetStyle().FramePadding.y};
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  const bool is_drawn = ImGui::BeginTabBar("tasks");
+  ImGui::PopStyleVar();
+  if (!is_drawn) return;
   for (const Tab& tab : kTabs) {
     const bool wanted = task_to_show_ == tab.task;
-    if (!ImGui::BeginTabItem(tab.name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0))
-      continue;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    const bool is_open =
+        ImGui::BeginTabItem(tab.name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+    ImGui::PopStyleVar();
+    if (!is_open) continue;
     ImGui::BeginChild(tab.name);
     draw_task(tab.task);
     ImGui::EndChild();

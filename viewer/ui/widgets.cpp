@@ -70,6 +70,13 @@ void stay_on_line(float width, float right) {
   if (ImGui::GetItemRectMax().x + spacing + width <= right) ImGui::SameLine();
 }
 
+bool radio_on_line(const char* label, bool on, float right) {
+  const float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                      ImGui::CalcTextSize(label, nullptr, true).x;
+  stay_on_line(width, right);
+  return ImGui::RadioButton(label, on);
+}
+
 float right_end() {
   return ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
 }

@@ -30,22 +30,29 @@ inline const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
 inline const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
 inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
 
+/// Returns the screen coordinate of the right end of the current line. Call this at its start.
+float right_end();
+
 /// Draws a square of that colour before an item with a frame, on the same line.
 void draw_swatch(const ImVec4& color);
 float swatch_width();
 
-/// Draws choices on one line after `label`. Sets `value` to the one that is clicked, and returns
-/// whether one was.
+/// Draws a radio button after the last item, or on the next line if the current one, which ends at
+/// the screen coordinate `right`, has no room for it. Returns whether it was pressed.
+bool radio_on_line(const char* label, bool on, float right);
+
+/// Draws choices after `label`, on one line if they fit. Sets `value` to the one that is clicked,
+/// and returns whether one was.
 template <typename Value>
 bool choose(const char* label, Value& value,
             std::initializer_list<std::pair<const char*, Value>> choices) {
+  const float right = right_end();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label);
   ImGui::PushID(label);
   bool clicked = false;
   for (const auto& [name, choice] : choices) {
-    ImGui::SameLine();
-    if (!ImGui::RadioButton(name, value == choice)) continue;
+    if (!radio_on_line(name, value == choice, right)) continue;
     value = choice;
     clicked = true;
   }
@@ -69,8 +76,6 @@ float button_width(const char* label);
 /// Keeps the next item on the current line if an item of `width` fits to the left of the screen
 /// coordinate `right`.
 void stay_on_line(float width, float right);
-/// Returns the screen coordinate of the right end of the current line. Call this at its start.
-float right_end();
 
 void draw_colored(Tone tone, const std::string& text);
 

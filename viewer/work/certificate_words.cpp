@@ -32,16 +32,25 @@ std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& 
 }
 
 CertificateWarning not_settled(const Certificate& certificate) {
-  const std::string next = certificate.lacks_hessian
-                               ? "There is not enough memory to refine. Select a smaller "
-                                 "region, or close other programs."
-                               : "Enlarge the region, move the handle in smaller steps, or raise "
-                                 "\"Max iterations\" in the solver settings.";
+  std::string next =
+      "Move the handle in smaller steps, or raise \"Max iterations\" in the solver settings.";
+  std::vector<Remedy> remedies{Remedy::raise_iterations, Remedy::undo};
+  if (certificate.lacks_hessian) {
+    next =
+        "There is not enough memory to refine. Select a smaller region, or close other programs.";
+    remedies = {Remedy::select_region};
+  } else if (!certificate.region_is_whole) {
+    next =
+        "Enlarge the region, move the handle in smaller steps, or raise \"Max iterations\" in the "
+        "solver settings.";
+    remedies.insert(remedies.begin(), Remedy::enlarge_region);
+  }
   return {"Not fully refined after " + std::to_string(certificate.settle_iterations) +
               formatted(" iterations: the next one would move a vertex by %.2g mean edge lengths. ",
                         certificate.settle_last_step) +
               next,
-          {}};
+          {},
+          std::move(remedies)};
 }
 
 // Suggests a larger region only if the region is not the whole mesh.
@@ -51,10 +60,16 @@ std::string advice(const Certificate& certificate) {
              : " Enlarge the region, or move the handle less, or in smaller steps.";
 }
 
+// The remedies that `advice` names.
+std::vector<Remedy> remedies_of(const Certificate& certificate) {
+  if (certificate.region_is_whole) return {Remedy::undo};
+  return {Remedy::enlarge_region, Remedy::undo};
+}
+
 CertificateWarning inside_out(const Certificate& certificate, const Topology& topology) {
   return {formatted("%.0f%% of the region is inside out.", 100.0 * certificate.inside_out_share) +
               advice(certificate),
-          with_ring(certificate.inside_out_vertex, topology)};
+          with_ring(certificate.inside_out_vertex, topology), remedies_of(certificate)};
 }
 
 CertificateWarning folded(const Certificate& certificate, const Topology& topology) {
@@ -62,17 +77,50 @@ CertificateWarning folded(const Certificate& certificate, const Topology& topolo
   return {(count == 1 ? std::string("A triangle is folded over.")
                       : std::to_string(count) + " triangles are folded over.") +
               advice(certificate),
-          corners_of(certificate.first_flipped_triangles, topology)};
+          corners_of(certificate.first_flipped_triangles, topology), remedies_of(certificate)};
 }
 
 CertificateWarning handle_missed(const Certificate& certificate) {
   return {formatted("The handle misses its target by %.2g%% of the mesh's size.",
                     100.0 * certificate.handle_error / certificate.rest_diagonal) +
               " Raise \"Constraint weight\" in the solver settings, or turn on \"Hold exactly\".",
-          {}};
+          {},
+          {Remedy::hold_exactly}};
 }
 
 }  // namespace
+
+const char* label_of(Remedy remedy) {
+  switch (remedy) {
+    case Remedy::enlarge_region:
+      return "Enlarge region";
+    case Remedy::select_region:
+      return "Select region";
+    case Remedy::raise_iterations:
+      return "Raise iterations";
+    case Remedy::hold_exactly:
+      return "Hold exactly";
+    case Remedy::undo:
+      return "Undo last step";
+  }
+  return "";
+}
+
+const char* explanation_of(Remedy remedy) {
+  switch (remedy) {
+    case Remedy::enlarge_region:
+      return "Adds a margin of half as many vertices to the region. The handles keep their moves.";
+    case Remedy::select_region:
+      return "Selects another region.";
+    case Remedy::raise_iterations:
+      return "Doubles \"Max iterations\" and refines again.";
+    case Remedy::hold_exactly:
+      return "Turns on \"Hold exactly\" in the solver settings.";
+    case Remedy::undo:
+      return "Undoes the last step, so that you can move the handle less.";
+  }
+  return "";
+}
 
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                                             const Topology& topology) {
@@ -88,19 +136,22 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
     warnings.push_back({formatted("%.0f%% of the detail is lost.",
                                   std::min(100.0 * certificate.detail_error, 100.0)) +
                             advice(certificate),
-                        {}});
+                        {},
+                        remedies_of(certificate)});
   }
   if (certificate.largest_scale > kMostRingScale) {
     warnings.push_back({formatted("The surface grew to %.1f times its size in one spot.",
                                   certificate.largest_scale) +
                             advice(certificate),
-                        with_ring(certificate.largest_scale_vertex, topology)});
+                        with_ring(certificate.largest_scale_vertex, topology),
+                        remedies_of(certificate)});
   }
   if (certificate.smallest_scale < 1.0 / kMostRingScale) {
     warnings.push_back({formatted("The surface shrank to %.0f%% of its size in one spot.",
                                   100.0 * certificate.smallest_scale) +
                             advice(certificate),
-                        with_ring(certificate.smallest_scale_vertex, topology)});
+                        with_ring(certificate.smallest_scale_vertex, topology),
+                        remedies_of(certificate)});
   }
   if (1.0 + certificate.largest_edge_stretch > kLongEdge) {
     auto ends = certificate.largest_edge_stretch_vertices;
@@ -108,7 +159,8 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
     warnings.push_back(
         {formatted("An edge became %.1f times as long.", 1.0 + certificate.largest_edge_stretch) +
              advice(certificate),
-         {ends.begin(), ends.end()}});
+         {ends.begin(), ends.end()},
+         remedies_of(certificate)});
   }
   return warnings;
 }

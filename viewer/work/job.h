@@ -84,7 +84,10 @@ class Job {
       *slot = work(kernels, progress);
     });
   }
-  void cancel() { worker_.cancel(); }
+  void cancel() {
+    worker_.cancel();
+    slot_.reset();
+  }
   void use_kernels(MakeKernels make_kernels) { worker_.use_kernels(std::move(make_kernels)); }
   WorkStatus status() const { return worker_.status(); }
 

@@ -111,6 +111,51 @@ constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
 
 // Phrases of the engine, the longer ones first.
 constexpr std::array kPhrases{
+    Words{", or replace it by {\"disk_in\": REGION} to use the largest disk inside",
+          ", such as the largest disk inside"},
+    Words{", or use {\"disk_in\": REGION}", ", or drag a disk"},
+    Words{"; set LAPWING_VALIDATION=1 to learn why, or run with --device cpu", ". Try again"},
+    Words{", or run with --device cpu", ""},
+    Words{" (--name)", ""},
+    Words{"cut it open with `lapwing cut`, or give a \"region\" of it",
+          "cut out a region of it under \"More parts\""},
+    Words{"cut a part out of the mesh with `lapwing cut`",
+          "cut a part out of the mesh under \"More parts\""},
+    Words{"check \"place\", or check the part with `lapwing check`",
+          "place the part again, or open it and look at its defects"},
+    Words{"run `lapwing check` on the part and on the mesh",
+          "look at the defects of the part and of the mesh in the Mesh tab"},
+    Words{"run `lapwing check` on source and target",
+          "look at the defects of source and target in the Mesh tab"},
+    Words{"run `lapwing check` to find degenerate triangles",
+          "look for degenerate triangles in the Mesh tab"},
+    Words{"remesh both meshes around the seam with `lapwing remesh`",
+          "remesh both meshes around the seam"},
+    Words{"remesh the target patch with `lapwing remesh`", "remesh the target patch"},
+    Words{"refine the target with `lapwing remesh` first", "refine the target first"},
+    Words{"find and repair it with `lapwing check`", "repair it in the Mesh tab"},
+    Words{"Run `lapwing check --fix`", "Click \"Repair\""},
+    Words{"run `lapwing check --fix`", "click \"Repair\""},
+    Words{"use a loop from `boundary_loops`", "use another loop"},
+    Words{", for example with \"minus\"", ""},
+    Words{", or give the move as a \"matrix\"", ""},
+    Words{"give the handles of one side only, or remove \"mirror\"",
+          "select handles on one side only, or turn off \"Mirror\""},
+    Words{"give a point of the plane, or \"auto\"", "choose another plane, or \"Shape\""},
+    Words{"add \"commit_every\": ", "turn on \"commit_every\": "},
+    Words{"give it another name with \"save\"", "rename it"},
+    Words{"set \"domain\" to \"square\", or use \"distance_to\"",
+          "set \"Domain\" to \"Square\", or choose \"Around a handle\""},
+    Words{"raise or remove \"constraint_weight\" or the handle's \"weight\", or set \"hard\"",
+          "raise \"Constraint weight\" or the handle's weight, or turn on \"Hold exactly\""},
+    Words{"raise \"max_iterations\" of \"settle\"",
+          "raise \"Max iterations\" in the solver settings"},
+    Words{"set its \"width\" below", "set \"Transition width\" below"},
+    Words{"make its \"width\" larger", "raise \"Transition width\""},
+    Words{"\"keep_size\" and \"scale\" exclude each other; remove one of the two",
+          "the part has both its original size and another one; choose one of the two"},
+    Words{"or remove \"hard\" and \"settle\": false",
+          "or turn on \"Refine\" and turn off \"Hold exactly\""},
     Words{"repair it with `lapwing check MESH --fix OUT`", "click \"Repair\""},
     Words{"`lapwing check MESH --fix OUT`", "\"Repair\""},
     Words{"`lapwing check --fix`", "\"Repair\""},
@@ -165,6 +210,16 @@ void replace_pointer(std::string& text, const KeyWords& words) {
   text.replace(0, end, words.label);
 }
 
+// Removes the flags of the command line, such as " (or --commit-every 30)".
+void remove_flags(std::string& text) {
+  constexpr std::string_view kBegin = " (or --";
+  for (std::size_t at = text.find(kBegin); at != std::string::npos; at = text.find(kBegin)) {
+    const std::size_t end = text.find(')', at);
+    if (end == std::string::npos) return;
+    text.erase(at, end + 1 - at);
+  }
+}
+
 // Makes the initial letter a capital, unless the message begins with the name of a file.
 void capitalize(std::string& text) {
   const std::size_t end = std::min(text.find_first_of(" :,;"), text.size());
@@ -196,6 +251,7 @@ std::string_view stage_in_words(std::string_view stage) {
 }
 
 std::string in_window_words(std::string message) {
+  remove_flags(message);
   for (const KeyWords& words : kKeyWords) replace_pointer(message, words);
   for (const auto& [old, by] : kPhrases) {
     is_letter(old.front()) && is_letter(old.back()) ? replace_words(message, old, by)

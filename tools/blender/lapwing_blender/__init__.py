@@ -16,6 +16,7 @@ import bpy
 from . import (
     operators_bake,
     operators_edit,
+    operators_grab,
     operators_recipe,
     operators_region,
     operators_surface,
@@ -27,7 +28,8 @@ from . import (
 
 _CLASSES = (
     *preferences.CLASSES, *operators_region.CLASSES, *operators_edit.CLASSES,
-    *operators_surface.CLASSES, *operators_recipe.CLASSES, *operators_bake.CLASSES, *panel.CLASSES,
+    *operators_grab.CLASSES, *operators_surface.CLASSES, *operators_recipe.CLASSES,
+    *operators_bake.CLASSES, *panel.CLASSES,
 )
 
 
@@ -35,11 +37,13 @@ def register() -> None:
     settings.register()
     for each in _CLASSES:
         bpy.utils.register_class(each)
+    operators_grab.register()
     session.register()
 
 
 def unregister() -> None:
     session.unregister()
+    operators_grab.unregister()
     for each in reversed(_CLASSES):
         bpy.utils.unregister_class(each)
     settings.unregister()

@@ -158,7 +158,7 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
     if "pins" in held and (pinned := np.flatnonzero((held["pins"] > 0.0) & in_roi)).size:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
     if obj.data.use_mirror_x:
-        step["mirror"] = _mirror(obj, matrix)
+        step["mirror"] = mirror_plane(obj, matrix)
     # Handles with hard constraints cannot have a free orientation.
     free = [handle.turns_freely and not settings.hard for handle in settings.handles]
     return EditRequest(obj.name, step, matrix, rest, mesh, frames, free)
@@ -202,7 +202,7 @@ def _handle(handle: Any, weights: np.ndarray, in_roi: np.ndarray) -> Dict[str, A
     return written
 
 
-def _mirror(obj: bpy.types.Object, matrix: np.ndarray) -> Dict[str, Any]:
+def mirror_plane(obj: bpy.types.Object, matrix: np.ndarray) -> Dict[str, Any]:
     """Returns the object's plane x = 0 in the world."""
     linear = matrix[:3, :3]
     normal = np.linalg.inv(linear)[0]

@@ -67,6 +67,13 @@ class ModuleEngine:
             linear = edit.response(range(len(frames)), progress=hear)
         return columns_about(frames, linear.columns, linear.centers), PreparedEdit(self, edit)
 
+    def grab_region(
+        self, mesh: MeshArrays, vertex: int, radius: float, reach: float, progress: Progress
+    ) -> np.ndarray:
+        """Returns the vertices that move when a user pulls at `vertex`."""
+        with self.heard(progress):
+            return self._module.grab_region(self._mesh(mesh), vertex, radius, factor=reach).vertices
+
     def run(
         self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],
         progress: Progress,

@@ -77,6 +77,14 @@ class ProgramEngine:
             edit.close()
             raise
 
+    def grab_region(
+        self, mesh: MeshArrays, vertex: int, radius: float, reach: float, progress: Progress
+    ) -> np.ndarray:
+        raise Refusal(
+            "Lapwing Grab needs the engine as a Python module; set the path in the add-on's "
+            "preferences to the folder of the module 'lapwing'"
+        )
+
     def run(
         self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],
         progress: Progress,

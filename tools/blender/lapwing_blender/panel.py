@@ -51,6 +51,9 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
             return
         if why := session.why_ended(obj):
             draw_text(layout, context, why, icon="ERROR")
+        row = layout.row(align=True)
+        row.operator("lapwing.grab", text="Grab", icon="VIEW_PAN")
+        row.prop(context.window_manager, "lapwing_grab_pixels", text="Radius")
         column = layout.column()
         _draw_region(column, obj, settings, "roi", "Region")
         if context.mode in ("SCULPT", "OBJECT"):

@@ -9,6 +9,7 @@
 #include "lapwing/doctor/fix.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/recipe/read_values.h"
+#include "lapwing/region/grab_region.h"
 #include "lapwing/remesh/remesh.h"
 #include "messages.h"
 #include "module.h"
@@ -77,6 +78,18 @@ py::dict parameterize_mesh(const Mesh& mesh, const std::string& region, const st
                   "flipped"_a = array_of(result.flipped), "stretch"_a = result.distortion.stretch,
                   "shear"_a = result.distortion.shear,
                   "warnings"_a = in_python_words(result.warnings));
+}
+
+py::dict grab_region_of(const Mesh& mesh, Index vertex, double radius, double factor) {
+  VertexSet vertices;
+  const GrabRegion grab = Interruptible(py::none()).call([&](const Progress&) {
+    GrabRegion found = grab_region(mesh.topology(), mesh.positions, vertex, radius, factor);
+    const RegionSpec disk{GeodesicDisk{vertex, found.radius}, "grab_region"};
+    vertices = unite(resolve(disk, mesh), found.cut_off);
+    return found;
+  });
+  return py::dict("vertices"_a = array_of(vertices), "radius"_a = grab.radius,
+                  "is_limb"_a = grab.is_limb);
 }
 
 const char* word_of(Severity severity) {
@@ -150,6 +163,7 @@ void add_mesh_operations(py::module_& module) {
   module.def("remesh", &remesh_mesh, "mesh"_a, "region"_a, "length"_a, "scale"_a, "iterations"_a,
              "feature_degrees"_a, "progress"_a);
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
+  module.def("grab_region", &grab_region_of, "mesh"_a, "vertex"_a, "radius"_a, "factor"_a);
   module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
   module.def("fix", &fix_mesh, "mesh"_a);
 }

@@ -15,7 +15,7 @@ void add_errors(pybind11::module_& module);
 /// Adds `Mesh`, `read` and `write`.
 void add_mesh(pybind11::module_& module);
 
-/// Adds `peel`, `remesh`, `parameterize`, `check` and `fix`.
+/// Adds `peel`, `remesh`, `parameterize`, `grab_region`, `check` and `fix`.
 void add_mesh_operations(pybind11::module_& module);
 
 /// Adds `render`.

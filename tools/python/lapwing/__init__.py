@@ -31,11 +31,13 @@ from ._reports import (
     Check,
     Defect,
     Fixed,
+    GrabRegion,
     Parameterized,
     Peeled,
     Remeshed,
     check,
     fix,
+    grab_region,
     parameterize,
     peel,
     remesh,
@@ -43,7 +45,8 @@ from ._reports import (
 
 __all__ = [
     "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Fixed",
-    "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Response", "Result",
-    "SolverError", "check", "coat", "deform", "fix", "keys", "mix", "parameterize", "peel", "read",
-    "remesh", "render", "run", "shape", "shape_names", "transplant", "write",
+    "GrabRegion", "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Response",
+    "Result", "SolverError", "check", "coat", "deform", "fix", "grab_region", "keys", "mix",
+    "parameterize", "peel", "read", "remesh", "render", "run", "shape", "shape_names", "transplant",
+    "write",
 ]

@@ -107,6 +107,15 @@ class Parameterized(_Made):
     warnings: List[str]
 
 
+@dataclass(frozen=True)
+class GrabRegion:
+    """Result of `grab_region`."""
+
+    vertices: Array  #: vertices that move, ascending: an ROI for `deform`
+    radius: float  #: geodesic radius of the disk around the grabbed vertex
+    is_limb: bool  #: whether the shape bounds the region, not the brush
+
+
 def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
     return json.dumps(region_of(region, mesh.vertex_count, where))
 
@@ -196,3 +205,27 @@ def parameterize(
             vertices_of(pins, "parameterize: pins"),
         )
     )
+
+
+def grab_region(
+    mesh: MeshOrVertices,
+    vertex: int,
+    radius: float,
+    *,
+    faces: Optional[FacesLike] = None,
+    factor: float = 1.0,
+) -> GrabRegion:
+    """Chooses the region that moves when a user pulls at one place of a surface.
+
+    `radius` is the length of the brush along the surface. On a limb, such as an arm, the region
+    ends where the limb joins the body. Elsewhere it is a disk of three brush radii. Parts that the
+    region cuts off, such as the tip of the limb, belong to it. `factor` scales the disk, which
+    never covers more than half of its component.
+
+        grab = lapwing.grab_region(arm, 969, 12.0)
+        hand = {"disk": {"center": 969, "radius": 12.0}}
+        raised = lapwing.deform(arm, roi=grab.vertices, handles=[(hand, {"translate": [0, 9, 0]})])
+    """
+    chosen = mesh_of(mesh, faces, "grab_region: mesh")
+    (center,) = vertices_of([vertex], "grab_region: vertex")
+    return GrabRegion(**_core.grab_region(chosen, center, radius, factor))
