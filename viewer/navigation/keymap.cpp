@@ -201,7 +201,7 @@ std::vector<ControlLine> mouse_controls(const Keymap& keymap) {
     lines.push_back({capitalized(words(binding.modifiers) + name_of(binding.button) + " drag"),
                      std::string(kMotions[static_cast<std::size_t>(binding.motion)])});
   }
-  lines.push_back({"Wheel", "Zoom to the cursor"});
+  lines.push_back({"Wheel", "Zoom to the point under the cursor"});
   lines.push_back({words(kSizes) + "wheel", "Resize the last disk, or the brush"});
   lines.push_back({"Left click", "Show vertex, face and position"});
   lines.push_back({"Drop a file", "Open it"});

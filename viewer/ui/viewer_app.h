@@ -138,7 +138,9 @@ class ViewerApp final : public App {
   void frame_all();
   void frame(std::span<const Index> vertices);
   void frame_points(std::span<const Eigen::Vector3d> points);
-  void orbit_by(double right, double down);
+  void orbit_by(double right, double down, const Eigen::Vector3d& center);
+  /// Focuses the camera on the surface at `pixel` and returns the point, or else the target.
+  Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
   bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;
@@ -208,6 +210,7 @@ class ViewerApp final : public App {
   std::optional<Motion> motion_;  ///< camera motion under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
+  Eigen::Vector3d orbit_center_ = Eigen::Vector3d::Zero();
   bool show_panels_ = true;
   bool shows_source_ = false;  ///< beside the mesh
   bool show_controls_ = false;

@@ -22,8 +22,6 @@ constexpr double kZoomPerNotch = 1.15;
 constexpr double kZoomPt = 150.0;
 // Arrow keys turn by a twelfth of a half turn, 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
-// In diagonals of the mesh.
-constexpr ZoomRange kZoomRange{1e-4, 1e2};
 // Smallest free share of half the window's height.
 constexpr double kLeastFree = 0.5;
 // Room around a single framed vertex, in diagonals of the mesh.
@@ -142,14 +140,21 @@ void ViewerApp::look_from(View view) {
   camera_ = looking_from(camera_, view_axes(view, up_axis_));
 }
 
-void ViewerApp::orbit_by(double right, double down) {
-  camera_ = orbited(camera_, {right, down}, size_, upward());
+void ViewerApp::orbit_by(double right, double down, const Vector3d& center) {
+  camera_ = orbited(camera_, {right, down}, size_, upward(), center);
+}
+
+Vector3d ViewerApp::focus(const Vector2d& pixel) {
+  if (!document_) return camera_.target;
+  const auto point = document_->editor.shown().pick(view_frame(), pixel);
+  if (!point) return camera_.target;
+  camera_ = focused(camera_, point->position);
+  return point->position;
 }
 
 void ViewerApp::zoom_by(double factor, const Vector2d& cursor) {
-  const double size = document_ ? std::max(document_->editor.bounds().diagonal(), 1e-12) : 1.0;
-  camera_ = zoomed(camera_, factor, cursor, size_,
-                   {kZoomRange.nearest * size, kZoomRange.farthest * size});
+  const double size = document_ ? document_->editor.bounds().diagonal() : 1.0;
+  camera_ = zoomed(camera_, factor, cursor, size_, zoom_range(size));
 }
 
 void ViewerApp::drag_to(const InputEvent& event) {
@@ -158,7 +163,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
   if (!motion_ || !document_) return;
   switch (*motion_) {
     case Motion::orbit:
-      orbit_by(moved.x(), moved.y());
+      orbit_by(moved.x(), moved.y(), orbit_center_);
       break;
     case Motion::pan:
       camera_ = panned(camera_, moved, size_);
@@ -226,6 +231,7 @@ bool ViewerApp::handle(const InputEvent& event) {
     case InputKind::press:
       motion_ = motion_of(keymap(), event.button, event.modifiers);
       cursor_ = pressed_at_ = event.position;
+      if (motion_) orbit_center_ = focus(event.position);
       break;
     case InputKind::move:
       drag_to(event);
@@ -238,7 +244,9 @@ bool ViewerApp::handle(const InputEvent& event) {
       }
       break;
     case InputKind::scroll:
-      if (document_) zoom_by(std::pow(kZoomPerNotch, event.scroll), event.position);
+      if (!document_) break;
+      focus(event.position);
+      zoom_by(std::pow(kZoomPerNotch, event.scroll), event.position);
       break;
     case InputKind::key:
     case InputKind::text:
@@ -301,13 +309,13 @@ void ViewerApp::perform(Action action) {
       camera_.orthographic = !camera_.orthographic;
       return;
     case Action::orbit_left:
-      return orbit_by(step, 0.0);
+      return orbit_by(step, 0.0, camera_.target);
     case Action::orbit_right:
-      return orbit_by(-step, 0.0);
+      return orbit_by(-step, 0.0, camera_.target);
     case Action::orbit_up:
-      return orbit_by(0.0, step);
+      return orbit_by(0.0, step, camera_.target);
     case Action::orbit_down:
-      return orbit_by(0.0, -step);
+      return orbit_by(0.0, -step, camera_.target);
     case Action::zoom_in:
       return zoom_by(kZoomPerNotch, 0.5 * size_);
     case Action::zoom_out:
