@@ -1,4 +1,6 @@
 // The mouse moves the view of the whole viewer.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "lapwing/io/mesh_file.h"
@@ -77,6 +79,25 @@ TEST_F(ViewMotion, TheWheelNeverTakesTheEyeThroughTheSurface) {
     EXPECT_LT((surface_at(at).value().position - point).norm(), 1e-3)
         << "it is still under the cursor";
   }
+}
+
+TEST_F(ViewMotion, AClickOnTheAxisGizmoLooksAlongTheAxisAndADragOrbits) {
+  lapwing::test::keep_picture(viewer_->picture(), "axis-gizmo");
+  // A panel also says X, but the gizmo is drawn first.
+  const std::vector<ShownText>& texts = viewer_->look_at();
+  const auto x = std::find_if(texts.begin(), texts.end(),
+                              [](const ShownText& text) { return text.words == "X"; });
+  ASSERT_NE(x, texts.end());
+  const Vector2d at(static_cast<double>(x->middle().x), static_cast<double>(x->middle().y));
+  viewer_->send({.kind = InputKind::press, .position = at, .button = MouseButton::left});
+  viewer_->send({.kind = InputKind::release, .position = at, .button = MouseButton::left});
+  EXPECT_LT(((camera().eye - camera().target).normalized() - Vector3d::UnitX()).norm(), 1e-9);
+  const Vector3d target = camera().target;
+  viewer_->drag(at, at + Vector2d(50.0, 20.0));
+  EXPECT_GT(((camera().eye - camera().target).normalized() - Vector3d::UnitX()).norm(), 0.1);
+  EXPECT_LT((camera().target - target).norm(), 1e-12);
+  EXPECT_TRUE(viewer_->app().document()->editor.state().selection.handles.empty())
+      << "no tool acts there";
 }
 
 }  // namespace

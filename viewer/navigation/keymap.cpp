@@ -140,9 +140,11 @@ std::string key_name(int key) {
   return std::string(kKeyNames[static_cast<std::size_t>(key - kEscape)]);
 }
 
-// Returns the keys of GizmoTool.
+// Returns the controls of the axis gizmo and of GizmoTool.
 std::vector<ControlLine> gizmo_controls() {
-  return {{"Left drag on a handle", "Pull it. The surface determines its rotation"},
+  return {{"Click on an end of the axis gizmo", "Look along this axis"},
+          {"Left drag on the axis gizmo", "Orbit"},
+          {"Left drag on a handle", "Pull it. The surface determines its rotation"},
           {"G, R, S", "Move, rotate, scale the handle (Maya: R scales, E rotates)"},
           {"X, Y, Z while moving",
            "Constrain to an axis. Again: switch between local and world axes. Shift: constrain to "

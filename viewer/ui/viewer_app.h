@@ -141,6 +141,10 @@ class ViewerApp final : public App {
   void orbit_by(double right, double down, const Eigen::Vector3d& center);
   /// Focuses the camera on the surface at `pixel` and returns the point, or else the target.
   Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
+  /// Returns the centre of the axis gizmo in pixels; nullopt if it is hidden.
+  std::optional<Eigen::Vector2d> axis_gizmo_center() const;
+  /// Handles a press or release on the axis gizmo. Returns whether it was one.
+  bool handle_axis_gizmo(const InputEvent& event);
   bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;
@@ -208,6 +212,7 @@ class ViewerApp final : public App {
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
   double pixels_per_point_ = 1.0;
   std::optional<Motion> motion_;  ///< camera motion under way
+  bool on_axis_gizmo_ = false;    ///< the motion began on the axis gizmo
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
   Eigen::Vector3d orbit_center_ = Eigen::Vector3d::Zero();

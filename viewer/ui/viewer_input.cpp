@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "editing/editor_actions.h"
+#include "navigation/axis_gizmo.h"
 #include "navigation/camera_motion.h"
 #include "ui/viewer_app.h"
 
@@ -20,6 +21,8 @@ constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
 // Points of a zooming drag that make things e times as large.
 constexpr double kZoomPt = 150.0;
+// Distance of the axis gizmo from the edges of the 3D view.
+constexpr double kAxisGapPt = 6.0;
 // Arrow keys turn by a twelfth of a half turn, 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
 // Smallest free share of half the window's height.
@@ -201,6 +204,40 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
   return changed || event.kind != InputKind::move;
 }
 
+std::optional<Vector2d> ViewerApp::axis_gizmo_center() const {
+  if (!document_ || !show_panels_) return {};
+  const PictureArea area = picture_area();
+  const double gap = (kAxisGizmoPt + kAxisGapPt) * pixels_per_point_;
+  const Vector2d corner =
+      pixels_per_unit() * (area.corner + Vector2d(area.size.x(), banner_height_));
+  return Vector2d(corner + Vector2d(-gap, gap));
+}
+
+bool ViewerApp::handle_axis_gizmo(const InputEvent& event) {
+  const auto center = axis_gizmo_center();
+  const bool presses = event.kind == InputKind::press;
+  const bool is_left = event.button == MouseButton::left;
+  if (presses) {
+    on_axis_gizmo_ = center && is_left && !motion_ && !document_->editor.is_dragging() &&
+                     (event.position - *center).norm() <= kAxisGizmoPt * pixels_per_point_;
+  }
+  if (!on_axis_gizmo_ || !center || !is_left) return false;
+  if (presses) {
+    motion_ = Motion::orbit;
+    orbit_center_ = camera_.target;
+    cursor_ = pressed_at_ = event.position;
+    return true;
+  }
+  if (event.kind != InputKind::release) return false;
+  on_axis_gizmo_ = false;
+  drag_to(event);
+  motion_.reset();
+  if (!is_click(pressed_at_, event.position)) return true;
+  const Vector2d offset_pt = (event.position - *center) / pixels_per_point_;
+  if (const auto end = axis_end_at(camera_, offset_pt)) look_from(view_from(*end, up_axis_));
+  return true;
+}
+
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
   if (recording_) {
@@ -221,6 +258,7 @@ bool ViewerApp::handle(const InputEvent& event) {
     return true;
   }
   if (const auto changed = handle_source(event)) return *changed;
+  if (handle_axis_gizmo(event)) return true;
   Editor::Handled handled;
   if (document_ && !motion_) {
     handled = document_->editor.handle(event, view_frame());
