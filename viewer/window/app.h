@@ -40,7 +40,8 @@ struct Scene : SurfaceScene {
   std::span<const CarriedDrawing> carried;  ///< drawn with the surface
   std::optional<SideScene> beside;
   Background background = Background::gradient;
-  /// Whether something moves. If so, the scene is drawn quickly, without antialiasing.
+  /// Whether something moves. If so, the scene is drawn without antialiasing if that takes too
+  /// long.
   bool moving = false;
 };
 
