@@ -82,8 +82,14 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Original", &before)) editor.show_before(before);
   explain("Shows the mesh as it was opened.", "Shortcut: C");
+  const auto next_to = [](const char* label) {
+    stay_on_line(ImGui::CalcTextSize(label).x + 1.5F * ImGui::GetFrameHeight(), right_end());
+  };
+  next_to("Ground grid");
+  ImGui::Checkbox("Ground grid", &choices.grid);
+  explain("A grid under the mesh as it was opened. The red line is the x axis.");
   if (editor.shown().has_file_colors()) {
-    ImGui::SameLine();
+    next_to("File colours");
     ImGui::Checkbox("File colours", &style.file_colors);
   }
   label_field("Feature angle");

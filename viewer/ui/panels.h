@@ -133,6 +133,7 @@ std::optional<PoseMeasure> measure_of(Coloring coloring);
 struct DisplayChoices {
   SurfaceStyle style{.file_colors = true};
   Background background = Background::gradient;
+  bool grid = false;  ///< draw the ground grid
   Coloring coloring = Coloring::regions;
   float feature_angle = static_cast<float>(kFeatureAngleDegrees);
 };

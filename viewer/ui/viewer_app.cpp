@@ -205,6 +205,12 @@ SurfaceStyle ViewerApp::shown_style() const {
   return style;
 }
 
+// The grid of the mesh before all steps, so that an edit does not move it.
+std::optional<GroundGrid> ViewerApp::shown_grid() const {
+  if (!display_.grid) return {};
+  return ground_grid(document_->editor.shown().opened_bounds(), up_axis_);
+}
+
 Scene ViewerApp::scene() {
   Scene scene;
   scene.background = display_.background;
@@ -214,6 +220,7 @@ Scene ViewerApp::scene() {
   scene.paint = &editor.surface().paint();
   scene.carried = editor.carried().drawn();
   scene.camera = view_frame().camera;
+  scene.grid = shown_grid();
   scene.style = shown_style();
   scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
   scene.moving = motion_.has_value() || editor.is_dragging();

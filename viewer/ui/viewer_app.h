@@ -183,6 +183,7 @@ class ViewerApp final : public App {
   void update_document();
   double pixels_per_unit() const;
   SurfaceStyle shown_style() const;
+  std::optional<GroundGrid> shown_grid() const;
   PictureArea picture_area() const;
   void draw_marks();
   void draw_over_picture();

@@ -80,7 +80,9 @@ double ViewerApp::covered_share() const {
 
 ViewFrame ViewerApp::view_frame() const {
   ViewFrame view{camera_, size_, pixels_per_point_};
-  fit_depth(view.camera, document_->editor.bounds());
+  const Bounds bounds = document_->editor.bounds();
+  const auto grid = shown_grid();
+  fit_depth(view.camera, grid ? united(bounds, grid->bounds()) : bounds);
   return view;
 }
 

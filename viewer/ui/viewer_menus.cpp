@@ -139,6 +139,7 @@ void ViewerApp::draw_view_menu() {
   if (ImGui::MenuItem("Orthographic", "5", camera_.orthographic)) {
     perform(Action::toggle_projection);
   }
+  ImGui::MenuItem("Ground grid", nullptr, &display_.grid);
   if (ImGui::MenuItem("Z up", nullptr, up_axis_ == UpAxis::z)) {
     up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;
     look_from(View::three_quarter);

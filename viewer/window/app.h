@@ -38,6 +38,7 @@ struct SideScene : SurfaceScene {
 /// The contents of a frame under the panels. Without a surface, only the background is drawn.
 struct Scene : SurfaceScene {
   std::span<const CarriedDrawing> carried;  ///< drawn with the surface
+  std::optional<GroundGrid> grid;           ///< under the surface
   std::optional<SideScene> beside;
   Background background = Background::gradient;
   /// Whether something moves. If so, the scene is drawn without antialiasing if that takes too

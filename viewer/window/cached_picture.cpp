@@ -73,6 +73,7 @@ void SceneContents::take(const Scene& scene) {
     carried_.push_back(drawing.paint != nullptr ? drawing.paint->revision() : 0);
     carried_.push_back(drawing.points != nullptr ? drawing.points->revision() : 0);
   }
+  grid_ = scene.grid;
   beside_.reset();
   corner_.setZero();
   size_.setZero();
@@ -165,6 +166,9 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
   for (const CarriedDrawing& carried : scene.carried) {
     drawing.renderer.draw(commands, extent_, carried, scene.camera,
                           carried.surface != nullptr ? style : scene.style);
+  }
+  if (scene.grid) {
+    drawing.renderer.draw(commands, extent_, *scene.grid, scene.camera, style.pixels_per_point);
   }
   if (scene.beside) draw_beside(commands, drawing, *scene.beside, scene.background);
   drawing.scope->end(commands, drawing.image->view());

@@ -62,7 +62,7 @@ class MovingResolution {
   int patience_ = 4;
 };
 
-/// Identifies the contents of a rendered image: cameras, styles, background, and the revisions of
+/// Identifies the contents of a rendered image: cameras, styles, grid, background, and the revisions of
 /// surfaces, carried objects and their colours. Does not include the quality (`Scene::moving`,
 /// `SurfaceStyle::sides`), or panels and marks, which are drawn over the image.
 class SceneContents {
@@ -87,6 +87,7 @@ class SceneContents {
 
   Seen main_;
   std::vector<std::uint64_t> carried_;
+  std::optional<GroundGrid> grid_;
   std::optional<Seen> beside_;
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();

@@ -12,6 +12,8 @@
 #include "lapwing/render/surface.h"
 #include "lapwing/shaders/background_frag.h"
 #include "lapwing/shaders/background_vert.h"
+#include "lapwing/shaders/ground_grid_frag.h"
+#include "lapwing/shaders/ground_grid_vert.h"
 #include "lapwing/shaders/overlay_frag.h"
 #include "lapwing/shaders/overlay_vert.h"
 #include "lapwing/shaders/points_frag.h"
@@ -22,7 +24,8 @@
 namespace lapwing {
 namespace {
 
-// Push constants of the shaders background, surface, overlay and points, in std430 layout.
+// Push constants of the shaders background, surface, overlay, points and ground_grid, in std430
+// layout.
 struct BackgroundPush {
   std::array<float, 4> top;  // sRGB and opacity
   std::array<float, 4> bottom;
@@ -45,6 +48,14 @@ struct OverlayPush {
 struct PointsPush {
   std::array<float, 16> clip_from_points;  // columns
   std::array<float, 2> clip_radius;
+};
+
+struct GroundGridPush {
+  std::array<float, 16> clip_from_cells;  // columns
+  std::array<float, 4> second_axis_color;
+  std::array<float, 2> origin;
+  float radius;
+  float line_width;
 };
 
 constexpr float kCarriedRadiusPt = 3.5F;
@@ -181,6 +192,14 @@ Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines 
                .push_constant_bytes = sizeof(PointsPush),
                .constants = std::span(&shaders_encode_, 1),
                .depth = true}),
+      ground_grid_(context, target,
+                   {.name = "the ground grid",
+                    .vertex_spirv = shaders::ground_grid_vert(),
+                    .fragment_spirv = shaders::ground_grid_frag(),
+                    .push_constant_bytes = sizeof(GroundGridPush),
+                    .constants = std::span(&shaders_encode_, 1),
+                    .depth = true,
+                    .blend = true}),
       color_maps_(make_color_maps(context)) {}
 
 void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const {
@@ -269,6 +288,26 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDr
   push.clip_radius = {2.0F * radius / static_cast<float>(extent.width),
                       2.0F * radius / static_cast<float>(extent.height)};
   points_.draw(commands, {points.buffer()}, push, static_cast<std::uint32_t>(6 * points.size()));
+}
+
+void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const GroundGrid& grid,
+                    const Camera& camera, float pixels_per_point) const {
+  const bool y_up = grid.up == UpAxis::y;
+  const Eigen::Index second = y_up ? 2 : 1;
+  const Eigen::Matrix4d clip = clip_from_surface(camera, extent, grid.center);
+  Eigen::Matrix4d clip_from_cells = Eigen::Matrix4d::Zero();
+  clip_from_cells.col(0) = grid.spacing * clip.col(0);
+  clip_from_cells.col(1) = grid.spacing * clip.col(second);
+  clip_from_cells.col(3) = clip.col(3);
+  GroundGridPush push{};
+  Eigen::Map<Eigen::Matrix4f>(push.clip_from_cells.data()) = clip_from_cells.cast<float>();
+  push.second_axis_color = y_up ? std::array{0.30F, 0.50F, 0.90F, 1.0F}   // z, blue
+                                : std::array{0.35F, 0.70F, 0.25F, 1.0F};  // y, green
+  push.origin = {static_cast<float>(-grid.center.x() / grid.spacing),
+                 static_cast<float>(-grid.center[second] / grid.spacing)};
+  push.radius = static_cast<float>(grid.radius / grid.spacing);
+  push.line_width = pixels_per_point;
+  ground_grid_.draw(commands, {}, push, 6);
 }
 
 }  // namespace lapwing

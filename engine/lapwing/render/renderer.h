@@ -12,6 +12,7 @@
 #include "lapwing/render/camera.h"
 #include "lapwing/render/color_map.h"
 #include "lapwing/render/graphics_pipeline.h"
+#include "lapwing/render/ground_grid.h"
 #include "lapwing/render/overlay.h"
 #include "lapwing/render/surface_paint.h"
 
@@ -91,6 +92,9 @@ class Renderer {
   /// colour.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
             const Camera& camera, const SurfaceStyle& style) const;
+  /// Draws the grid behind and in front of what was drawn before.
+  void draw(VkCommandBuffer commands, VkExtent2D extent, const GroundGrid& grid,
+            const Camera& camera, float pixels_per_point) const;
 
  private:
   /// Meaning of the vertex index in the vertex shader.
@@ -117,6 +121,7 @@ class Renderer {
   mutable std::vector<std::unique_ptr<const StylePipeline>> surfaces_;
   GraphicsPipeline overlay_;
   GraphicsPipeline points_;
+  GraphicsPipeline ground_grid_;
   gpu::Buffer color_maps_;
 };
 
