@@ -59,8 +59,8 @@ TEST(GroundGrid, IsDrawnBehindTheMesh) {
     Subject sphere(icosphere(4));
     sphere.options.width = sphere.options.height = 400;
     sphere.options.background = Background::white;
-    sphere.camera = fit(sphere.mesh.positions, view_axes(View::three_quarter, up), 1.0,
-                        {.margin = 0.3});
+    sphere.camera =
+        fit(sphere.mesh.positions, view_axes(View::three_quarter, up), 1.0, {.margin = 0.3});
     const Image without = sphere.render();
     sphere.options.grid = ground_grid(bounds_of(sphere.mesh.positions), up);
     fit_depth(sphere.camera, sphere.options.grid->bounds());

@@ -53,6 +53,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'=', kPlain, Action::zoom_in, "Zoom in"},
      {'-', kPlain, Action::zoom_out, "Zoom out"},
      {'Z', kShift, Action::toggle_wireframe, "Toggle wireframe"},
+     {'Z', kAlt, Action::toggle_xray, "Toggle X-ray: a transparent surface with its edges"},
      {'L', kShift, Action::toggle_flat, "Toggle flat shading"},
      {kTab, kPlain, Action::toggle_panels, "Toggle panels"},
      {'?', kPlain, Action::toggle_controls, "Show the controls"},

@@ -33,6 +33,7 @@ enum class Action {
   zoom_in,
   zoom_out,
   toggle_wireframe,
+  toggle_xray,
   toggle_flat,
   toggle_panels,
   toggle_controls,

@@ -16,6 +16,8 @@
 namespace lapwing::viewer {
 namespace {
 
+enum class Shading { solid, wireframe, xray };
+
 ImU32 encoded(const Eigen::Vector3f& linear) {
   return IM_COL32(srgb_byte_of(linear[0]), srgb_byte_of(linear[1]), srgb_byte_of(linear[2]), 255);
 }
@@ -75,8 +77,21 @@ SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
 
 void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   SurfaceStyle& style = choices.style;
-  ImGui::Checkbox("Wireframe", &style.wireframe);
-  ImGui::SameLine();
+  Shading shading = style.xray        ? Shading::xray
+                    : style.wireframe ? Shading::wireframe
+                                      : Shading::solid;
+  if (choose("Shading", shading,
+             {{"Solid", Shading::solid},
+              {"Wireframe", Shading::wireframe},
+              {"X-ray", Shading::xray}})) {
+    style.wireframe = shading == Shading::wireframe;
+    style.xray = shading == Shading::xray;
+  }
+  choose("Matcap", style.matcap,
+         {{"Off", Matcap::none},
+          {"Clay", Matcap::clay},
+          {"Metal", Matcap::metal},
+          {"Pearl", Matcap::pearl}});
   ImGui::Checkbox("Flat", &style.flat);
   ImGui::SameLine();
   bool before = editor.shown().shows_before();
@@ -116,10 +131,10 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
     ImGui::TextDisabled("%s", in_window_words(title).c_str());
     draw_legend(style_of(choices, editor));
   }
-  choose_in_pairs(
-      "Background", choices.background,
-      std::array{std::pair{"Gradient", Background::gradient}, std::pair{"White", Background::white},
-                 std::pair{"Black", Background::transparent}});
+  choose("Background", choices.background,
+         {{"Gradient", Background::gradient},
+          {"White", Background::white},
+          {"Black", Background::transparent}});
 }
 
 void draw_preferences_panel(Preferences& preferences) {

@@ -362,6 +362,10 @@ void ViewerApp::perform(Action action) {
       return zoom_by(1.0 / kZoomPerNotch, 0.5 * size_);
     case Action::toggle_wireframe:
       display_.style.wireframe = !display_.style.wireframe;
+      display_.style.xray = false;
+      return;
+    case Action::toggle_xray:
+      display_.style.xray = !display_.style.xray;
       return;
     case Action::toggle_flat:
       display_.style.flat = !display_.style.flat;

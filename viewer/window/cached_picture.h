@@ -62,9 +62,9 @@ class MovingResolution {
   int patience_ = 4;
 };
 
-/// Identifies the contents of a rendered image: cameras, styles, grid, background, and the revisions of
-/// surfaces, carried objects and their colours. Does not include the quality (`Scene::moving`,
-/// `SurfaceStyle::sides`), or panels and marks, which are drawn over the image.
+/// Identifies the contents of a rendered image: cameras, styles, grid, background, and the
+/// revisions of surfaces, carried objects and their colours. Does not include the quality
+/// (`Scene::moving`, `SurfaceStyle::sides`), or panels and marks, which are drawn over the image.
 class SceneContents {
  public:
   /// Stores the contents of `scene`. Allocates memory only if the number of carried objects grows.

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/render/point_cloud.h"
@@ -70,6 +72,10 @@ enum SurfaceFlag : std::uint32_t {
   kOrthographic = 32,
   kCarriedColor = 64,
   kFileColor = 128,
+  kXray = 256,
+  kClayMatcap = 512,
+  kMetalMatcap = 1024,
+  kPearlMatcap = 2048,
 };
 
 constexpr std::size_t kColorMapEntries = 256;  // per map; shaders/surface.frag
@@ -81,8 +87,12 @@ std::uint32_t flags_of(const SurfaceStyle& style, const SurfacePaint& paint, con
   if (style.color == SurfaceColor::regions) flags |= kRegions;
   if (style.color == SurfaceColor::scalar) flags |= kScalar;
   if (style.color == SurfaceColor::carried) flags |= kCarriedColor;
-  if (style.wireframe) flags |= kWireframe;
+  if (style.wireframe || style.xray) flags |= kWireframe;
+  if (style.xray) flags |= kXray;
   if (style.flat) flags |= kFlat;
+  if (style.matcap == Matcap::clay) flags |= kClayMatcap;
+  if (style.matcap == Matcap::metal) flags |= kMetalMatcap;
+  if (style.matcap == Matcap::pearl) flags |= kPearlMatcap;
   if (style.color_map == ColorMap::diverging) flags |= kDiverging;
   if (camera.orthographic) flags |= kOrthographic;
   return flags;
@@ -143,6 +153,15 @@ Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
   return camera.projection(aspect) * view_from_surface(camera, origin);
 }
 
+Matcap matcap_named(std::string_view name) {
+  if (name == "none") return Matcap::none;
+  if (name == "clay") return Matcap::clay;
+  if (name == "metal") return Matcap::metal;
+  if (name == "pearl") return Matcap::pearl;
+  throw InputError("unknown matcap \"" + std::string(name) +
+                   "\"; choose one of none, clay, metal, pearl");
+}
+
 ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint) {
   if (style.range) return *style.range;
   const ScalarRange range = paint.scalar_range();
@@ -164,7 +183,8 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
                 .storage_buffers = 11,
                 .push_constant_bytes = sizeof(SurfacePush),
                 .constants = constants,
-                .depth = true}) {}
+                .depth = (its_flags & kXray) == 0,
+                .blend = (its_flags & kXray) != 0}) {}
 
 Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines pipelines)
     : context_(context),
@@ -238,8 +258,11 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   const bool by_vertex = !needs_corners && pipelines_ == Pipelines::by_style;
   const DrawOrder* order = by_vertex ? surface.draw_order() : nullptr;
   if (order == nullptr) {
-    return draw(style.sides, Numbers::corners,
-                static_cast<std::uint32_t>(3 * surface.triangle_count()), 0U);
+    const auto corners = static_cast<std::uint32_t>(3 * surface.triangle_count());
+    if (!style.xray) return draw(style.sides, Numbers::corners, corners, 0U);
+    draw(Sides::back, Numbers::corners, corners, 0U);
+    draw(Sides::front, Numbers::corners, corners, 0U);
+    return;
   }
   const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
   const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
@@ -256,7 +279,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
 
 const GraphicsPipeline& Renderer::surface_pipeline(std::uint32_t flags, Numbers numbers) const {
   const bool is_fixed = pipelines_ == Pipelines::by_style;
-  if (!is_fixed) flags = 0;
+  if (!is_fixed) flags &= kXray;  // the only flag that changes the state of the pipeline
   for (const auto& made : surfaces_) {
     if (made->flags == flags && made->numbers == numbers) return made->pipeline;
   }
