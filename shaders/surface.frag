@@ -119,7 +119,7 @@ vec3 metal_matcap(vec3 albedo, vec3 normal, vec3 eye) {
   const vec3 mirrored = reflect(-eye, normal);
   const float sky = smoothstep(-0.05, 0.9, mirrored.y);
   const float ground = smoothstep(0.0, 0.8, -mirrored.y);
-  const float before = step(-0.2, mirrored.z);
+  const float before = smoothstep(-0.5, 0.1, mirrored.z);
   const float lamp = before * (1.0 - smoothstep(0.0, 0.12, abs(mirrored.x + 0.55)));
   const float strip = before * (1.0 - smoothstep(0.0, 0.07, abs(mirrored.x - 0.70)));
   const float light = 0.06 + 0.80 * sky + 0.30 * ground + 0.75 * lamp + 0.45 * strip;

@@ -134,6 +134,7 @@ TEST_F(SceneContentsTest, DifferWhereLooksDo) {
   EXPECT_TRUE(changed([&] { scene_.style.range = ScalarRange{0.0F, 1.0F}; }));
   EXPECT_TRUE(changed([&] { scene_.background = Background::white; }));
   EXPECT_TRUE(changed([&] { scene_.grid.emplace(); }));
+  EXPECT_TRUE(changed([&] { scene_.left = {scene_.surface, scene_.paint, scene_.style, 100.0}; }));
   EXPECT_TRUE(changed([&] { scene_.surface = nullptr; }));
   EXPECT_TRUE(changed([&] { static_cast<SurfaceScene&>(scene_.beside.emplace()) = scene_; }));
 }

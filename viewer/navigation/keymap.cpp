@@ -91,6 +91,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'N', kPlain, Action::take_part, "Pick up a part, then the next one"},
      {'N', kShift, Action::take_up_part, "Pick up the last transplant again"},
      {'C', kPlain, Action::toggle_before, "Toggle the original mesh, to compare"},
+     {'C', kShift, Action::toggle_slider,
+      "Toggle a line to drag, with the original mesh at its left"},
      {'K', kControl, Action::begin_coat, "Coat the region with the detail of another patch"},
      {'M', kShift, Action::toggle_mirror, "Toggle mirroring in the symmetry plane of the shape"},
      {'M', kControl, Action::begin_mix, "Mix the detail of two patches on the region"},

@@ -63,6 +63,7 @@ enum class Action {
   take_part,
   take_up_part,
   toggle_before,
+  toggle_slider,
   toggle_mirror,
   begin_coat,
   begin_mix,

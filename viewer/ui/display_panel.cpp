@@ -44,13 +44,21 @@ void draw_legend(const SurfaceStyle& style) {
   ImGui::TextUnformatted(high);
 }
 
-template <typename Value, std::size_t count>
-void choose_in_pairs(const char* label, Value& value,
-                     const std::array<std::pair<const char*, Value>, count>& choices) {
-  ImGui::TextDisabled("%s", label);
-  for (std::size_t c = 0; c < count; ++c) {
-    if (c % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionMax().x);
-    if (ImGui::RadioButton(choices[c].first, value == choices[c].second)) value = choices[c].second;
+void choose_coloring(Coloring& coloring) {
+  constexpr std::array kChoices{std::pair{"Plain", Coloring::plain},
+                                std::pair{"Regions", Coloring::regions},
+                                std::pair{"Displacement", Coloring::displacement},
+                                std::pair{"Rotation", Coloring::rotation},
+                                std::pair{"Detail error", Coloring::detail},
+                                std::pair{"Stretch", Coloring::stretch}};
+  constexpr std::size_t kColumns = 3;
+  ImGui::TextDisabled("Colour");
+  for (std::size_t c = 0; c < kChoices.size(); ++c) {
+    const float place = static_cast<float>(c % kColumns) / kColumns;
+    if (c % kColumns > 0) ImGui::SameLine(place * ImGui::GetContentRegionMax().x);
+    if (ImGui::RadioButton(kChoices[c].first, coloring == kChoices[c].second)) {
+      coloring = kChoices[c].second;
+    }
   }
 }
 
@@ -113,13 +121,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   // A new angle rebuilds the surface, which takes too long to do in every frame of the slider drag.
   if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_feature_angle(choices.feature_angle);
   explain("Edges between faces at a larger angle are shaded sharp.");
-  choose_in_pairs(
-      "Colour", choices.coloring,
-      std::array{std::pair{"Plain", Coloring::plain}, std::pair{"Regions", Coloring::regions},
-                 std::pair{"Displacement", Coloring::displacement},
-                 std::pair{"Rotation", Coloring::rotation},
-                 std::pair{"Detail error", Coloring::detail},
-                 std::pair{"Stretch", Coloring::stretch}});
+  choose_coloring(choices.coloring);
   const auto measure = measure_of(choices.coloring);
   editor.shown().color_by(measure);
   if (measure && !editor.shown().is_comparable()) {

@@ -113,6 +113,7 @@ void ViewerApp::show(LoadedFile file) {
   // Two meshes at a time may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
+  slider_.reset();
   saving_ = nullptr;
   document_ = std::make_unique<Document>(
       std::move(file), kept_.journals, context_,
@@ -223,7 +224,17 @@ Scene ViewerApp::scene() {
   scene.grid = shown_grid();
   scene.style = shown_style();
   scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
-  scene.moving = motion_.has_value() || editor.is_dragging();
+  scene.moving = motion_.has_value() || on_slider_ || editor.is_dragging();
+  if (const auto line = slider_line()) {
+    const EditSurface& opened = editor.shown().opened_on_device();
+    LeftScene& left = scene.left.emplace();
+    left.surface = &opened.shown();
+    left.paint = &opened.paint();
+    left.style = scene.style;
+    // The opened mesh has no measured values.
+    if (left.style.color == SurfaceColor::scalar) left.style.color = SurfaceColor::regions;
+    left.width = *line;
+  }
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {
     scene.style.sides = Sides::front;

@@ -143,6 +143,11 @@ class ViewerApp final : public App {
   Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
   /// Returns the centre of the axis gizmo in pixels; nullopt if it is hidden.
   std::optional<Eigen::Vector2d> axis_gizmo_center() const;
+  /// Returns the place of the line of the slider, in pixels from the left; nullopt if it is off.
+  std::optional<double> slider_line() const;
+  /// Handles a drag of this line. Returns whether the event belongs to one.
+  bool handle_slider(const InputEvent& event);
+  void toggle_slider();
   /// Handles a press or release on the axis gizmo. Returns whether it was one.
   bool handle_axis_gizmo(const InputEvent& event);
   bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
@@ -213,6 +218,9 @@ class ViewerApp final : public App {
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
   double pixels_per_point_ = 1.0;
   std::optional<Motion> motion_;  ///< camera motion under way
+  /// Place of the slider's line as a share of the width that the panels leave free.
+  std::optional<double> slider_;
+  bool on_slider_ = false;        ///< its line is being dragged
   bool on_axis_gizmo_ = false;    ///< the motion began on the axis gizmo
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();

@@ -119,6 +119,10 @@ void ViewerApp::draw_marks() {
   const double per_unit = pixels_per_unit();
   marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
   marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
+  if (const auto line = slider_line()) {
+    marks_.draw_slider(view_frame(), per_unit, *line,
+                       per_unit * (picture_area().corner.y() + banner_height_));
+  }
   if (const auto center = axis_gizmo_center()) {
     draw_axis_gizmo(camera_, *center / per_unit, pixels_per_point_ / per_unit);
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 #include "editing/editor_actions.h"
 #include "navigation/axis_gizmo.h"
@@ -21,6 +22,8 @@ constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
 // Points of a zooming drag that make things e times as large.
 constexpr double kZoomPt = 150.0;
+// Distance from the slider's line within which a press takes it.
+constexpr double kSliderPt = 5.0;
 // Distance of the axis gizmo from the edges of the 3D view.
 constexpr double kAxisGapPt = 6.0;
 // Arrow keys turn by a twelfth of a half turn, 15 degrees.
@@ -240,6 +243,37 @@ bool ViewerApp::handle_axis_gizmo(const InputEvent& event) {
   return true;
 }
 
+std::optional<double> ViewerApp::slider_line() const {
+  if (!document_ || !slider_) return {};
+  const double left = covered_share() * size_.x();
+  return left + *slider_ * (size_.x() - left);
+}
+
+void ViewerApp::toggle_slider() {
+  if (!document_) return;
+  on_slider_ = false;
+  if (std::exchange(slider_, slider_ ? std::nullopt : std::optional(0.5))) {
+    document_->editor.shown().release_opened();
+  } else {
+    document_->editor.show_before(false);
+  }
+}
+
+bool ViewerApp::handle_slider(const InputEvent& event) {
+  const auto line = slider_line();
+  const bool is_left = event.button == MouseButton::left;
+  if (event.kind == InputKind::press) {
+    on_slider_ = line && is_left && !motion_ && !document_->editor.is_dragging() &&
+                 std::abs(event.position.x() - *line) <= kSliderPt * pixels_per_point_;
+  }
+  if (!on_slider_ || !line || !is_of_pointer(event)) return false;
+  const double left = covered_share() * size_.x();
+  slider_ = std::clamp((event.position.x() - left) / std::max(size_.x() - left, 1.0), 0.0, 1.0);
+  cursor_ = event.position;
+  if (event.kind == InputKind::release && is_left) on_slider_ = false;
+  return true;
+}
+
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
   if (recording_) {
@@ -260,7 +294,7 @@ bool ViewerApp::handle(const InputEvent& event) {
     return true;
   }
   if (const auto changed = handle_source(event)) return *changed;
-  if (handle_axis_gizmo(event)) return true;
+  if (handle_axis_gizmo(event) || handle_slider(event)) return true;
   Editor::Handled handled;
   if (document_ && !motion_) {
     handled = document_->editor.handle(event, view_frame());
@@ -367,6 +401,8 @@ void ViewerApp::perform(Action action) {
     case Action::toggle_xray:
       display_.style.xray = !display_.style.xray;
       return;
+    case Action::toggle_slider:
+      return toggle_slider();
     case Action::toggle_flat:
       display_.style.flat = !display_.style.flat;
       return;

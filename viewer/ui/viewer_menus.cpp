@@ -143,6 +143,7 @@ void ViewerApp::draw_view_menu() {
     perform(Action::toggle_wireframe);
   }
   if (ImGui::MenuItem("X-ray", "Alt+Z", display_.style.xray)) perform(Action::toggle_xray);
+  if (ImGui::MenuItem("Compare with original", "Shift+C", slider_.has_value())) toggle_slider();
   ImGui::MenuItem("Ground grid", nullptr, &display_.grid);
   if (ImGui::MenuItem("Z up", nullptr, up_axis_ == UpAxis::z)) {
     up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;

@@ -74,6 +74,11 @@ void SceneContents::take(const Scene& scene) {
     carried_.push_back(drawing.points != nullptr ? drawing.points->revision() : 0);
   }
   grid_ = scene.grid;
+  left_.reset();
+  if (scene.left) {
+    const LeftScene& left = *scene.left;
+    left_ = {seen({left.surface, left.paint, {}, left.style}), left.width};
+  }
   beside_.reset();
   corner_.setZero();
   size_.setZero();
@@ -160,13 +165,7 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
   // lower resolution.
   SurfaceStyle style = scene.style;
   style.pixels_per_point /= static_cast<float>(drawing.pixels);
-  if (scene.surface != nullptr) {
-    drawing.renderer.draw(commands, extent_, *scene.surface, *scene.paint, scene.camera, style);
-  }
-  for (const CarriedDrawing& carried : scene.carried) {
-    drawing.renderer.draw(commands, extent_, carried, scene.camera,
-                          carried.surface != nullptr ? style : scene.style);
-  }
+  draw_surfaces(commands, drawing, scene, style);
   if (scene.grid) {
     drawing.renderer.draw(commands, extent_, *scene.grid, scene.camera, style.pixels_per_point);
   }
@@ -175,6 +174,33 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
   drawing.image->transition(commands, kColorTarget, kCopySource);
   shown_ = &drawing;
   std::swap(contents_, next_);
+}
+
+void CachedPicture::draw_surfaces(VkCommandBuffer commands, const Drawing& drawing,
+                                  const Scene& scene, const SurfaceStyle& style) const {
+  const VkRect2D whole{{0, 0}, drawing.extent};
+  if (scene.left) {
+    const double most = drawing.extent.width;
+    const double width = std::clamp(scene.left->width / drawing.pixels, 0.0, most);
+    VkRect2D left = whole;
+    left.extent.width = static_cast<std::uint32_t>(std::lround(width));
+    const VkRect2D right{{static_cast<std::int32_t>(left.extent.width), 0},
+                         {whole.extent.width - left.extent.width, whole.extent.height}};
+    SurfaceStyle left_style = scene.left->style;
+    left_style.pixels_per_point = style.pixels_per_point;
+    set_scissor(context_, commands, left);
+    drawing.renderer.draw(commands, extent_, *scene.left->surface, *scene.left->paint, scene.camera,
+                          left_style);
+    set_scissor(context_, commands, right);
+  }
+  if (scene.surface != nullptr) {
+    drawing.renderer.draw(commands, extent_, *scene.surface, *scene.paint, scene.camera, style);
+  }
+  for (const CarriedDrawing& carried : scene.carried) {
+    drawing.renderer.draw(commands, extent_, carried, scene.camera,
+                          carried.surface != nullptr ? style : scene.style);
+  }
+  set_scissor(context_, commands, whole);
 }
 
 void CachedPicture::draw_beside(VkCommandBuffer commands, const Drawing& drawing,

@@ -84,10 +84,17 @@ class SceneContents {
     bool operator==(const Seen&) const = default;
   };
   static Seen seen(const SurfaceScene& scene);
+  struct Left {
+    Seen seen;
+    double width = 0.0;
+
+    bool operator==(const Left&) const = default;
+  };
 
   Seen main_;
   std::vector<std::uint64_t> carried_;
   std::optional<GroundGrid> grid_;
+  std::optional<Left> left_;
   std::optional<Seen> beside_;
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
@@ -144,6 +151,8 @@ class CachedPicture {
   /// Marks the image as invalid, so that the next frame renders it.
   void forget() { shown_ = nullptr; }
   void fit(Drawing& drawing, double pixels) const;
+  void draw_surfaces(VkCommandBuffer commands, const Drawing& drawing, const Scene& scene,
+                     const SurfaceStyle& style) const;
   void draw_beside(VkCommandBuffer commands, const Drawing& drawing, const SideScene& scene,
                    Background background) const;
 
