@@ -15,8 +15,9 @@ std::array<AxisEnd, 6> axis_ends(const Camera& camera) {
     end.offset_pt = kAxisPt * Eigen::Vector2d(direction.x(), -direction.y());
     end.toward_eye = direction.z();
   }
-  std::stable_sort(ends.begin(), ends.end(),
-                   [](const AxisEnd& a, const AxisEnd& b) { return a.toward_eye < b.toward_eye; });
+  // std::stable_sort would allocate in every frame.
+  std::sort(ends.begin(), ends.end(),
+            [](const AxisEnd& a, const AxisEnd& b) { return a.toward_eye < b.toward_eye; });
   return ends;
 }
 
