@@ -220,8 +220,8 @@ class ViewerApp final : public App {
   std::optional<Motion> motion_;  ///< camera motion under way
   /// Place of the slider's line as a share of the width that the panels leave free.
   std::optional<double> slider_;
-  bool on_slider_ = false;        ///< its line is being dragged
-  bool on_axis_gizmo_ = false;    ///< the motion began on the axis gizmo
+  bool on_slider_ = false;      ///< its line is being dragged
+  bool on_axis_gizmo_ = false;  ///< the motion began on the axis gizmo
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
   Eigen::Vector3d orbit_center_ = Eigen::Vector3d::Zero();
