@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Matte clay under a key, a fill and a rim light that move with the camera.
+// Matte clay under a key, a fill and a rim light that move with the camera, or a matcap.
 
 #include "file_color.glsl"
 #include "surface.glsl"
@@ -33,6 +33,9 @@ const float kTint = 0.65;      // fraction of a class's colour when mixed with t
 const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
 // Factor of the file's colours, so that white facing the key light is rendered as white.
 const float kExposure = 0.85;
+// Opacity of an X-ray surface that faces the eye, and of its edges. Silhouettes are denser.
+const float kXrayFacing = 0.15;
+const float kXrayEdge = 0.7;
 
 const int kColorMapEntries = 256;  // per colour map; must equal the constant in render/renderer.cpp
 
@@ -102,7 +105,47 @@ float bend(vec3 normal) {
 float square(float x) { return x * x; }
 float fourth(float x) { return square(square(x)); }
 
+// Returns the light of the matcaps. `albedo` is the colour of the surface.
+vec3 clay_matcap(vec3 albedo, vec3 normal, vec3 eye) {
+  // Light that also reaches behind the horizon of the surface makes shadows soft and warm.
+  const float light = dot(normal, normalize(vec3(-0.45, 0.70, 0.55))) * 0.5 + 0.5;
+  const vec3 tone = mix(vec3(0.09, 0.03, 0.02), vec3(1.30, 0.95, 0.74), square(light) * light);
+  const float rim = fourth(1.0 - max(dot(normal, eye), 0.0));
+  return albedo * (tone + 0.30 * rim * vec3(0.9, 0.6, 0.5));
+}
+
+vec3 metal_matcap(vec3 albedo, vec3 normal, vec3 eye) {
+  // Reflects a bright sky, a dark horizon and a lit floor, and two long lamps.
+  const vec3 mirrored = reflect(-eye, normal);
+  const float sky = smoothstep(-0.05, 0.9, mirrored.y);
+  const float ground = smoothstep(0.0, 0.8, -mirrored.y);
+  const float before = smoothstep(-0.5, 0.1, mirrored.z);
+  const float lamp = before * (1.0 - smoothstep(0.0, 0.12, abs(mirrored.x + 0.55)));
+  const float strip = before * (1.0 - smoothstep(0.0, 0.07, abs(mirrored.x - 0.70)));
+  const float light = 0.06 + 0.80 * sky + 0.30 * ground + 0.75 * lamp + 0.45 * strip;
+  const float edge = fourth(1.0 - max(dot(normal, eye), 0.0));
+  return mix(albedo, vec3(1), 0.15 + 0.5 * edge) * light;
+}
+
+vec3 pearl_matcap(vec3 albedo, vec3 normal, vec3 eye) {
+  const vec3 key = normalize(vec3(-0.45, 0.65, 0.62));
+  const float light = dot(normal, key) * 0.5 + 0.5;
+  const float facing = max(dot(normal, eye), 0.0);
+  // Thin layers reflect another colour at each angle.
+  const vec3 phase = 6.2831853 * (1.3 * facing + vec3(0.0, 0.33, 0.67));
+  const vec3 sheen = 0.5 + 0.5 * cos(phase);
+  const float half_way = max(dot(normal, normalize(key + eye)), 0.0);
+  const float gloss = fourth(fourth(fourth(half_way)));  // to the power of 64
+  const float rim = square(1.0 - facing);
+  return mix(albedo, vec3(0.9), 0.35) * (0.14 + 0.68 * square(light)) + 0.12 * sheen * (0.3 + rim) +
+         0.55 * gloss;
+}
+
 vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
+  const float relief = 1.0 + 0.30 * bend(normal);
+  if (has(kClayMatcap)) return relief * clay_matcap(albedo, normal, eye);
+  if (has(kMetalMatcap)) return relief * metal_matcap(albedo, normal, eye);
+  if (has(kPearlMatcap)) return relief * pearl_matcap(albedo, normal, eye);
   const vec3 key = normalize(vec3(-0.50, 0.62, 0.60));
   const vec3 fill = normalize(vec3(0.85, 0.05, 0.45));
   const float key_light = max(dot(normal, key), 0.0);
@@ -114,7 +157,6 @@ vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
   const float facing = max(dot(normal, normalize(key + eye)), 0.0);
   const float gloss = fourth(square(facing * fourth(facing)));  // facing to the power of 40
   const float rim = fourth(1.0 - max(dot(normal, eye), 0.0)) * height;
-  const float relief = 1.0 + 0.30 * bend(normal);
   return albedo * light * relief + 0.05 * gloss + 0.20 * rim * vec3(0.85, 0.93, 1.0);
 }
 
@@ -141,6 +183,12 @@ void main() {
   const vec3 eye = has(kOrthographic) ? vec3(0, 0, 1) : normalize(-view_position);
   const vec3 normal = normalize(gl_FrontFacing ? view_normal : -view_normal);
   vec3 color = shade(surface_color(), normal, eye);
-  if (has(kWireframe)) color = mix(color, linear_of(kLine), 0.75 * line_coverage());
-  written = vec4(of_linear(color), 1);
+  const float line = has(kWireframe) ? line_coverage() : 0.0;
+  color = mix(color, linear_of(kLine), 0.75 * line);
+  float opacity = 1;
+  if (has(kXray)) {
+    const float face = kXrayFacing + 0.45 * square(1.0 - abs(dot(normal, eye)));
+    opacity = mix(face, kXrayEdge, line);
+  }
+  written = vec4(of_linear(color), opacity);
 }

@@ -16,6 +16,10 @@ const uint kDiverging = 16;
 const uint kOrthographic = 32;
 const uint kCarriedColor = 64;
 const uint kFileColor = 128;
+const uint kXray = 256;
+const uint kClayMatcap = 512;
+const uint kMetalMatcap = 1024;
+const uint kPearlMatcap = 2048;
 
 // Values of the highest byte of a corner's colour source (render/corner_colors.h).
 const uint kSourceColor = 1;

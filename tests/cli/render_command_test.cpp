@@ -43,6 +43,17 @@ TEST_F(CommandLine, RenderDrawsAMeshAndHowItDiffersFromItsRestPose) {
   EXPECT_EQ(lapwing(render + "--color rotation").exit_code, 2) << "without --rest";
 }
 
+TEST_F(CommandLine, RenderDrawsMatcapsAndXrays) {
+  LAPWING_NEEDS_GPU();
+  std::set<std::string> pictures;
+  for (const std::string style :
+       {"", "--xray", "--wireframe", "--matcap clay", "--matcap metal", "--matcap pearl"}) {
+    succeed("render tube.obj -o a.png --size 160x120 " + style);
+    EXPECT_TRUE(pictures.insert(read("a.png")).second) << style << " looks like another one";
+  }
+  EXPECT_EQ(lapwing("render tube.obj -o a.png --matcap gold").exit_code, 2);
+}
+
 TEST_F(CommandLine, RenderShowsTheColorsOfTheFileAndSaysWhatIsMissing) {
   LAPWING_NEEDS_GPU();
   write("a.mtl", "newmtl skin\nKd 1 0 0\nmap_Kd gone.png\n");

@@ -8,9 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
 #include "render/picture.h"
 #include "support/gpu.h"
+#include "support/keep_picture.h"
 
 namespace lapwing {
 namespace {
@@ -213,6 +215,54 @@ TEST(RenderImage, WireframeShowsPolygonEdgesAndNoDiagonals) {
   for (const double at : {0.1, 0.25, 0.4}) {  // along and across both diagonals of one quad
     EXPECT_EQ(wire.pixel(column(at), column(at)), plain.pixel(column(at), column(at)));
     EXPECT_EQ(wire.pixel(column(at), column(0.5 - at)), plain.pixel(column(at), column(0.5 - at)));
+  }
+}
+
+// A small sphere inside a large one.
+TEST(RenderImage, AnXraySurfaceShowsWhatIsBehindIt) {
+  LAPWING_NEEDS_GPU();
+  const Mesh outer = icosphere(4);
+  Mesh both = outer;
+  for (const Eigen::Vector3d& p : outer.positions) both.positions.emplace_back(0.4 * p);
+  const auto first = static_cast<Index>(outer.vertex_count());
+  for (std::size_t f = 0; f < outer.face_count(); ++f) {
+    const auto face = outer.face(f);
+    both.add_face(std::array<Index, 3>{face[0] + first, face[1] + first, face[2] + first});
+  }
+  Subject hollow(outer);
+  Subject filled(both);
+  EXPECT_LT(mean_difference(hollow.render(), filled.render()), 1e-3);
+  for (Subject* subject : {&hollow, &filled}) {
+    subject->options.style.xray = true;
+    subject->options.background = Background::transparent;
+  }
+  const Image seen = filled.render();
+  test::keep_picture(seen, "xray");
+  EXPECT_GT(mean_difference(hollow.render(), seen), 1.0);
+  EXPECT_LT(hollow.render().pixel(kMiddle, kMiddle)[3], 200) << "the background shows through";
+}
+
+TEST(RenderImage, EveryMatcapLooksDifferentAndFollowsTheCamera) {
+  LAPWING_NEEDS_GPU();
+  std::set<std::vector<std::uint8_t>> pictures;
+  for (const char* name : {"none", "clay", "metal", "pearl"}) {
+    Subject sphere(icosphere(5));
+    sphere.options.style.matcap = matcap_named(name);
+    const Image front = sphere.render();
+    test::keep_picture(front, std::string("matcap-") + name);
+    EXPECT_TRUE(pictures.insert(front.rgba).second) << name;
+    sphere.camera = fit(sphere.mesh.positions, view_axes(View::left), 1.0,
+                        {.orthographic = true, .margin = Subject::kMargin});
+    EXPECT_LT(mean_difference(sphere.render(), front), 1.5) << name;
+  }
+}
+
+TEST(RenderImage, AnUnknownMatcapIsRefusedWithAllNames) {
+  try {
+    matcap_named("gold");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "unknown matcap \"gold\"; choose one of none, clay, metal, pearl");
   }
 }
 

@@ -40,8 +40,8 @@ class CameraMotion : public ::testing::TestWithParam<bool> {
 };
 
 TEST_P(CameraMotion, OrbitKeepsTargetAndDistance) {
-  const Camera moved = orbited(camera, {123.0, -45.0}, kSize, Vector3d::UnitY());
-  EXPECT_EQ(moved.target, camera.target);
+  const Camera moved = orbited(camera, {123.0, -45.0}, kSize, Vector3d::UnitY(), camera.target);
+  EXPECT_LT((moved.target - camera.target).norm(), 1e-12);
   EXPECT_NEAR(distance_of(moved), distance_of(camera), 1e-12);
   EXPECT_GT((moved.eye - camera.eye).norm(), 0.1);
 }
@@ -49,25 +49,59 @@ TEST_P(CameraMotion, OrbitKeepsTargetAndDistance) {
 TEST_P(CameraMotion, OrbitKeepsTheHorizonLevel) {
   Camera moved = camera;
   for (int step = 0; step < 50; ++step) {
-    moved = orbited(moved, {7.0 * step, 31.0 - step}, kSize, Vector3d::UnitY());
+    moved = orbited(moved, {7.0 * step, 31.0 - step}, kSize, Vector3d::UnitY(), {1.0, 0.5, -1.0});
   }
   const Vector3d right = moved.view().block<1, 3>(0, 0).transpose();
   EXPECT_NEAR(right.y(), 0.0, 1e-9);
 }
 
 TEST_P(CameraMotion, OrbitSidewaysByTheHeightIsHalfATurn) {
-  const Camera moved = orbited(camera, {kSize.y(), 0.0}, kSize, Vector3d::UnitY());
+  const Camera moved = orbited(camera, {kSize.y(), 0.0}, kSize, Vector3d::UnitY(), camera.target);
   const Vector3d before = camera.eye - camera.target;
   const Vector3d after = moved.eye - moved.target;
   EXPECT_LT((after - Vector3d(-before.x(), before.y(), -before.z())).norm(), 1e-9);
 }
 
 TEST_P(CameraMotion, OrbitStopsWhereItLooksStraightDown) {
-  Camera moved = orbited(camera, {0.0, 10.0 * kSize.y()}, kSize, Vector3d::UnitY());
+  Camera moved = orbited(camera, {0.0, 10.0 * kSize.y()}, kSize, Vector3d::UnitY(), camera.target);
   EXPECT_LT(((moved.eye - moved.target).normalized() - Vector3d::UnitY()).norm(), 1e-6);
-  moved = orbited(moved, {0.0, -0.5 * kSize.y()}, kSize, Vector3d::UnitY());
+  moved = orbited(moved, {0.0, -0.5 * kSize.y()}, kSize, Vector3d::UnitY(), moved.target);
   EXPECT_NEAR((moved.eye - moved.target).normalized().y(), 0.0, 1e-6);
   EXPECT_GT(moved.up.y(), 0.99);
+}
+
+TEST_P(CameraMotion, OrbitKeepsThePlaceOfItsCentreInTheImage) {
+  const Vector3d center(2.5, -1.0, 0.5);
+  const Camera moved = orbited(camera, {80.0, 33.0}, kSize, Vector3d::UnitY(), center);
+  EXPECT_LT((pixel_of(moved, center) - pixel_of(camera, center)).norm(), 1e-9);
+  EXPECT_GT((pixel_of(moved, camera.target) - pixel_of(camera, camera.target)).norm(), 10.0);
+}
+
+TEST_P(CameraMotion, FocusKeepsTheImageAndTakesTheTargetToTheDepth) {
+  const Vector3d point(2.5, -1.0, 0.5);
+  const Camera moved = focused(camera, point);
+  for (const Vector3d& seen : {point, Vector3d(-1.0, 2.0, -3.0), Vector3d(4.0, 0.0, 1.0)}) {
+    EXPECT_LT((pixel_of(moved, seen) - pixel_of(camera, seen)).norm(), 1e-9);
+  }
+  EXPECT_NEAR((moved.eye - moved.target).dot(moved.target - point), 0.0, 1e-9);
+}
+
+TEST_P(CameraMotion, AfterFocusZoomKeepsThePointAndStaysBeforeIt) {
+  const Vector3d point(2.5, -1.0, 0.5);
+  const Vector2d pixel = pixel_of(camera, point);
+  Camera moved = camera;
+  for (int notch = 0; notch < 200; ++notch) {
+    moved = zoomed(focused(moved, point), 1.15, pixel, kSize, zoom_range(10.0));
+  }
+  EXPECT_LT((pixel_of(moved, point) - pixel).norm(), 1e-6);
+  EXPECT_NEAR((moved.eye - moved.target).dot(moved.eye - point), 1e-4, 1e-9)
+      << "a thousandth of the size, squared";
+}
+
+TEST_P(CameraMotion, ZoomDoesNotMoveAwayFromWhatIsNearerThanItsRange) {
+  const ZoomRange range{2.0 * distance_of(camera), 1e3};
+  EXPECT_NEAR(distance_of(zoomed(camera, 1.15, {10, 10}, kSize, range)), distance_of(camera), 1e-9);
+  EXPECT_GT(distance_of(zoomed(camera, 0.5, {10, 10}, kSize, range)), 1.5 * distance_of(camera));
 }
 
 TEST_P(CameraMotion, PanMovesTheTargetWithTheCursor) {

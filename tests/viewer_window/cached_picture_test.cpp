@@ -27,8 +27,9 @@ TEST(PictureSource, WhatShowsTheSameIsKept) {
       << "it may move on";
 }
 
-TEST(PictureSource, WhatMovesIsDrawnQuicklyAndFinelyAtRest) {
-  EXPECT_EQ(picture_way({.moving = true}), PictureSource::quick);
+TEST(PictureSource, WhatMovesIsDrawnFinelyIfThereIsTimeAndElseOnlyAtRest) {
+  EXPECT_EQ(picture_way({.moving = true}), PictureSource::fine);
+  EXPECT_EQ(picture_way({.moving = true, .fine_is_slow = true}), PictureSource::quick);
   EXPECT_EQ(picture_way({.changed = false, .is_quick = true, .at_rest = true}),
             PictureSource::fine);
   EXPECT_EQ(picture_way({.changed = false, .is_quick = true, .moving = true, .at_rest = true}),
@@ -49,20 +50,31 @@ TEST(MovingResolution, FollowsWhatFramesTake) {
     for (int f = 0; f < frames; ++f) resolution.took(milliseconds);
     return resolution.pixels_per_pixel();
   };
-  EXPECT_EQ(after(100, 49.0), 1U);
-  EXPECT_EQ(after(1, 400.0), 1U) << "one slow frame says nothing";
-  EXPECT_EQ(after(1, 10.0), 1U);
-  EXPECT_EQ(after(2, 60.0), 2U);
+  EXPECT_EQ(after(100, 49.0), 1.0);
+  EXPECT_EQ(after(1, 400.0), 1.0) << "one slow frame says nothing";
+  EXPECT_EQ(after(1, 10.0), 1.0);
+  EXPECT_EQ(after(2, 60.0), 1.25) << "two thirds of the pixels take 40 ms";
   EXPECT_EQ(after(50, 400.0), MovingResolution::kCoarsest);
-  EXPECT_EQ(after(1000, 30.0), MovingResolution::kCoarsest) << "finer might be too slow";
-  EXPECT_EQ(after(1000, 5.0), 1U);
+  EXPECT_EQ(after(1000, 40.0), MovingResolution::kCoarsest) << "finer would take 52 ms";
+  EXPECT_EQ(after(1000, 37.0), 1.75);
+  EXPECT_EQ(after(1000, 5.0), 1.0);
+}
+
+TEST(MovingResolution, SettlesAtTheFinestThatIsFastEnough) {
+  MovingResolution resolution;
+  constexpr double kAtFull = 90.0;
+  for (int f = 0; f < 1000; ++f) {
+    const double pixels = resolution.pixels_per_pixel();
+    resolution.took(kAtFull / (pixels * pixels));
+  }
+  EXPECT_EQ(resolution.pixels_per_pixel(), 1.5);
 }
 
 TEST(MovingResolution, TriesFinerLessOftenWhereThatIsTooSlow) {
   MovingResolution resolution;
   int coarse_frames = 0;
   for (int f = 0; f < 1000; ++f) {
-    const bool coarse = resolution.pixels_per_pixel() > 1;
+    const bool coarse = resolution.pixels_per_pixel() > 1.0;
     coarse_frames += coarse ? 1 : 0;
     resolution.took(coarse ? 20.0 : 60.0);
   }
@@ -121,6 +133,8 @@ TEST_F(SceneContentsTest, DifferWhereLooksDo) {
   EXPECT_TRUE(changed([&] { scene_.style.color = SurfaceColor::regions; }));
   EXPECT_TRUE(changed([&] { scene_.style.range = ScalarRange{0.0F, 1.0F}; }));
   EXPECT_TRUE(changed([&] { scene_.background = Background::white; }));
+  EXPECT_TRUE(changed([&] { scene_.grid.emplace(); }));
+  EXPECT_TRUE(changed([&] { scene_.left = {scene_.surface, scene_.paint, scene_.style, 100.0}; }));
   EXPECT_TRUE(changed([&] { scene_.surface = nullptr; }));
   EXPECT_TRUE(changed([&] { static_cast<SurfaceScene&>(scene_.beside.emplace()) = scene_; }));
 }
@@ -218,7 +232,7 @@ TEST_F(KeptPictureTest, AfterACoarseDragTheStillPictureIsTheOneDrawnAnewBitForBi
     scene_.camera.eye.x() += 0.1;
     picture(false);
     EXPECT_EQ(painter_->way(), PictureSource::quick);
-    EXPECT_EQ(painter_->picture().pixels_per_pixel(), 2U);
+    EXPECT_EQ(painter_->picture().pixels_per_pixel(), 2.0);
   }
   const Image moving = picture(false);
   scene_.moving = false;

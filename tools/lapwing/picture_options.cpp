@@ -58,6 +58,11 @@ void PictureOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_flag("--orthographic", orthographic, "parallel projection")->group(group);
   command.add_flag("--wireframe", wireframe, "draw polygon edges")->group(group);
+  command.add_flag("--xray", xray, "draw a transparent surface with its edges")->group(group);
+  command.add_option("--matcap", matcap, "the material, instead of lights")
+      ->check(CLI::IsMember({"none", "clay", "metal", "pearl"}))
+      ->group(group)
+      ->capture_default_str();
   command.add_flag("--flat", flat, "one normal per triangle")->group(group);
   command
       .add_option("--feature-angle", feature_angle_degrees,
@@ -78,6 +83,8 @@ PictureRequest PictureOptions::request() const {
                                                      : Background::gradient;
   request.orthographic = orthographic;
   request.wireframe = wireframe;
+  request.xray = xray;
+  request.matcap = matcap_named(matcap);
   request.flat = flat;
   request.feature_angle_degrees = feature_angle_degrees;
   if (!request.can_look()) {

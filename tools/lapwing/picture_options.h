@@ -22,6 +22,8 @@ struct PictureOptions {
   std::string background = "gradient";
   bool orthographic = false;
   bool wireframe = false;
+  bool xray = false;
+  std::string matcap = "none";
   bool flat = false;
   double feature_angle_degrees = kFeatureAngleDegrees;
 

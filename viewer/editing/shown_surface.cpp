@@ -42,6 +42,7 @@ ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring colo
 
 void ShownSurface::release_device() {
   device_.reset();
+  release_opened();
   context_.reset();
 }
 
@@ -57,6 +58,7 @@ void ShownSurface::set_feature_angle(double degrees) {
   if (degrees == feature_angle_) return;
   feature_angle_ = degrees;
   device_.reset();
+  release_opened();
   use_device(context_);
   show_still();
 }
@@ -71,6 +73,16 @@ void ShownSurface::make(const Mesh& mesh) {
 const Mesh& ShownSurface::with_attributes(const Mesh& mesh) const {
   if (&mesh == now_.get()) return *rest_;
   return &mesh == opened_.get() ? *coloring_.opened : mesh;
+}
+
+const EditSurface& ShownSurface::opened_on_device() {
+  if (!opened_device_) {
+    opened_device_.emplace(context_, *opened_, feature_angle_);
+    if (coloring_.file) {
+      opened_device_->paint().set_file_colors(*opened_, *coloring_.opened, *coloring_.file);
+    }
+  }
+  return *opened_device_;
 }
 
 bool ShownSurface::take(const AppState& state) {

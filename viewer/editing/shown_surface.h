@@ -107,6 +107,11 @@ class ShownSurface {
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
   const Topology& topology() const { return *device_->topology; }
 
+  /// Returns the opened mesh on the device, to draw it beside the edited surface. Uploads it unless
+  /// the device has it since the last `release_opened`.
+  const EditSurface& opened_on_device();
+  void release_opened() { opened_device_.reset(); }
+
   /// An edge is drawn sharp if the normals of its two faces differ by more than this angle
   /// (SplitNormals). A change of the angle rebuilds the surface on the device.
   double feature_angle() const { return feature_angle_; }
@@ -167,6 +172,7 @@ class ShownSurface {
 
   std::shared_ptr<gpu::Context> context_;
   std::optional<OnDevice> device_;
+  std::optional<EditSurface> opened_device_;
   std::shared_ptr<const Mesh> opened_;
   FileColoring coloring_;
   Bounds opened_bounds_;

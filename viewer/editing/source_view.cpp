@@ -15,7 +15,6 @@ constexpr Part kPatch{Part::Role::roi};
 // As in the main view.
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kZoomPt = 150.0;
-constexpr ZoomRange kZoomRange{1e-4, 1e2};
 
 }  // namespace
 
@@ -91,6 +90,7 @@ void SourceView::move_camera(const InputEvent& event, const Keymap& keymap) {
     case InputKind::press:
       motion_ = motion_of(keymap, event.button, event.modifiers);
       cursor_ = pressed_at_ = event.position;
+      if (motion_) orbit_center_ = focus(event.position);
       break;
     case InputKind::move:
       drag_to(event.position);
@@ -100,9 +100,9 @@ void SourceView::move_camera(const InputEvent& event, const Keymap& keymap) {
       motion_.reset();
       break;
     case InputKind::scroll:
+      focus(event.position);
       camera_ = zoomed(camera_, std::pow(kZoomPerNotch, event.scroll), event.position, size_,
-                       {kZoomRange.nearest * shown_.bounds().diagonal(),
-                        kZoomRange.farthest * shown_.bounds().diagonal()});
+                       zoom_range(shown_.bounds().diagonal()));
       break;
     case InputKind::key:
     case InputKind::text:
@@ -110,22 +110,29 @@ void SourceView::move_camera(const InputEvent& event, const Keymap& keymap) {
   }
 }
 
+Vector3d SourceView::focus(const Vector2d& pixel) {
+  const auto point = shown_.pick(view_frame(), pixel);
+  if (!point) return camera_.target;
+  camera_ = focused(camera_, point->position);
+  return point->position;
+}
+
 void SourceView::drag_to(const Vector2d& pixel) {
   const Vector2d moved = pixel - cursor_;
   cursor_ = pixel;
   if (!motion_) return;
-  const double size = shown_.bounds().diagonal();
   switch (*motion_) {
     case Motion::orbit:
-      camera_ = orbited(camera_, moved, size_,
-                        up_axis_ == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ());
+      camera_ =
+          orbited(camera_, moved, size_,
+                  up_axis_ == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ(), orbit_center_);
       break;
     case Motion::pan:
       camera_ = panned(camera_, moved, size_);
       break;
     case Motion::zoom:
       camera_ = zoomed(camera_, std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)),
-                       pressed_at_, size_, {kZoomRange.nearest * size, kZoomRange.farthest * size});
+                       pressed_at_, size_, zoom_range(shown_.bounds().diagonal()));
       break;
   }
 }

@@ -50,6 +50,8 @@ class SourceView {
   ToolAnswer choose(const InputEvent& event);
   void move_camera(const InputEvent& event, const Keymap& keymap);
   void drag_to(const Eigen::Vector2d& pixel);
+  /// Focuses the camera on the surface at `pixel` and returns the point, or else the target.
+  Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
 
   AppState state_;
   UpAxis up_axis_;
@@ -64,6 +66,7 @@ class SourceView {
   std::optional<Motion> motion_;  // of the camera, under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
+  Eigen::Vector3d orbit_center_ = Eigen::Vector3d::Zero();
   bool classes_are_old_ = true;
 };
 

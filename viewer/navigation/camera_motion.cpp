@@ -44,8 +44,18 @@ ViewAxes axes_of(const Camera& camera) {
   return {axes.row(2), axes.row(1)};
 }
 
+Camera focused(const Camera& camera, const Vector3d& point) {
+  const Vector3d backward = rotation_of(camera).row(2);
+  const double farther = backward.dot(camera.target - point);
+  Camera moved = camera;
+  moved.target -= farther * backward;
+  // An orthographic image depends on the distance between eye and target, but not on their depth.
+  if (camera.orthographic) moved.eye -= farther * backward;
+  return moved;
+}
+
 Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& size,
-               const Vector3d& upward) {
+               const Vector3d& upward, const Vector3d& center) {
   const double angle_per_pixel = std::numbers::pi / size.y();
   const Matrix3d axes = rotation_of(camera);
   const Vector3d right = axes.row(0);
@@ -57,7 +67,8 @@ Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& siz
   const Eigen::AngleAxisd yaw(-pixels.x() * angle_per_pixel, upward.normalized());
   const Matrix3d turn = (yaw * pitch).toRotationMatrix();
   Camera moved = camera;
-  moved.eye = camera.target + turn * (camera.eye - camera.target);
+  moved.eye = center + turn * (camera.eye - center);
+  moved.target = center + turn * (camera.target - center);
   moved.up = turn * axes.row(1).transpose();
   return moved;
 }
@@ -72,10 +83,17 @@ Camera panned(const Camera& camera, const Vector2d& pixels, const Vector2d& size
   return moved;
 }
 
+ZoomRange zoom_range(double diagonal) {
+  constexpr double kSmallest = 1e-12;
+  const double size = std::max(diagonal, kSmallest);
+  return {1e-3 * size, 1e2 * size};
+}
+
 Camera zoomed(const Camera& camera, double factor, const Vector2d& cursor, const Vector2d& size,
               const ZoomRange& range) {
   const double distance = distance_of(camera);
-  const double wanted = std::clamp(distance / factor, range.nearest, range.farthest);
+  const double wanted = std::clamp(distance / factor, std::min(range.nearest, distance),
+                                   std::max(range.farthest, distance));
   const double share = wanted / distance;
   const Vector3d fixed = under_cursor(camera, cursor, size);
   Camera moved = camera;

@@ -13,12 +13,16 @@ namespace lapwing::viewer {
 /// Returns the camera's up direction and the direction from its target to its eye.
 ViewAxes axes_of(const Camera& camera);
 
-/// Rotates the camera about its target after the cursor moved by `pixels`. Horizontal motion
-/// rotates about the world's up direction `upward`. Vertical motion changes the angle between the
-/// line of sight and `upward`, from 0 to 180 degrees. The height of the image corresponds to 180
-/// degrees.
+/// Moves the target along the line of sight to the depth of `point`, which must be in front of the
+/// camera. The image stays the same. Then `panned` and `zoomed` follow the surface there.
+Camera focused(const Camera& camera, const Eigen::Vector3d& point);
+
+/// Rotates the camera about `center` after the cursor moved by `pixels`; `center` keeps its place
+/// in the image. Horizontal motion rotates about the world's up direction `upward`. Vertical motion
+/// changes the angle between the line of sight and `upward`, from 0 to 180 degrees. The height of
+/// the image corresponds to 180 degrees.
 Camera orbited(const Camera& camera, const Eigen::Vector2d& pixels, const Eigen::Vector2d& size,
-               const Eigen::Vector3d& upward);
+               const Eigen::Vector3d& upward, const Eigen::Vector3d& center);
 
 /// Moves the camera parallel to the image plane so that points at the target's depth follow the
 /// cursor.
@@ -30,8 +34,12 @@ struct ZoomRange {
   double farthest = 0.0;
 };
 
+/// Returns the limits for a mesh whose bounds have this diagonal. The eye stays in front of the
+/// point to which it zooms by a thousandth of the diagonal.
+ZoomRange zoom_range(double diagonal);
+
 /// Enlarges the image by `factor`. The point under the cursor at the target's depth stays under the
-/// cursor.
+/// cursor. Outside `range`, the distance only changes towards it.
 Camera zoomed(const Camera& camera, double factor, const Eigen::Vector2d& cursor,
               const Eigen::Vector2d& size, const ZoomRange& range);
 

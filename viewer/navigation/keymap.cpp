@@ -53,6 +53,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'=', kPlain, Action::zoom_in, "Zoom in"},
      {'-', kPlain, Action::zoom_out, "Zoom out"},
      {'Z', kShift, Action::toggle_wireframe, "Toggle wireframe"},
+     {'Z', kAlt, Action::toggle_xray, "Toggle X-ray: a transparent surface with its edges"},
      {'L', kShift, Action::toggle_flat, "Toggle flat shading"},
      {kTab, kPlain, Action::toggle_panels, "Toggle panels"},
      {'?', kPlain, Action::toggle_controls, "Show the controls"},
@@ -90,6 +91,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'N', kPlain, Action::take_part, "Pick up a part, then the next one"},
      {'N', kShift, Action::take_up_part, "Pick up the last transplant again"},
      {'C', kPlain, Action::toggle_before, "Toggle the original mesh, to compare"},
+     {'C', kShift, Action::toggle_slider,
+      "Toggle a line to drag, with the original mesh at its left"},
      {'K', kControl, Action::begin_coat, "Coat the region with the detail of another patch"},
      {'M', kShift, Action::toggle_mirror, "Toggle mirroring in the symmetry plane of the shape"},
      {'M', kControl, Action::begin_mix, "Mix the detail of two patches on the region"},
@@ -140,9 +143,11 @@ std::string key_name(int key) {
   return std::string(kKeyNames[static_cast<std::size_t>(key - kEscape)]);
 }
 
-// Returns the keys of GizmoTool.
+// Returns the controls of the axis gizmo and of GizmoTool.
 std::vector<ControlLine> gizmo_controls() {
-  return {{"Left drag on a handle", "Pull it. The surface determines its rotation"},
+  return {{"Click on an end of the axis gizmo", "Look along this axis"},
+          {"Left drag on the axis gizmo", "Orbit"},
+          {"Left drag on a handle", "Pull it. The surface determines its rotation"},
           {"G, R, S", "Move, rotate, scale the handle (Maya: R scales, E rotates)"},
           {"X, Y, Z while moving",
            "Constrain to an axis. Again: switch between local and world axes. Shift: constrain to "
@@ -201,7 +206,7 @@ std::vector<ControlLine> mouse_controls(const Keymap& keymap) {
     lines.push_back({capitalized(words(binding.modifiers) + name_of(binding.button) + " drag"),
                      std::string(kMotions[static_cast<std::size_t>(binding.motion)])});
   }
-  lines.push_back({"Wheel", "Zoom to the cursor"});
+  lines.push_back({"Wheel", "Zoom to the point under the cursor"});
   lines.push_back({words(kSizes) + "wheel", "Resize the last disk, or the brush"});
   lines.push_back({"Left click", "Show vertex, face and position"});
   lines.push_back({"Drop a file", "Open it"});

@@ -98,8 +98,8 @@ ToolAnswer GizmoTool::handle(const InputEvent& event, const ToolScene& scene) {
 
 ToolAnswer GizmoTool::handle_key(const InputEvent& event, const ToolScene& scene) {
   if (drag_) return handle_drag_key(event, scene);
-  // Control+S and similar shortcuts are not the gizmo's.
-  if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
+  // Control+S, Shift+G and similar shortcuts are not the gizmo's.
+  if (event.modifiers != Modifiers{}) return ToolAnswer::passed_on();
   const bool scales_in_maya = event.key == 'R' && scene.keys == GizmoKeys::maya;
   if (const auto mode = mode_of_key(scales_in_maya ? 'Q' : event.key)) {
     mode_ = *mode;

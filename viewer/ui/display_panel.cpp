@@ -16,6 +16,8 @@
 namespace lapwing::viewer {
 namespace {
 
+enum class Shading { solid, wireframe, xray };
+
 ImU32 encoded(const Eigen::Vector3f& linear) {
   return IM_COL32(srgb_byte_of(linear[0]), srgb_byte_of(linear[1]), srgb_byte_of(linear[2]), 255);
 }
@@ -42,13 +44,21 @@ void draw_legend(const SurfaceStyle& style) {
   ImGui::TextUnformatted(high);
 }
 
-template <typename Value, std::size_t count>
-void choose_in_pairs(const char* label, Value& value,
-                     const std::array<std::pair<const char*, Value>, count>& choices) {
-  ImGui::TextDisabled("%s", label);
-  for (std::size_t c = 0; c < count; ++c) {
-    if (c % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionMax().x);
-    if (ImGui::RadioButton(choices[c].first, value == choices[c].second)) value = choices[c].second;
+void choose_coloring(Coloring& coloring) {
+  constexpr std::array kChoices{std::pair{"Plain", Coloring::plain},
+                                std::pair{"Regions", Coloring::regions},
+                                std::pair{"Displacement", Coloring::displacement},
+                                std::pair{"Rotation", Coloring::rotation},
+                                std::pair{"Detail error", Coloring::detail},
+                                std::pair{"Stretch", Coloring::stretch}};
+  constexpr std::size_t kColumns = 3;
+  ImGui::TextDisabled("Colour");
+  for (std::size_t c = 0; c < kChoices.size(); ++c) {
+    const float place = static_cast<float>(c % kColumns) / kColumns;
+    if (c % kColumns > 0) ImGui::SameLine(place * ImGui::GetContentRegionMax().x);
+    if (ImGui::RadioButton(kChoices[c].first, coloring == kChoices[c].second)) {
+      coloring = kChoices[c].second;
+    }
   }
 }
 
@@ -75,16 +85,34 @@ SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
 
 void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   SurfaceStyle& style = choices.style;
-  const float right = right_end();
-  ImGui::Checkbox("Wireframe", &style.wireframe);
-  ImGui::SameLine();
+  Shading shading = style.xray        ? Shading::xray
+                    : style.wireframe ? Shading::wireframe
+                                      : Shading::solid;
+  if (choose("Shading", shading,
+             {{"Solid", Shading::solid},
+              {"Wireframe", Shading::wireframe},
+              {"X-ray", Shading::xray}})) {
+    style.wireframe = shading == Shading::wireframe;
+    style.xray = shading == Shading::xray;
+  }
+  choose("Matcap", style.matcap,
+         {{"Off", Matcap::none},
+          {"Clay", Matcap::clay},
+          {"Metal", Matcap::metal},
+          {"Pearl", Matcap::pearl}});
   ImGui::Checkbox("Flat", &style.flat);
-  stay_on_line(button_width("Original") + ImGui::GetFrameHeight(), right);
+  const auto next_to = [](const char* label) {
+    stay_on_line(button_width(label) + ImGui::GetFrameHeight(), right_end());
+  };
+  next_to("Original");
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Original", &before)) editor.show_before(before);
   explain("Shows the mesh as it was opened.", "Shortcut: C");
+  next_to("Ground grid");
+  ImGui::Checkbox("Ground grid", &choices.grid);
+  explain("A grid under the mesh as it was opened. The red line is the x axis.");
   if (editor.shown().has_file_colors()) {
-    stay_on_line(button_width("File colours") + ImGui::GetFrameHeight(), right);
+    next_to("File colours");
     ImGui::Checkbox("File colours", &style.file_colors);
   }
   label_field("Feature angle");
@@ -93,13 +121,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   // A new angle rebuilds the surface, which takes too long to do in every frame of the slider drag.
   if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_feature_angle(choices.feature_angle);
   explain("Edges between faces at a larger angle are shaded sharp.");
-  choose_in_pairs(
-      "Colour", choices.coloring,
-      std::array{std::pair{"Plain", Coloring::plain}, std::pair{"Regions", Coloring::regions},
-                 std::pair{"Displacement", Coloring::displacement},
-                 std::pair{"Rotation", Coloring::rotation},
-                 std::pair{"Detail error", Coloring::detail},
-                 std::pair{"Stretch", Coloring::stretch}});
+  choose_coloring(choices.coloring);
   const auto measure = measure_of(choices.coloring);
   editor.shown().color_by(measure);
   if (measure && !editor.shown().is_comparable()) {
@@ -111,10 +133,10 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
     ImGui::TextDisabled("%s", in_window_words(title).c_str());
     draw_legend(style_of(choices, editor));
   }
-  choose_in_pairs(
-      "Background", choices.background,
-      std::array{std::pair{"Gradient", Background::gradient}, std::pair{"White", Background::white},
-                 std::pair{"Black", Background::transparent}});
+  choose("Background", choices.background,
+         {{"Gradient", Background::gradient},
+          {"White", Background::white},
+          {"Black", Background::transparent}});
 }
 
 void draw_preferences_panel(Preferences& preferences) {

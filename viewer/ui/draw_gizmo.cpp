@@ -1,17 +1,13 @@
 #include "ui/draw_gizmo.h"
 
-#include <array>
-
 namespace lapwing::viewer {
 namespace {
 
 using Eigen::Vector2d;
 
 ImU32 color_of(GizmoPart part) {
-  constexpr std::array kAxes{IM_COL32(235, 80, 80, 255), IM_COL32(120, 205, 80, 255),
-                             IM_COL32(90, 150, 250, 255)};
   const int axis = axis_of(part);
-  return axis < 0 ? IM_COL32(235, 235, 235, 255) : kAxes[static_cast<std::size_t>(axis)];
+  return axis < 0 ? IM_COL32(235, 235, 235, 255) : kAxisColors[static_cast<std::size_t>(axis)];
 }
 
 // Draws a box at the end of an arm that scales, an arrowhead at one that moves.

@@ -152,6 +152,22 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   }
 }
 
+void EditMarks::draw_slider(const ViewFrame& view, double pixels_per_unit, double line,
+                            double top) {
+  Pen pen(view, pixels_per_unit, points_);
+  const std::array<Vector2d, 2> ends{Vector2d(line, 0.0), Vector2d(line, view.size.y())};
+  pen.line(ends, false, kLine, 1.5);
+  pen.dot({line, 0.5 * view.size.y()}, kLine);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const double gap = 0.7 * static_cast<double>(ImGui::GetFontSize());
+  const Vector2d place = Vector2d(line, top) / pixels_per_unit + Vector2d(0.0, gap);
+  readout_ = "Original";
+  const double width = static_cast<double>(ImGui::CalcTextSize(readout_.c_str()).x);
+  draw_words(list, place - Vector2d(width + gap, 0.0), readout_);
+  readout_ = "Edited";
+  draw_words(list, place + Vector2d(gap, 0.0), readout_);
+}
+
 void EditMarks::draw_transplant(const TransplantTool& desk, const ViewFrame& view,
                                 double pixels_per_unit) {
   const PlaceTool& tool = desk.tool();

@@ -133,6 +133,7 @@ std::optional<PoseMeasure> measure_of(Coloring coloring);
 struct DisplayChoices {
   SurfaceStyle style{.file_colors = true};
   Background background = Background::gradient;
+  bool grid = false;  ///< draw the ground grid
   Coloring coloring = Coloring::regions;
   float feature_angle = static_cast<float>(kFeatureAngleDegrees);
 };
@@ -171,6 +172,9 @@ class EditMarks {
                        const PictureArea& area, double width);
   /// Draws the loops of a transplant's part and hole, and the part's gizmo.
   void draw_transplant(const TransplantTool& desk, const ViewFrame& view, double pixels_per_unit);
+  /// Draws the line between the original and the edited mesh, with their names below `top`. Both
+  /// places are in pixels.
+  void draw_slider(const ViewFrame& view, double pixels_per_unit, double line, double top);
 
  private:
   GizmoLines gizmo_;

@@ -113,6 +113,7 @@ void ViewerApp::show(LoadedFile file) {
   // Two meshes at a time may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
+  slider_.reset();
   saving_ = nullptr;
   document_ = std::make_unique<Document>(
       std::move(file), kept_.journals, context_,
@@ -205,6 +206,12 @@ SurfaceStyle ViewerApp::shown_style() const {
   return style;
 }
 
+// The grid of the mesh before all steps, so that an edit does not move it.
+std::optional<GroundGrid> ViewerApp::shown_grid() const {
+  if (!display_.grid) return {};
+  return ground_grid(document_->editor.shown().opened_bounds(), up_axis_);
+}
+
 Scene ViewerApp::scene() {
   Scene scene;
   scene.background = display_.background;
@@ -214,9 +221,20 @@ Scene ViewerApp::scene() {
   scene.paint = &editor.surface().paint();
   scene.carried = editor.carried().drawn();
   scene.camera = view_frame().camera;
+  scene.grid = shown_grid();
   scene.style = shown_style();
   scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
-  scene.moving = motion_.has_value() || editor.is_dragging();
+  scene.moving = motion_.has_value() || on_slider_ || editor.is_dragging();
+  if (const auto line = slider_line()) {
+    const EditSurface& opened = editor.shown().opened_on_device();
+    LeftScene& left = scene.left.emplace();
+    left.surface = &opened.shown();
+    left.paint = &opened.paint();
+    left.style = scene.style;
+    // The opened mesh has no measured values.
+    if (left.style.color == SurfaceColor::scalar) left.style.color = SurfaceColor::regions;
+    left.width = *line;
+  }
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {
     scene.style.sides = Sides::front;

@@ -138,7 +138,18 @@ class ViewerApp final : public App {
   void frame_all();
   void frame(std::span<const Index> vertices);
   void frame_points(std::span<const Eigen::Vector3d> points);
-  void orbit_by(double right, double down);
+  void orbit_by(double right, double down, const Eigen::Vector3d& center);
+  /// Focuses the camera on the surface at `pixel` and returns the point, or else the target.
+  Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
+  /// Returns the centre of the axis gizmo in pixels; nullopt if it is hidden.
+  std::optional<Eigen::Vector2d> axis_gizmo_center() const;
+  /// Returns the place of the line of the slider, in pixels from the left; nullopt if it is off.
+  std::optional<double> slider_line() const;
+  /// Handles a drag of this line. Returns whether the event belongs to one.
+  bool handle_slider(const InputEvent& event);
+  void toggle_slider();
+  /// Handles a press or release on the axis gizmo. Returns whether it was one.
+  bool handle_axis_gizmo(const InputEvent& event);
   bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;
@@ -177,6 +188,7 @@ class ViewerApp final : public App {
   void update_document();
   double pixels_per_unit() const;
   SurfaceStyle shown_style() const;
+  std::optional<GroundGrid> shown_grid() const;
   PictureArea picture_area() const;
   void draw_marks();
   void draw_over_picture();
@@ -206,8 +218,13 @@ class ViewerApp final : public App {
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
   double pixels_per_point_ = 1.0;
   std::optional<Motion> motion_;  ///< camera motion under way
+  /// Place of the slider's line as a share of the width that the panels leave free.
+  std::optional<double> slider_;
+  bool on_slider_ = false;      ///< its line is being dragged
+  bool on_axis_gizmo_ = false;  ///< the motion began on the axis gizmo
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
+  Eigen::Vector3d orbit_center_ = Eigen::Vector3d::Zero();
   bool show_panels_ = true;
   bool shows_source_ = false;  ///< beside the mesh
   bool show_controls_ = false;

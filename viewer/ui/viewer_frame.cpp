@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "ui/draw_axis_gizmo.h"
 #include "ui/viewer_app.h"
 #include "ui/widgets.h"
 #include "work/window_words.h"
@@ -118,6 +119,13 @@ void ViewerApp::draw_marks() {
   const double per_unit = pixels_per_unit();
   marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
   marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
+  if (const auto line = slider_line()) {
+    marks_.draw_slider(view_frame(), per_unit, *line,
+                       per_unit * (picture_area().corner.y() + banner_height_));
+  }
+  if (const auto center = axis_gizmo_center()) {
+    draw_axis_gizmo(camera_, *center / per_unit, pixels_per_point_ / per_unit);
+  }
   const auto area = source_area();
   if (!area) return;
   marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);

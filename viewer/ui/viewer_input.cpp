@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 #include "editing/editor_actions.h"
+#include "navigation/axis_gizmo.h"
 #include "navigation/camera_motion.h"
 #include "ui/viewer_app.h"
 
@@ -20,10 +22,12 @@ constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
 // Points of a zooming drag that make things e times as large.
 constexpr double kZoomPt = 150.0;
+// Distance from the slider's line within which a press takes it.
+constexpr double kSliderPt = 5.0;
+// Distance of the axis gizmo from the edges of the 3D view.
+constexpr double kAxisGapPt = 6.0;
 // Arrow keys turn by a twelfth of a half turn, 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
-// In diagonals of the mesh.
-constexpr ZoomRange kZoomRange{1e-4, 1e2};
 // Smallest free share of half the window's height.
 constexpr double kLeastFree = 0.5;
 // Room around a single framed vertex, in diagonals of the mesh.
@@ -79,7 +83,9 @@ double ViewerApp::covered_share() const {
 
 ViewFrame ViewerApp::view_frame() const {
   ViewFrame view{camera_, size_, pixels_per_point_};
-  fit_depth(view.camera, document_->editor.bounds());
+  const Bounds bounds = document_->editor.bounds();
+  const auto grid = shown_grid();
+  fit_depth(view.camera, grid ? united(bounds, grid->bounds()) : bounds);
   return view;
 }
 
@@ -142,14 +148,21 @@ void ViewerApp::look_from(View view) {
   camera_ = looking_from(camera_, view_axes(view, up_axis_));
 }
 
-void ViewerApp::orbit_by(double right, double down) {
-  camera_ = orbited(camera_, {right, down}, size_, upward());
+void ViewerApp::orbit_by(double right, double down, const Vector3d& center) {
+  camera_ = orbited(camera_, {right, down}, size_, upward(), center);
+}
+
+Vector3d ViewerApp::focus(const Vector2d& pixel) {
+  if (!document_) return camera_.target;
+  const auto point = document_->editor.shown().pick(view_frame(), pixel);
+  if (!point) return camera_.target;
+  camera_ = focused(camera_, point->position);
+  return point->position;
 }
 
 void ViewerApp::zoom_by(double factor, const Vector2d& cursor) {
-  const double size = document_ ? std::max(document_->editor.bounds().diagonal(), 1e-12) : 1.0;
-  camera_ = zoomed(camera_, factor, cursor, size_,
-                   {kZoomRange.nearest * size, kZoomRange.farthest * size});
+  const double size = document_ ? document_->editor.bounds().diagonal() : 1.0;
+  camera_ = zoomed(camera_, factor, cursor, size_, zoom_range(size));
 }
 
 void ViewerApp::drag_to(const InputEvent& event) {
@@ -158,7 +171,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
   if (!motion_ || !document_) return;
   switch (*motion_) {
     case Motion::orbit:
-      orbit_by(moved.x(), moved.y());
+      orbit_by(moved.x(), moved.y(), orbit_center_);
       break;
     case Motion::pan:
       camera_ = panned(camera_, moved, size_);
@@ -196,6 +209,71 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
   return changed || event.kind != InputKind::move;
 }
 
+std::optional<Vector2d> ViewerApp::axis_gizmo_center() const {
+  if (!document_ || !show_panels_) return {};
+  const PictureArea area = picture_area();
+  const double gap = (kAxisGizmoPt + kAxisGapPt) * pixels_per_point_;
+  const Vector2d corner =
+      pixels_per_unit() * (area.corner + Vector2d(area.size.x(), banner_height_));
+  return Vector2d(corner + Vector2d(-gap, gap));
+}
+
+bool ViewerApp::handle_axis_gizmo(const InputEvent& event) {
+  const auto center = axis_gizmo_center();
+  const bool presses = event.kind == InputKind::press;
+  const bool is_left = event.button == MouseButton::left;
+  if (presses) {
+    on_axis_gizmo_ = center && is_left && !motion_ && !document_->editor.is_dragging() &&
+                     (event.position - *center).norm() <= kAxisGizmoPt * pixels_per_point_;
+  }
+  if (!on_axis_gizmo_ || !center || !is_left) return false;
+  if (presses) {
+    motion_ = Motion::orbit;
+    orbit_center_ = camera_.target;
+    cursor_ = pressed_at_ = event.position;
+    return true;
+  }
+  if (event.kind != InputKind::release) return false;
+  on_axis_gizmo_ = false;
+  drag_to(event);
+  motion_.reset();
+  if (!is_click(pressed_at_, event.position)) return true;
+  const Vector2d offset_pt = (event.position - *center) / pixels_per_point_;
+  if (const auto end = axis_end_at(camera_, offset_pt)) look_from(view_from(*end, up_axis_));
+  return true;
+}
+
+std::optional<double> ViewerApp::slider_line() const {
+  if (!document_ || !slider_) return {};
+  const double left = covered_share() * size_.x();
+  return left + *slider_ * (size_.x() - left);
+}
+
+void ViewerApp::toggle_slider() {
+  if (!document_) return;
+  on_slider_ = false;
+  if (std::exchange(slider_, slider_ ? std::nullopt : std::optional(0.5))) {
+    document_->editor.shown().release_opened();
+  } else {
+    document_->editor.show_before(false);
+  }
+}
+
+bool ViewerApp::handle_slider(const InputEvent& event) {
+  const auto line = slider_line();
+  const bool is_left = event.button == MouseButton::left;
+  if (event.kind == InputKind::press) {
+    on_slider_ = line && is_left && !motion_ && !document_->editor.is_dragging() &&
+                 std::abs(event.position.x() - *line) <= kSliderPt * pixels_per_point_;
+  }
+  if (!on_slider_ || !line || !is_of_pointer(event)) return false;
+  const double left = covered_share() * size_.x();
+  slider_ = std::clamp((event.position.x() - left) / std::max(size_.x() - left, 1.0), 0.0, 1.0);
+  cursor_ = event.position;
+  if (event.kind == InputKind::release && is_left) on_slider_ = false;
+  return true;
+}
+
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
   if (recording_) {
@@ -216,6 +294,7 @@ bool ViewerApp::handle(const InputEvent& event) {
     return true;
   }
   if (const auto changed = handle_source(event)) return *changed;
+  if (handle_axis_gizmo(event) || handle_slider(event)) return true;
   Editor::Handled handled;
   if (document_ && !motion_) {
     handled = document_->editor.handle(event, view_frame());
@@ -226,6 +305,7 @@ bool ViewerApp::handle(const InputEvent& event) {
     case InputKind::press:
       motion_ = motion_of(keymap(), event.button, event.modifiers);
       cursor_ = pressed_at_ = event.position;
+      if (motion_) orbit_center_ = focus(event.position);
       break;
     case InputKind::move:
       drag_to(event);
@@ -238,7 +318,9 @@ bool ViewerApp::handle(const InputEvent& event) {
       }
       break;
     case InputKind::scroll:
-      if (document_) zoom_by(std::pow(kZoomPerNotch, event.scroll), event.position);
+      if (!document_) break;
+      focus(event.position);
+      zoom_by(std::pow(kZoomPerNotch, event.scroll), event.position);
       break;
     case InputKind::key:
     case InputKind::text:
@@ -301,20 +383,26 @@ void ViewerApp::perform(Action action) {
       camera_.orthographic = !camera_.orthographic;
       return;
     case Action::orbit_left:
-      return orbit_by(step, 0.0);
+      return orbit_by(step, 0.0, camera_.target);
     case Action::orbit_right:
-      return orbit_by(-step, 0.0);
+      return orbit_by(-step, 0.0, camera_.target);
     case Action::orbit_up:
-      return orbit_by(0.0, step);
+      return orbit_by(0.0, step, camera_.target);
     case Action::orbit_down:
-      return orbit_by(0.0, -step);
+      return orbit_by(0.0, -step, camera_.target);
     case Action::zoom_in:
       return zoom_by(kZoomPerNotch, 0.5 * size_);
     case Action::zoom_out:
       return zoom_by(1.0 / kZoomPerNotch, 0.5 * size_);
     case Action::toggle_wireframe:
       display_.style.wireframe = !display_.style.wireframe;
+      display_.style.xray = false;
       return;
+    case Action::toggle_xray:
+      display_.style.xray = !display_.style.xray;
+      return;
+    case Action::toggle_slider:
+      return toggle_slider();
     case Action::toggle_flat:
       display_.style.flat = !display_.style.flat;
       return;

@@ -139,6 +139,12 @@ void ViewerApp::draw_view_menu() {
   if (ImGui::MenuItem("Orthographic", "5", camera_.orthographic)) {
     perform(Action::toggle_projection);
   }
+  if (ImGui::MenuItem("Wireframe", "Shift+Z", display_.style.wireframe)) {
+    perform(Action::toggle_wireframe);
+  }
+  if (ImGui::MenuItem("X-ray", "Alt+Z", display_.style.xray)) perform(Action::toggle_xray);
+  if (ImGui::MenuItem("Compare with original", "Shift+C", slider_.has_value())) toggle_slider();
+  ImGui::MenuItem("Ground grid", nullptr, &display_.grid);
   if (ImGui::MenuItem("Z up", nullptr, up_axis_ == UpAxis::z)) {
     up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;
     look_from(View::three_quarter);

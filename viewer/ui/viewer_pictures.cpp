@@ -36,8 +36,10 @@ void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size)
   Camera camera = view_frame().camera;
   // No panel covers a part of this image.
   camera.target_across = 0.0;
-  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera,
-                               picture_options(size), editor.carried().drawn()));
+  RenderOptions options = picture_options(size);
+  options.grid = shown_grid();
+  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera, options,
+                               editor.carried().drawn()));
 }
 
 void ViewerApp::carry_out_order() {

@@ -35,12 +35,23 @@ struct SideScene : SurfaceScene {
   Eigen::Vector2d size = Eigen::Vector2d::Ones();    ///< size, in whole pixels; inside the image
 };
 
+/// A second surface, which is drawn in the left part of the scene's image instead of the first one.
+struct LeftScene {
+  Surface* surface = nullptr;
+  const SurfacePaint* paint = nullptr;
+  SurfaceStyle style;
+  double width = 0.0;  ///< of the left part, in pixels
+};
+
 /// The contents of a frame under the panels. Without a surface, only the background is drawn.
 struct Scene : SurfaceScene {
   std::span<const CarriedDrawing> carried;  ///< drawn with the surface
+  std::optional<GroundGrid> grid;           ///< under the surface
+  std::optional<LeftScene> left;
   std::optional<SideScene> beside;
   Background background = Background::gradient;
-  /// Whether something moves. If so, the scene is drawn quickly, without antialiasing.
+  /// Whether something moves. If so, the scene is drawn without antialiasing if that takes too
+  /// long.
   bool moving = false;
 };
 

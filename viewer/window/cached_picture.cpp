@@ -1,6 +1,7 @@
 #include "window/cached_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lapwing/gpu/context.h"
@@ -17,7 +18,10 @@ VkOffset3D corner_of(VkExtent2D extent) {
   return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height), 1};
 }
 
-constexpr double kTimeToSpare = MovingResolution::kLongestFrame / 2.0;
+// Longest time, in milliseconds, of a fine frame while something moves. A smooth motion matters
+// more than smooth edges.
+constexpr double kLongestFineFrame = 25.0;
+constexpr double kStep = 0.25;  // of MovingResolution
 // Ignore a single slow frame, which may have compiled a shader or waited for another program.
 constexpr int kSlowFrames = 2;
 constexpr int kMostPatience = 256;
@@ -28,19 +32,23 @@ PictureSource picture_way(const PictureNeed& need) {
   if (!need.changed) {
     return need.is_quick && need.at_rest ? PictureSource::fine : PictureSource::keep;
   }
-  const bool jumps = need.only_view_changed && need.fine_is_slow;
-  return need.moving || jumps ? PictureSource::quick : PictureSource::fine;
+  const bool moves = need.moving || need.only_view_changed;
+  return moves && need.fine_is_slow ? PictureSource::quick : PictureSource::fine;
 }
 
 void MovingResolution::took(double milliseconds) {
   slow_ = milliseconds > kLongestFrame ? slow_ + 1 : 0;
-  fast_ = milliseconds < kTimeToSpare ? fast_ + 1 : 0;
+  const double finer = pixels_ - kStep;
+  const bool has_time =
+      finer >= 1.0 && milliseconds * pixels_ * pixels_ < kLongestFrame * finer * finer;
+  fast_ = has_time ? fast_ + 1 : 0;
   if (slow_ >= kSlowFrames && pixels_ < kCoarsest) {
-    ++pixels_;
+    const double enough = pixels_ * std::sqrt(milliseconds / kLongestFrame);
+    pixels_ = std::min(std::ceil(enough / kStep) * kStep, kCoarsest);
     slow_ = 0;
     patience_ = std::min(2 * patience_, kMostPatience);
-  } else if (fast_ >= patience_ && pixels_ > 1) {
-    --pixels_;
+  } else if (fast_ >= patience_) {
+    pixels_ = finer;
     fast_ = 0;
   }
 }
@@ -64,6 +72,12 @@ void SceneContents::take(const Scene& scene) {
     carried_.push_back(drawing.surface != nullptr ? drawing.surface->revision() : 0);
     carried_.push_back(drawing.paint != nullptr ? drawing.paint->revision() : 0);
     carried_.push_back(drawing.points != nullptr ? drawing.points->revision() : 0);
+  }
+  grid_ = scene.grid;
+  left_.reset();
+  if (scene.left) {
+    const LeftScene& left = *scene.left;
+    left_ = {seen({left.surface, left.paint, {}, left.style}), left.width};
   }
   beside_.reset();
   corner_.setZero();
@@ -112,7 +126,7 @@ PictureSource CachedPicture::choose(const Scene& scene, bool at_rest) {
        .is_quick = is_quick(),
        .moving = scene.moving,
        .at_rest = at_rest,
-       .fine_is_slow = fine_ms_ > MovingResolution::kLongestFrame});
+       .fine_is_slow = options_.moving_pixels.has_value() || fine_ms_ > kLongestFineFrame});
 }
 
 void CachedPicture::took(PictureSource way, double milliseconds) {
@@ -120,12 +134,15 @@ void CachedPicture::took(PictureSource way, double milliseconds) {
   if (way == PictureSource::quick) resolution_.took(milliseconds);
 }
 
-void CachedPicture::fit(Drawing& drawing, std::uint32_t pixels) const {
+void CachedPicture::fit(Drawing& drawing, double pixels) const {
   if (drawing.image && drawing.pixels == pixels) return;
   drawing.image.reset();
   drawing.scope.reset();
   drawing.pixels = pixels;
-  drawing.extent = {(extent_.width + pixels - 1) / pixels, (extent_.height + pixels - 1) / pixels};
+  const auto rendered = [pixels](std::uint32_t length) {
+    return static_cast<std::uint32_t>(std::ceil(length / pixels));
+  };
+  drawing.extent = {rendered(extent_.width), rendered(extent_.height)};
   drawing.image.emplace(context_, DeviceImageInfo{.name = "picture under the panels",
                                                   .format = drawing.format.color,
                                                   .extent = drawing.extent,
@@ -139,7 +156,7 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
   forget();  // if an exception is thrown, the image is invalid
   Drawing& drawing = way == PictureSource::fine ? fine_ : quick_;
   fit(drawing, way == PictureSource::fine
-                   ? 1
+                   ? 1.0
                    : options_.moving_pixels.value_or(resolution_.pixels_per_pixel()));
   drawing.image->transition(commands, kDiscarded, kColorTarget);
   drawing.scope->begin(commands, drawing.image->view());
@@ -148,6 +165,34 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
   // lower resolution.
   SurfaceStyle style = scene.style;
   style.pixels_per_point /= static_cast<float>(drawing.pixels);
+  draw_surfaces(commands, drawing, scene, style);
+  if (scene.grid) {
+    drawing.renderer.draw(commands, extent_, *scene.grid, scene.camera, style.pixels_per_point);
+  }
+  if (scene.beside) draw_beside(commands, drawing, *scene.beside, scene.background);
+  drawing.scope->end(commands, drawing.image->view());
+  drawing.image->transition(commands, kColorTarget, kCopySource);
+  shown_ = &drawing;
+  std::swap(contents_, next_);
+}
+
+void CachedPicture::draw_surfaces(VkCommandBuffer commands, const Drawing& drawing,
+                                  const Scene& scene, const SurfaceStyle& style) const {
+  const VkRect2D whole{{0, 0}, drawing.extent};
+  if (scene.left) {
+    const double most = drawing.extent.width;
+    const double width = std::clamp(scene.left->width / drawing.pixels, 0.0, most);
+    VkRect2D left = whole;
+    left.extent.width = static_cast<std::uint32_t>(std::lround(width));
+    const VkRect2D right{{static_cast<std::int32_t>(left.extent.width), 0},
+                         {whole.extent.width - left.extent.width, whole.extent.height}};
+    SurfaceStyle left_style = scene.left->style;
+    left_style.pixels_per_point = style.pixels_per_point;
+    set_scissor(context_, commands, left);
+    drawing.renderer.draw(commands, extent_, *scene.left->surface, *scene.left->paint, scene.camera,
+                          left_style);
+    set_scissor(context_, commands, right);
+  }
   if (scene.surface != nullptr) {
     drawing.renderer.draw(commands, extent_, *scene.surface, *scene.paint, scene.camera, style);
   }
@@ -155,11 +200,7 @@ void CachedPicture::record(VkCommandBuffer commands, const Scene& scene, Picture
     drawing.renderer.draw(commands, extent_, carried, scene.camera,
                           carried.surface != nullptr ? style : scene.style);
   }
-  if (scene.beside) draw_beside(commands, drawing, *scene.beside, scene.background);
-  drawing.scope->end(commands, drawing.image->view());
-  drawing.image->transition(commands, kColorTarget, kCopySource);
-  shown_ = &drawing;
-  std::swap(contents_, next_);
+  set_scissor(context_, commands, whole);
 }
 
 void CachedPicture::draw_beside(VkCommandBuffer commands, const Drawing& drawing,
@@ -175,7 +216,10 @@ void CachedPicture::draw_beside(VkCommandBuffer commands, const Drawing& drawing
       {static_cast<std::int32_t>(left), static_cast<std::int32_t>(top)},
       {pixel(scene.size.x(), all.width - left), pixel(scene.size.y(), all.height - top)}};
   if (area.extent.width == 0 || area.extent.height == 0) return;
-  const VkExtent2D shown{area.extent.width * drawing.pixels, area.extent.height * drawing.pixels};
+  const auto in_window = [&](std::uint32_t length) {
+    return static_cast<std::uint32_t>(std::lround(length * drawing.pixels));
+  };
+  const VkExtent2D shown{in_window(area.extent.width), in_window(area.extent.height)};
   drawing.renderer.begin(commands, area, background);
   drawing.renderer.draw(commands, shown, *scene.surface, *scene.paint, scene.camera, scene.style);
 }
@@ -183,7 +227,7 @@ void CachedPicture::draw_beside(VkCommandBuffer commands, const Drawing& drawing
 void CachedPicture::record_copy(VkCommandBuffer commands, VkImage target) const {
   constexpr VkImageSubresourceLayers kWhole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   const VkImage source = shown_->image->handle();
-  if (shown_->pixels == 1) {
+  if (shown_->pixels == 1.0) {
     VkImageCopy region{kWhole, {}, kWhole, {}, {extent_.width, extent_.height, 1}};
     context_.vk().vkCmdCopyImage(commands, source, kCopySource.layout, target, kCopyTarget.layout,
                                  1, &region);

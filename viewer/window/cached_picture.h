@@ -26,42 +26,45 @@ struct PictureNeed {
   bool is_quick = false;           ///< the cached image was rendered in quick quality
   bool moving = false;             ///< Scene::moving
   bool at_rest = false;            ///< nothing in the scene has changed for a while
-  bool fine_is_slow = false;       ///< a fine image takes longer than kLongestFrame
+  bool fine_is_slow = false;       ///< a fine image takes too long while something moves
 };
 
 /// Returns whether to reuse the cached image or to render a new one, and in which quality. Changed
-/// contents are rendered in quick quality while something moves, and also if only the camera has
-/// changed and a fine image is slow. Otherwise they are rendered in fine quality. If nothing has
-/// changed for a while, a fine image replaces a cached quick image.
+/// contents are rendered in quick quality if a fine image is slow and something moves or only the
+/// camera has changed. Otherwise they are rendered in fine quality. If nothing has changed for a
+/// while, a fine image replaces a cached quick image.
 PictureSource picture_way(const PictureNeed& need);
 
-/// Chooses the resolution while something moves. Lowers it if frames take too long, and raises it
-/// again if they take less than half of the limit. The next motion begins with the last resolution.
+/// Chooses the resolution of quick images. If frames take too long, lowers it by as much as their
+/// time requires, assuming that the time is proportional to the number of pixels. Raises it again
+/// in small steps if frames would then still be fast enough. The next motion begins with the last
+/// resolution.
 class MovingResolution {
  public:
   /// Longest time of a frame on the device in milliseconds. Users notice longer frames.
   static constexpr double kLongestFrame = 50.0;
   /// Largest value of `pixels_per_pixel`.
-  static constexpr std::uint32_t kCoarsest = 2;
+  static constexpr double kCoarsest = 2.0;
 
-  /// Returns the width and height, in window pixels, of one rendered pixel.
-  std::uint32_t pixels_per_pixel() const { return pixels_; }
+  /// Returns the width and height, in window pixels, of one rendered pixel: a multiple of a
+  /// quarter.
+  double pixels_per_pixel() const { return pixels_; }
 
   /// Reports the time of a frame at this resolution.
   void took(double milliseconds);
 
  private:
-  std::uint32_t pixels_ = 1;
+  double pixels_ = 1.0;
   int slow_ = 0;  ///< number of consecutive frames that took too long
-  int fast_ = 0;  ///< number of consecutive frames that took less than half of the limit
+  int fast_ = 0;  ///< number of consecutive frames that would be fast enough one step finer
   /// The value of fast_ at which the resolution is raised. It doubles whenever the resolution is
   /// lowered. This prevents oscillation if the time depends mainly on the number of triangles.
   int patience_ = 4;
 };
 
-/// Identifies the contents of a rendered image: cameras, styles, background, and the revisions of
-/// surfaces, carried objects and their colours. Does not include the quality (`Scene::moving`,
-/// `SurfaceStyle::sides`), or panels and marks, which are drawn over the image.
+/// Identifies the contents of a rendered image: cameras, styles, grid, background, and the
+/// revisions of surfaces, carried objects and their colours. Does not include the quality
+/// (`Scene::moving`, `SurfaceStyle::sides`), or panels and marks, which are drawn over the image.
 class SceneContents {
  public:
   /// Stores the contents of `scene`. Allocates memory only if the number of carried objects grows.
@@ -81,9 +84,17 @@ class SceneContents {
     bool operator==(const Seen&) const = default;
   };
   static Seen seen(const SurfaceScene& scene);
+  struct Left {
+    Seen seen;
+    double width = 0.0;
+
+    bool operator==(const Left&) const = default;
+  };
 
   Seen main_;
   std::vector<std::uint64_t> carried_;
+  std::optional<GroundGrid> grid_;
+  std::optional<Left> left_;
   std::optional<Seen> beside_;
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
@@ -93,9 +104,9 @@ class SceneContents {
 /// Options for benchmarks and tests. The window uses the defaults.
 struct PaintingOptions {
   bool keeps_pictures = true;  ///< whether to reuse the cached image
-  /// Width and height, in window pixels, of one rendered pixel while something moves. If not set,
-  /// MovingResolution chooses it by the frame times.
-  std::optional<std::uint32_t> moving_pixels;
+  /// Width and height, in window pixels, of one rendered pixel while something moves, in quick
+  /// quality. If not set, the frame times determine quality and resolution.
+  std::optional<double> moving_pixels;
   Renderer::Pipelines pipelines = Renderer::Pipelines::by_style;
 };
 
@@ -121,7 +132,7 @@ class CachedPicture {
   /// Returns whether the image was rendered in quick quality.
   bool is_quick() const { return shown_ == &quick_; }
   /// Returns the width and height, in window pixels, of one pixel of the image.
-  std::uint32_t pixels_per_pixel() const { return shown_ != nullptr ? shown_->pixels : 1; }
+  double pixels_per_pixel() const { return shown_ != nullptr ? shown_->pixels : 1.0; }
 
  private:
   /// An image with a fixed number of samples per pixel.
@@ -131,7 +142,7 @@ class CachedPicture {
 
     TargetFormat format;
     Renderer renderer;
-    std::uint32_t pixels = 1;  ///< width and height, in window pixels, of one pixel of the image
+    double pixels = 1.0;       ///< width and height, in window pixels, of one pixel of the image
     VkExtent2D extent{};       ///< size of the image
     std::optional<DeviceImage> image;
     std::optional<DrawScope> scope;
@@ -139,7 +150,9 @@ class CachedPicture {
 
   /// Marks the image as invalid, so that the next frame renders it.
   void forget() { shown_ = nullptr; }
-  void fit(Drawing& drawing, std::uint32_t pixels) const;
+  void fit(Drawing& drawing, double pixels) const;
+  void draw_surfaces(VkCommandBuffer commands, const Drawing& drawing, const Scene& scene,
+                     const SurfaceStyle& style) const;
   void draw_beside(VkCommandBuffer commands, const Drawing& drawing, const SideScene& scene,
                    Background background) const;
 

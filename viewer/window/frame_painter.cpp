@@ -104,6 +104,7 @@ void FramePainter::record(const Screen::Image& image, const Scene& scene,
   recorder.timestamp();
   moved_ = scene.surface != nullptr && scene.surface->record_normals(recorder);
   recorder.timestamp();
+  if (scene.left) scene.left->surface->finish();
   if (scene.beside) scene.beside->surface->finish();
   for (const CarriedDrawing& carried : scene.carried) {
     if (carried.surface != nullptr) carried.surface->finish();

@@ -102,6 +102,10 @@ void require_graphics(const gpu::Context& context) {
                  "device (`lapwing info` lists them) or do without the picture");
 }
 
+void set_scissor(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area) {
+  context.vk().vkCmdSetScissor(commands, 0, 1, &area);
+}
+
 void set_viewport(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area) {
   const VkViewport viewport{static_cast<float>(area.offset.x),
                             static_cast<float>(area.offset.y),
@@ -110,7 +114,7 @@ void set_viewport(const gpu::Context& context, VkCommandBuffer commands, const V
                             0.0F,
                             1.0F};
   context.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
-  context.vk().vkCmdSetScissor(commands, 0, 1, &area);
+  set_scissor(context, commands, area);
 }
 
 GraphicsPipeline::GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,

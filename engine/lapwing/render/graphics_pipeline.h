@@ -51,6 +51,9 @@ struct IndexRange {
   std::uint32_t count;
 };
 
+/// Sets the scissor rectangle, outside which nothing is drawn.
+void set_scissor(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area);
+
 /// Sets the viewport and the scissor rectangle, dynamic states of every GraphicsPipeline, to
 /// `area`.
 void set_viewport(const gpu::Context& context, VkCommandBuffer commands, const VkRect2D& area);

@@ -16,6 +16,8 @@ RenderOptions PictureRequest::options() const {
   options.height = height;
   options.background = background;
   options.style.wireframe = wireframe;
+  options.style.xray = xray;
+  options.style.matcap = matcap;
   options.style.flat = flat;
   return options;
 }

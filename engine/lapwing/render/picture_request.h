@@ -19,6 +19,8 @@ struct PictureRequest {
   Background background = Background::gradient;
   bool orthographic = false;
   bool wireframe = false;
+  bool xray = false;  ///< see SurfaceStyle
+  Matcap matcap = Matcap::none;
   bool flat = false;                                    ///< draws each triangle with one normal
   double feature_angle_degrees = kFeatureAngleDegrees;  ///< see split_normals()
 

@@ -1,7 +1,5 @@
 #include "lapwing/render/render_image.h"
 
-#include <optional>
-
 #include "lapwing/render/surface.h"
 
 namespace lapwing {
@@ -31,6 +29,10 @@ Image ImageRenderer::render(Surface& surface, const SurfacePaint& paint, const C
     renderer_.draw(commands, target_.extent(), surface, paint, camera, options_.style);
     for (const CarriedDrawing& drawing : carried) {
       renderer_.draw(commands, target_.extent(), drawing, camera, options_.style);
+    }
+    if (options_.grid) {
+      renderer_.draw(commands, target_.extent(), *options_.grid, camera,
+                     options_.style.pixels_per_point);
     }
     if (legend) renderer_.draw(commands, target_.extent(), *legend);
   });

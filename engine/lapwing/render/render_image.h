@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,6 +19,7 @@ struct RenderOptions {
   Background background = Background::gradient;
   SurfaceStyle style = {};
   bool legend = true;             ///< draws a legend if scalar values colour the surface
+  std::optional<GroundGrid> grid = {};
   std::string legend_title = {};  ///< text above the legend: zero, one or several lines
 
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }

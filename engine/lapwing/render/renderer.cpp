@@ -4,14 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/render/point_cloud.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/shaders/background_frag.h"
 #include "lapwing/shaders/background_vert.h"
+#include "lapwing/shaders/ground_grid_frag.h"
+#include "lapwing/shaders/ground_grid_vert.h"
 #include "lapwing/shaders/overlay_frag.h"
 #include "lapwing/shaders/overlay_vert.h"
 #include "lapwing/shaders/points_frag.h"
@@ -22,7 +26,8 @@
 namespace lapwing {
 namespace {
 
-// Push constants of the shaders background, surface, overlay and points, in std430 layout.
+// Push constants of the shaders background, surface, overlay, points and ground_grid, in std430
+// layout.
 struct BackgroundPush {
   std::array<float, 4> top;  // sRGB and opacity
   std::array<float, 4> bottom;
@@ -47,6 +52,14 @@ struct PointsPush {
   std::array<float, 2> clip_radius;
 };
 
+struct GroundGridPush {
+  std::array<float, 16> clip_from_cells;  // columns
+  std::array<float, 4> second_axis_color;
+  std::array<float, 2> origin;
+  float radius;
+  float line_width;
+};
+
 constexpr float kCarriedRadiusPt = 3.5F;
 
 // Bits of SurfacePush::flags; shaders/surface.glsl.
@@ -59,6 +72,10 @@ enum SurfaceFlag : std::uint32_t {
   kOrthographic = 32,
   kCarriedColor = 64,
   kFileColor = 128,
+  kXray = 256,
+  kClayMatcap = 512,
+  kMetalMatcap = 1024,
+  kPearlMatcap = 2048,
 };
 
 constexpr std::size_t kColorMapEntries = 256;  // per map; shaders/surface.frag
@@ -70,8 +87,12 @@ std::uint32_t flags_of(const SurfaceStyle& style, const SurfacePaint& paint, con
   if (style.color == SurfaceColor::regions) flags |= kRegions;
   if (style.color == SurfaceColor::scalar) flags |= kScalar;
   if (style.color == SurfaceColor::carried) flags |= kCarriedColor;
-  if (style.wireframe) flags |= kWireframe;
+  if (style.wireframe || style.xray) flags |= kWireframe;
+  if (style.xray) flags |= kXray;
   if (style.flat) flags |= kFlat;
+  if (style.matcap == Matcap::clay) flags |= kClayMatcap;
+  if (style.matcap == Matcap::metal) flags |= kMetalMatcap;
+  if (style.matcap == Matcap::pearl) flags |= kPearlMatcap;
   if (style.color_map == ColorMap::diverging) flags |= kDiverging;
   if (camera.orthographic) flags |= kOrthographic;
   return flags;
@@ -132,6 +153,15 @@ Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
   return camera.projection(aspect) * view_from_surface(camera, origin);
 }
 
+Matcap matcap_named(std::string_view name) {
+  if (name == "none") return Matcap::none;
+  if (name == "clay") return Matcap::clay;
+  if (name == "metal") return Matcap::metal;
+  if (name == "pearl") return Matcap::pearl;
+  throw InputError("unknown matcap \"" + std::string(name) +
+                   "\"; choose one of none, clay, metal, pearl");
+}
+
 ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint) {
   if (style.range) return *style.range;
   const ScalarRange range = paint.scalar_range();
@@ -153,7 +183,8 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
                 .storage_buffers = 11,
                 .push_constant_bytes = sizeof(SurfacePush),
                 .constants = constants,
-                .depth = true}) {}
+                .depth = (its_flags & kXray) == 0,
+                .blend = (its_flags & kXray) != 0}) {}
 
 Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines pipelines)
     : context_(context),
@@ -181,6 +212,14 @@ Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines 
                .push_constant_bytes = sizeof(PointsPush),
                .constants = std::span(&shaders_encode_, 1),
                .depth = true}),
+      ground_grid_(context, target,
+                   {.name = "the ground grid",
+                    .vertex_spirv = shaders::ground_grid_vert(),
+                    .fragment_spirv = shaders::ground_grid_frag(),
+                    .push_constant_bytes = sizeof(GroundGridPush),
+                    .constants = std::span(&shaders_encode_, 1),
+                    .depth = true,
+                    .blend = true}),
       color_maps_(make_color_maps(context)) {}
 
 void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const {
@@ -219,8 +258,11 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   const bool by_vertex = !needs_corners && pipelines_ == Pipelines::by_style;
   const DrawOrder* order = by_vertex ? surface.draw_order() : nullptr;
   if (order == nullptr) {
-    return draw(style.sides, Numbers::corners,
-                static_cast<std::uint32_t>(3 * surface.triangle_count()), 0U);
+    const auto corners = static_cast<std::uint32_t>(3 * surface.triangle_count());
+    if (!style.xray) return draw(style.sides, Numbers::corners, corners, 0U);
+    draw(Sides::back, Numbers::corners, corners, 0U);
+    draw(Sides::front, Numbers::corners, corners, 0U);
+    return;
   }
   const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
   const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
@@ -237,7 +279,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
 
 const GraphicsPipeline& Renderer::surface_pipeline(std::uint32_t flags, Numbers numbers) const {
   const bool is_fixed = pipelines_ == Pipelines::by_style;
-  if (!is_fixed) flags = 0;
+  if (!is_fixed) flags &= kXray;  // the only flag that changes the state of the pipeline
   for (const auto& made : surfaces_) {
     if (made->flags == flags && made->numbers == numbers) return made->pipeline;
   }
@@ -269,6 +311,26 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDr
   push.clip_radius = {2.0F * radius / static_cast<float>(extent.width),
                       2.0F * radius / static_cast<float>(extent.height)};
   points_.draw(commands, {points.buffer()}, push, static_cast<std::uint32_t>(6 * points.size()));
+}
+
+void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const GroundGrid& grid,
+                    const Camera& camera, float pixels_per_point) const {
+  const bool y_up = grid.up == UpAxis::y;
+  const Eigen::Index second = y_up ? 2 : 1;
+  const Eigen::Matrix4d clip = clip_from_surface(camera, extent, grid.center);
+  Eigen::Matrix4d clip_from_cells = Eigen::Matrix4d::Zero();
+  clip_from_cells.col(0) = grid.spacing * clip.col(0);
+  clip_from_cells.col(1) = grid.spacing * clip.col(second);
+  clip_from_cells.col(3) = clip.col(3);
+  GroundGridPush push{};
+  Eigen::Map<Eigen::Matrix4f>(push.clip_from_cells.data()) = clip_from_cells.cast<float>();
+  push.second_axis_color = y_up ? std::array{0.30F, 0.50F, 0.90F, 1.0F}   // z, blue
+                                : std::array{0.35F, 0.70F, 0.25F, 1.0F};  // y, green
+  push.origin = {static_cast<float>(-grid.center.x() / grid.spacing),
+                 static_cast<float>(-grid.center[second] / grid.spacing)};
+  push.radius = static_cast<float>(grid.radius / grid.spacing);
+  push.line_width = pixels_per_point;
+  ground_grid_.draw(commands, {}, push, 6);
 }
 
 }  // namespace lapwing

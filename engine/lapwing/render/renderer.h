@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <volk.h>
@@ -12,6 +13,7 @@
 #include "lapwing/render/camera.h"
 #include "lapwing/render/color_map.h"
 #include "lapwing/render/graphics_pipeline.h"
+#include "lapwing/render/ground_grid.h"
 #include "lapwing/render/overlay.h"
 #include "lapwing/render/surface_paint.h"
 
@@ -29,6 +31,14 @@ enum class SurfaceColor {
   carried,  ///< the colour of carried drawings
 };
 
+/// A material whose light depends only on the direction of the normal in the image. It replaces the
+/// lights of the default shading.
+enum class Matcap { none, clay, metal, pearl };
+
+/// Returns the matcap called `name`: "none", "clay", "metal" or "pearl". If there is none, throws
+/// InputError with all valid names.
+Matcap matcap_named(std::string_view name);
+
 struct SurfaceStyle {
   SurfaceColor color = SurfaceColor::plain;
   ColorMap color_map = ColorMap::sequential;
@@ -38,7 +48,9 @@ struct SurfaceStyle {
   /// grey of SurfaceColor::regions.
   bool file_colors = false;
   bool wireframe = false;  ///< polygon edges over the surface
+  bool xray = false;       ///< a transparent surface with its polygon edges
   bool flat = false;       ///< one normal per triangle
+  Matcap matcap = Matcap::none;
   /// Pixel density of the display. The sizes of wireframe edges, carried points and relief shading
   /// are multiplied by it, so that they look the same at any density.
   float pixels_per_point = 1.0F;
@@ -91,6 +103,9 @@ class Renderer {
   /// colour.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
             const Camera& camera, const SurfaceStyle& style) const;
+  /// Draws the grid behind and in front of what was drawn before.
+  void draw(VkCommandBuffer commands, VkExtent2D extent, const GroundGrid& grid,
+            const Camera& camera, float pixels_per_point) const;
 
  private:
   /// Meaning of the vertex index in the vertex shader.
@@ -117,6 +132,7 @@ class Renderer {
   mutable std::vector<std::unique_ptr<const StylePipeline>> surfaces_;
   GraphicsPipeline overlay_;
   GraphicsPipeline points_;
+  GraphicsPipeline ground_grid_;
   gpu::Buffer color_maps_;
 };
 

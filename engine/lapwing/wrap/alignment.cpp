@@ -254,8 +254,8 @@ Alignment align_surfaces(const ScanSurface& surface, const ScanSurface& scan) {
     for (std::size_t k = begin; k < end; ++k) {
       Alignment& of = found[k];
       of.method = AlignmentMethod::surfaces;
-      of.map = Eigen::Translation3d(to.centroid) * to.axes * rotations[k] * from.axes.transpose() *
-               Eigen::Scaling(to.radius / from.radius) * Eigen::Translation3d(-from.centroid);
+      of.map.linear() = to.radius / from.radius * to.axes * rotations[k] * from.axes.transpose();
+      of.map.translation() = to.centroid - of.map.linear() * from.centroid;
       registration.improve(of.map, kIterations, similarity);
       of.start = of.map;
       of.mean_distance = registration.improve(of.start, kIterations, affine_fit);
