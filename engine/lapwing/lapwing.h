@@ -6,6 +6,7 @@
 #include "lapwing/deform/deform.h"
 #include "lapwing/deform/modifiers/attachments.h"
 #include "lapwing/deform/prepared_deform.h"
+#include "lapwing/fill/fill_holes.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/remesh/remesh.h"

@@ -87,5 +87,8 @@ int main() {
   expect(fine.mesh.vertex_count() > 2 * sheet.vertex_count() &&
              fine.after.mean_edge < 0.7 * fine.before.mean_edge,
          "a sheet gets finer triangles");
+
+  const Mesh tube = cylinder(12, 5, 1.0, 4.0);
+  expect(find_holes(fill_holes(tube, find_holes(tube)).mesh).empty(), "a tube gets ends");
   return failures;
 }

@@ -7,6 +7,7 @@
 #include "lapwing/coating/peel.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
+#include "lapwing/fill/fill_holes.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/recipe/read_values.h"
 #include "lapwing/remesh/remesh.h"
@@ -93,6 +94,8 @@ const char* word_of(Element element) {
       return "edge";
     case Element::component:
       return "component";
+    case Element::rim:
+      return "rim";
     case Element::none:
       break;
   }
@@ -126,7 +129,14 @@ py::dict check_mesh(const Mesh& mesh, bool self_intersections, std::size_t most_
                             "element"_a = word_of(info.element), "first"_a = array_of(defect.first),
                             "fixable"_a = info.fixable));
   }
-  return py::dict("defects"_a = std::move(defects), "statistics"_a = dict_of(report.statistics),
+  py::list holes;
+  for (const Hole& hole : report.holes) {
+    holes.append(py::dict("rim"_a = array_of(hole.rim), "perimeter"_a = hole.perimeter,
+                          "is_border"_a = hole.is_border,
+                          "trouble"_a = in_python_words(hole.trouble)));
+  }
+  return py::dict("defects"_a = std::move(defects), "holes"_a = std::move(holes),
+                  "statistics"_a = dict_of(report.statistics),
                   "has_problems"_a = report.has_problems(), "is_fixable"_a = report.is_fixable());
 }
 
@@ -143,6 +153,26 @@ py::dict fix_mesh(const Mesh& mesh) {
                   "vertex_sources"_a = array_of(sources));
 }
 
+py::dict fill_mesh_holes(const Mesh& mesh, const std::string& shape, std::size_t largest,
+                         bool borders, const py::object& heard) {
+  const auto fill = one_of<FillShape>("fill_holes: shape", shape,
+                                      {{"flat", FillShape::flat}, {"smooth", FillShape::smooth}});
+  std::vector<std::string> warnings;
+  const FilledHoles result = Interruptible(heard).call([&](const Progress& progress) {
+    std::vector<Hole> holes =
+        chosen(find_holes(mesh), {.most_rim_vertices = largest, .borders = borders});
+    for (const Hole& hole : holes) {
+      if (!hole.trouble.empty())
+        warnings.push_back(name_hole(hole) + " is not filled: " + hole.trouble);
+    }
+    std::erase_if(holes, [](const Hole& hole) { return !hole.trouble.empty(); });
+    return fill_holes(mesh, holes, fill, progress);
+  });
+  return py::dict("mesh"_a = result.mesh, "holes"_a = result.holes,
+                  "new_vertices"_a = result.vertices, "new_faces"_a = result.faces,
+                  "warnings"_a = in_python_words(warnings));
+}
+
 }  // namespace
 
 void add_mesh_operations(py::module_& module) {
@@ -152,6 +182,8 @@ void add_mesh_operations(py::module_& module) {
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
   module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
   module.def("fix", &fix_mesh, "mesh"_a);
+  module.def("fill_holes", &fill_mesh_holes, "mesh"_a, "shape"_a, "largest"_a, "borders"_a,
+             "progress"_a);
 }
 
 }  // namespace lapwing::python

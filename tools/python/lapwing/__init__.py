@@ -30,11 +30,14 @@ from ._picture import render
 from ._reports import (
     Check,
     Defect,
+    Filled,
     Fixed,
+    Hole,
     Parameterized,
     Peeled,
     Remeshed,
     check,
+    fill_holes,
     fix,
     parameterize,
     peel,
@@ -42,8 +45,9 @@ from ._reports import (
 )
 
 __all__ = [
-    "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Fixed",
-    "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Response", "Result",
-    "SolverError", "check", "coat", "deform", "fix", "keys", "mix", "parameterize", "peel", "read",
-    "remesh", "render", "run", "shape", "shape_names", "transplant", "write",
+    "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Filled",
+    "Fixed", "Hole", "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed",
+    "Response", "Result", "SolverError", "check", "coat", "deform", "fill_holes", "fix", "keys",
+    "mix", "parameterize", "peel", "read", "remesh", "render", "run", "shape", "shape_names",
+    "transplant", "write",
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Dict, Iterator, List, Optional, Sequence
+from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
 
 from . import _core
 from ._arguments import mesh_of, region_of, vertices_of
@@ -30,9 +30,19 @@ class Defect:
     severity: str  #: "info", "warning" or "error" (a region cannot contain this place)
     meaning: str
     next_step: str
-    element: str  #: type of the elements in `first`: "vertex", "face", "edge", "component", "mesh"
+    element: str  #: type of the elements in `first`: "vertex", "face", "edge", "component", "rim", "mesh"
     first: Array  #: the first elements with this defect, ascending; an edge is two vertices
     fixable: bool  #: whether `fix` repairs all of them
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A boundary loop of a mesh."""
+
+    rim: Array  #: vertices in order, in the orientation of a face that closes the hole
+    perimeter: float
+    is_border: bool  #: whether it is the border of an open sheet, which `fill_holes` omits
+    trouble: str  #: why it cannot be filled; empty if it can
 
 
 @dataclass(frozen=True)
@@ -40,6 +50,7 @@ class Check:
     """Result of `check`."""
 
     defects: List[Defect]
+    holes: List[Hole]  #: all boundary loops, those with the most vertices first
     statistics: Dict[str, Any]
     has_problems: bool
     is_fixable: bool
@@ -68,6 +79,16 @@ class Fixed(_Made):
 
     repairs: Dict[str, int]  #: number of repairs of each kind
     vertex_sources: Array  #: for each vertex, its number in the damaged mesh
+
+
+@dataclass(frozen=True)
+class Filled(_Made):
+    """Result of `fill_holes`: `mesh`, `vertices`, `faces`."""
+
+    holes: int  #: number of filled holes
+    new_vertices: int  #: number of new vertices, which come last
+    new_faces: int  #: number of new triangles, which come last
+    warnings: List[str]
 
 
 @dataclass(frozen=True)
@@ -122,6 +143,7 @@ def check(
     `self_intersections` takes several times as long as everything else. Each defect lists the
     first `most_listed` of its places."""
     found = _core.check(mesh_of(mesh, faces, "check: mesh"), self_intersections, most_listed)
+    found["holes"] = [Hole(**hole) for hole in found["holes"]]
     found["defects"] = [Defect(**defect) for defect in found["defects"]]
     return Check(**found)
 
@@ -129,6 +151,24 @@ def check(
 def fix(mesh: MeshOrVertices, faces: Optional[FacesLike] = None) -> Fixed:
     """Repairs defects that have one sensible repair. Positions do not change."""
     return Fixed(**_core.fix(mesh_of(mesh, faces, "fix: mesh")))
+
+
+def fill_holes(
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    shape: Literal["flat", "smooth"] = "smooth",
+    largest: int = 0,
+    borders: bool = False,
+    progress: Progress = None,
+) -> Filled:
+    """Fills the holes of a mesh. A `flat` fill consists of triangles between the vertices of the
+    rim. A `smooth` fill has triangles of the size of those at the rim, and continues the tangent
+    planes of the surface. If `largest` is not 0, holes with more rim vertices stay open. The border
+    of an open sheet is filled only if `borders` is true. The new triangles have no texture
+    coordinates. `progress` is as in `deform`."""
+    chosen = mesh_of(mesh, faces, "fill_holes: mesh")
+    return Filled(**_core.fill_holes(chosen, shape, largest, borders, progress))
 
 
 def peel(
