@@ -8,6 +8,8 @@
 #include "lapwing/deform/prepared_deform.h"
 #include "lapwing/fill/fill_holes.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/decimate_mesh.h"
+#include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/remesh/remesh.h"
 #include "lapwing/transplant/transplant.h"

@@ -104,6 +104,18 @@ def test_fill_holes():
         lapwing.fill_holes(tube, shape="round")
 
 
+def test_decimate_and_subdivide():
+    ball = lapwing.shape("sphere")
+    coarse = lapwing.decimate(ball, share=0.25)
+    assert abs(coarse.mesh.vertex_count / ball.vertex_count - 0.25) < 0.1
+    assert (coarse.vertices == ball.vertices[coarse.kept]).all()
+    fine = lapwing.subdivide(ball, times=2)
+    assert fine.mesh.face_count == 16 * ball.face_count
+    assert (fine.vertices[:ball.vertex_count] == ball.vertices).all()
+    smooth = lapwing.subdivide(ball.vertices, ball.faces, smooth=True)
+    assert (smooth.vertices[:ball.vertex_count] != ball.vertices).any()
+
+
 def test_generated_meshes_are_listed():
     assert "tube" in lapwing.shape_names()
     assert all(lapwing.shape(name).face_count > 0 for name in lapwing.shape_names())

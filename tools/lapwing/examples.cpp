@@ -68,6 +68,9 @@ constexpr std::array kExamples{
   lapwing shape bumpy-plane -o bumps.ply
   lapwing peel bumps.ply --detail-size 0.2 -o smooth.ply
   lapwing peel bumps.ply --detail-size 0.2 --coating height -o heights.ply)"},
+    Examples{"lapwing decimate", R"(
+  lapwing shape bumpy-plane -o bumps.ply
+  lapwing decimate bumps.ply --share 0.2 --save coarse.ply)"},
     Examples{"lapwing cut", R"(
   lapwing shape tube -o tube.obj
   lapwing cut tube.obj --region near:0.5,0,3,0.4 -o patch.obj
@@ -99,7 +102,8 @@ constexpr std::array kExamples{
     Examples{"lapwing check", R"(
   lapwing shape tube -o tube.obj
   lapwing check tube.obj
-  lapwing check tube.obj --fix repaired.obj)"},
+  lapwing check tube.obj --fix repaired.obj
+  lapwing check tube.obj --fix closed.obj --fill-holes smooth)"},
     Examples{"lapwing convert", R"(
   lapwing shape tube -o tube.obj
   lapwing convert tube.obj tube.glb

@@ -46,7 +46,7 @@ struct CheckArguments {
   std::string fix;
   bool self_intersections = false;
   std::optional<FillShape> fill;
-  HoleChoice holes;
+  FillRequest holes;
 };
 
 bool has_errors(const CheckReport& report) {
@@ -65,16 +65,13 @@ CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
 
 // Fills the holes that the flags select. Returns a line for the list of repairs.
 std::string filled(Mesh& mesh, const CheckArguments& a) {
-  std::vector<Hole> holes = chosen(find_holes(mesh), a.holes);
-  for (const Hole& hole : holes) {
-    if (!hole.trouble.empty()) warn(name_hole(hole) + " is not filled: " + hole.trouble);
-  }
-  std::erase_if(holes, [](const Hole& hole) { return !hole.trouble.empty(); });
-  if (holes.empty()) return "no hole to fill\n";
-  const bool has_uvs = !mesh.attributes().corner_uvs.empty();
-  FilledHoles result = fill_holes(mesh, holes, *a.fill);
+  FillRequest request = a.holes;
+  request.shape = *a.fill;
+  FilledHoles result = fill_holes(mesh, request);
+  for (const std::string& warning : result.warnings) warn(warning);
+  for (const std::string& text : result.notes) note(text);
+  if (result.holes == 0) return "no hole to fill\n";
   mesh = std::move(result.mesh);
-  if (has_uvs) note("the triangles that fill holes have no texture coordinates");
   std::string lines = counted(result.holes, "holes") + " filled with " +
                       counted(result.faces, "triangles") + " and " +
                       counted(result.vertices, "new vertices") + "\n";
@@ -147,7 +144,7 @@ void add_check(CLI::App& app) {
                    ->transform(CLI::CheckedTransformer(shapes).description("flat|smooth"))
                    ->needs(fix);
   command
-      ->add_option("--largest", a->holes.most_rim_vertices,
+      ->add_option("--largest", a->holes.largest,
                    "fill only holes with at most this number of rim vertices")
       ->check(CLI::PositiveNumber)
       ->needs(fill);

@@ -13,6 +13,7 @@
 #include "lapwing/fill/triangulate_rim.h"
 #include "lapwing/mesh/seams.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/region/vertex_set.h"
 #include "lapwing/remesh/isotropic.h"
 
 namespace lapwing {
@@ -169,6 +170,30 @@ FilledHoles fill_holes(const Mesh& mesh, std::span<const Hole> holes, FillShape 
   append_patches(result.mesh, holes, patches);
   result.vertices = result.mesh.vertex_count() - mesh.vertex_count();
   result.faces = result.mesh.face_count() - mesh.face_count();
+  if (!holes.empty() && !mesh.attributes().corner_uvs.empty()) {
+    result.notes.emplace_back("the triangles that fill holes have no texture coordinates");
+  }
+  return result;
+}
+
+FilledHoles fill_holes(const Mesh& mesh, const FillRequest& request, const Progress& progress) {
+  const ProgressScope scope(progress);
+  const std::vector<char> inside = vertex_mask(mesh.vertex_count(), resolve(request.region, mesh));
+  std::vector<Hole> holes = chosen(
+      find_holes(mesh),
+      {.most_rim_vertices = static_cast<std::size_t>(request.largest), .borders = request.borders});
+  std::erase_if(holes, [&](const Hole& hole) {
+    return std::ranges::none_of(hole.rim, [&](Index v) { return inside[v] != 0; });
+  });
+  std::vector<std::string> warnings;
+  for (const Hole& hole : holes) {
+    if (!hole.trouble.empty()) {
+      warnings.push_back(name_hole(hole) + " is not filled: " + hole.trouble);
+    }
+  }
+  std::erase_if(holes, [](const Hole& hole) { return !hole.trouble.empty(); });
+  FilledHoles result = fill_holes(mesh, holes, request.shape, progress);
+  result.warnings = std::move(warnings);
   return result;
 }
 

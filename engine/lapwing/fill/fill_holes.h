@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/doctor/holes.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/region/region_spec.h"
 
 namespace lapwing {
 
@@ -15,11 +18,26 @@ enum class FillShape {
   smooth,  ///< triangles of the rim's size, whose tangent planes continue those of the surface
 };
 
+/// A request to fill holes, without the mesh.
+struct FillRequest {
+  RegionSpec region = {AllVertices{}};  ///< holes with no rim vertex in it stay open
+  FillShape shape = FillShape::smooth;
+  int largest = 0;                   ///< holes with more rim vertices stay open; 0 for no limit
+  bool borders = false;              ///< whether to fill the borders of open sheets
+  std::string where = "fill_holes";  ///< as in RegionSpec; ignored by ==
+  bool operator==(const FillRequest& other) const {
+    return region == other.region && shape == other.shape && largest == other.largest &&
+           borders == other.borders;
+  }
+};
+
 struct FilledHoles {
   Mesh mesh;
   std::size_t holes = 0;
   std::size_t vertices = 0;  ///< number of new vertices; they follow those of the mesh
   std::size_t faces = 0;     ///< number of new triangles; they follow those of the mesh
+  std::vector<std::string> warnings;  ///< holes that were requested, but cannot be filled
+  std::vector<std::string> notes;     ///< attributes that the new triangles lack
 };
 
 /// Fills `holes`, which `find_holes(mesh)` returned. The vertices and faces of `mesh` stay. A flat
@@ -36,5 +54,10 @@ struct FilledHoles {
 /// would need too many triangles or too much memory; and Cancelled. Stage "fill".
 FilledHoles fill_holes(const Mesh& mesh, std::span<const Hole> holes,
                        FillShape shape = FillShape::smooth, const Progress& progress = {});
+
+/// Fills the holes that `request` selects, except those with a `trouble`, about which it warns.
+/// Throws InputError, naming `region.where`, if the region does not fit the mesh, and the errors of
+/// the function above.
+FilledHoles fill_holes(const Mesh& mesh, const FillRequest& request, const Progress& progress = {});
 
 }  // namespace lapwing

@@ -8,6 +8,8 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
 #include "lapwing/fill/fill_holes.h"
+#include "lapwing/mesh/decimate_mesh.h"
+#include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/recipe/read_values.h"
 #include "lapwing/remesh/remesh.h"
@@ -153,24 +155,31 @@ py::dict fix_mesh(const Mesh& mesh) {
                   "vertex_sources"_a = array_of(sources));
 }
 
-py::dict fill_mesh_holes(const Mesh& mesh, const std::string& shape, std::size_t largest,
-                         bool borders, const py::object& heard) {
-  const auto fill = one_of<FillShape>("fill_holes: shape", shape,
-                                      {{"flat", FillShape::flat}, {"smooth", FillShape::smooth}});
-  std::vector<std::string> warnings;
-  const FilledHoles result = Interruptible(heard).call([&](const Progress& progress) {
-    std::vector<Hole> holes =
-        chosen(find_holes(mesh), {.most_rim_vertices = largest, .borders = borders});
-    for (const Hole& hole : holes) {
-      if (!hole.trouble.empty())
-        warnings.push_back(name_hole(hole) + " is not filled: " + hole.trouble);
-    }
-    std::erase_if(holes, [](const Hole& hole) { return !hole.trouble.empty(); });
-    return fill_holes(mesh, holes, fill, progress);
-  });
+py::dict fill_mesh_holes(const Mesh& mesh, const std::string& region, const std::string& shape,
+                         int largest, bool borders, const py::object& heard) {
+  FillRequest request;
+  request.region = region_of(region, "fill_holes: region");
+  request.shape = one_of<FillShape>("fill_holes: shape", shape,
+                                    {{"flat", FillShape::flat}, {"smooth", FillShape::smooth}});
+  request.largest = largest;
+  request.borders = borders;
+  const FilledHoles result = Interruptible(heard).call(
+      [&](const Progress& progress) { return fill_holes(mesh, request, progress); });
   return py::dict("mesh"_a = result.mesh, "holes"_a = result.holes,
                   "new_vertices"_a = result.vertices, "new_faces"_a = result.faces,
-                  "warnings"_a = in_python_words(warnings));
+                  "warnings"_a = in_python_words(result.warnings));
+}
+
+py::dict decimate_mesh(const Mesh& mesh, double share, const py::object& heard) {
+  const DecimatedMesh result = Interruptible(heard).call(
+      [&](const Progress& progress) { return decimate(mesh, {.share = share}, progress); });
+  return py::dict("mesh"_a = result.mesh, "kept"_a = array_of(result.kept));
+}
+
+py::dict subdivide_mesh(const Mesh& mesh, int times, bool smooth, const py::object& heard) {
+  return py::dict("mesh"_a = Interruptible(heard).call([&](const Progress& progress) {
+    return subdivide(mesh, {.times = times, .smooth = smooth}, progress);
+  }));
 }
 
 }  // namespace
@@ -182,8 +191,10 @@ void add_mesh_operations(py::module_& module) {
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
   module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
   module.def("fix", &fix_mesh, "mesh"_a);
-  module.def("fill_holes", &fill_mesh_holes, "mesh"_a, "shape"_a, "largest"_a, "borders"_a,
-             "progress"_a);
+  module.def("fill_holes", &fill_mesh_holes, "mesh"_a, "region"_a, "shape"_a, "largest"_a,
+             "borders"_a, "progress"_a);
+  module.def("decimate", &decimate_mesh, "mesh"_a, "share"_a, "progress"_a);
+  module.def("subdivide", &subdivide_mesh, "mesh"_a, "times"_a, "smooth"_a, "progress"_a);
 }
 
 }  // namespace lapwing::python

@@ -29,6 +29,7 @@ from ._operations import coat, deform, keys, mix, run, transplant
 from ._picture import render
 from ._reports import (
     Check,
+    Decimated,
     Defect,
     Filled,
     Fixed,
@@ -36,18 +37,21 @@ from ._reports import (
     Parameterized,
     Peeled,
     Remeshed,
+    Subdivided,
     check,
+    decimate,
     fill_holes,
     fix,
     parameterize,
     peel,
     remesh,
+    subdivide,
 )
 
 __all__ = [
-    "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Filled",
-    "Fixed", "Hole", "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed",
-    "Response", "Result", "SolverError", "check", "coat", "deform", "fill_holes", "fix", "keys",
-    "mix", "parameterize", "peel", "read", "remesh", "render", "run", "shape", "shape_names",
-    "transplant", "write",
+    "Certificate", "Check", "Decimated", "Defect", "Deformer", "DeviceError", "Error", "FileError",
+    "Filled", "Fixed", "Hole", "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed",
+    "Response", "Result", "SolverError", "Subdivided", "check", "coat", "decimate", "deform",
+    "fill_holes", "fix", "keys", "mix", "parameterize", "peel", "read", "remesh", "render", "run",
+    "shape", "shape_names", "subdivide", "transplant", "write",
 ]

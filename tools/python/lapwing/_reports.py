@@ -92,6 +92,18 @@ class Filled(_Made):
 
 
 @dataclass(frozen=True)
+class Decimated(_Made):
+    """Result of `decimate`: `mesh`, `vertices`, `faces`."""
+
+    kept: Array  #: for each vertex, its number in the given mesh
+
+
+@dataclass(frozen=True)
+class Subdivided(_Made):
+    """Result of `subdivide`: `mesh`, `vertices`, `faces`. The given vertices come first."""
+
+
+@dataclass(frozen=True)
 class Peeled(_Made):
     """Result of `peel`: the smooth `mesh`, its `vertices` and `faces`."""
 
@@ -157,6 +169,7 @@ def fill_holes(
     mesh: MeshOrVertices,
     faces: Optional[FacesLike] = None,
     *,
+    region: Region = "all",
     shape: Literal["flat", "smooth"] = "smooth",
     largest: int = 0,
     borders: bool = False,
@@ -164,11 +177,40 @@ def fill_holes(
 ) -> Filled:
     """Fills the holes of a mesh. A `flat` fill consists of triangles between the vertices of the
     rim. A `smooth` fill has triangles of the size of those at the rim, and continues the tangent
-    planes of the surface. If `largest` is not 0, holes with more rim vertices stay open. The border
-    of an open sheet is filled only if `borders` is true. The new triangles have no texture
-    coordinates. `progress` is as in `deform`."""
+    planes of the surface. Holes without a rim vertex in `region` stay open and, if `largest` is
+    not 0, holes with more rim vertices. The border of an open sheet is filled only if `borders` is
+    true. The new triangles have no texture coordinates. `progress` is as in `deform`."""
     chosen = mesh_of(mesh, faces, "fill_holes: mesh")
-    return Filled(**_core.fill_holes(chosen, shape, largest, borders, progress))
+    where = _region_json(region, chosen, "fill_holes: region")
+    return Filled(**_core.fill_holes(chosen, where, shape, largest, borders, progress))
+
+
+def decimate(
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    share: float = 0.5,
+    progress: Progress = None,
+) -> Decimated:
+    """Keeps about `share` of the vertices, those that matter most for the shape, and triangulates
+    the mesh. Seams of texture coordinates and borders of materials stay. Stored normals are
+    dropped. `progress` is as in `deform`."""
+    return Decimated(**_core.decimate(mesh_of(mesh, faces, "decimate: mesh"), share, progress))
+
+
+def subdivide(
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    times: int = 1,
+    smooth: bool = False,
+    progress: Progress = None,
+) -> Subdivided:
+    """Triangulates the mesh and cuts each triangle into four, `times` times. If `smooth` is true,
+    the shape becomes smooth by Loop's scheme; otherwise it stays. Stored normals are dropped.
+    `progress` is as in `deform`."""
+    chosen = mesh_of(mesh, faces, "subdivide: mesh")
+    return Subdivided(**_core.subdivide(chosen, times, smooth, progress))
 
 
 def peel(
