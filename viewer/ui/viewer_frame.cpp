@@ -178,7 +178,9 @@ void ViewerApp::update_document() {
   transplants_ = transplant.is_open();
   desk.update(editor);
   transplant.update(editor);
-  document_->banner.update(editor, desk.is_open() || transplant.is_open());
+  const bool others = desk.is_open() || transplant.is_open();
+  document_->banner.update(editor, others || document_->mesh_steps.has_picture());
+  document_->mesh_steps.update(editor, others || document_->banner.has_picture());
   part_pictures_.renew(transplant.library(), *context_);
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size, pixels_per_point_);

@@ -138,6 +138,10 @@ void ViewerApp::draw_task(Task task) {
       break;
     case Task::mesh:
       draw_mesh_panel(*document_, preferences_.unit);
+      if (const auto vertices = draw_mesh_steps(document_->mesh_steps, editor,
+                                                document_->report.statistics.bounds.diagonal())) {
+        show_vertices(*vertices);
+      }
       if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
       if (ImGui::CollapsingHeader("Attached objects")) {
         if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);

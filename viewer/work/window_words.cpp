@@ -50,6 +50,25 @@ constexpr std::array kKeyWords{
     KeyWords{"sampling", "", "Sampling",
              "How the detail is sampled: at each target vertex with its ring, or interpolated "
              "linearly, which hides the triangles of the source on a finer target."},
+    KeyWords{"scale", "scale", "Scale",
+             "Edge length of the new triangles, in mean edge lengths of the surface or region."},
+    KeyWords{"length", "", "Edge length", "Edge length of the new triangles. Off: Scale is used."},
+    KeyWords{"iterations", "", "Iterations", "Number of passes over the surface."},
+    KeyWords{"feature_degrees", "", "Feature angle",
+             "Edges whose faces meet at more than this angle, in degrees, are kept."},
+    KeyWords{"share", "", "Vertices to keep", "Share of the vertices that is kept, about."},
+    KeyWords{"times", "", "Times", "How often each triangle is cut into four."},
+    KeyWords{"smooth", "", "Smooth",
+             "Makes the shape smooth by Loop's scheme. Off: the shape stays."},
+    KeyWords{
+        "shape", "", "Shape",
+        "Flat: triangles between the vertices of the rim. Smooth: adds vertices, and continues "
+        "the surface around."},
+    KeyWords{"largest", "", "Largest",
+             "Holes with more rim vertices than this stay open. 0 for no limit."},
+    KeyWords{"borders", "", "Fill borders",
+             "Also fills the borders of open sheets: the longest loop of each part that is flatter "
+             "than a hemisphere."},
     KeyWords{"scale", "", "Scale",
              "Size of the detail on the target relative to the source. Off: the local ratio of "
              "lengths."},
@@ -85,7 +104,9 @@ constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
                                  Words{"collars", "Finding the transition"},
                                  Words{"colours", "Reading colours"},
                                  Words{"constraints", "Setting constraints"},
+                                 Words{"decimate", "Decimating"},
                                  Words{"factor", "Factoring the matrix"},
+                                 Words{"fill", "Filling holes"},
                                  Words{"frames", "Local frames"},
                                  Words{"laplacian", "Laplacian"},
                                  Words{"map", "Mapping the patches"},
@@ -106,12 +127,15 @@ constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
                                  Words{"solve", "Solving"},
                                  Words{"solve_many", "Solving"},
                                  Words{"source", "Source detail"},
+                                 Words{"subdivide", "Subdividing"},
                                  Words{"topology", "Building the topology"},
                                  Words{"zip", "Joining the part"}};
 
 // Phrases of the engine, the longer ones first.
 constexpr std::array kPhrases{
     Words{"repair it with `lapwing check MESH --fix OUT`", "click \"Repair\""},
+    Words{"fill them with `lapwing check MESH --fix OUT --fill-holes smooth`",
+          "fill them under \"Holes\" in the Mesh tab"},
     Words{"`lapwing check MESH --fix OUT`", "\"Repair\""},
     Words{"`lapwing check --fix`", "\"Repair\""},
     Words{"`deform`", "an edit"},

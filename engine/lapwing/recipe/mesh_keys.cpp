@@ -14,7 +14,9 @@ void describe(RemeshRequest& step, KeyVisitor& visitor) {
                   .help = "the edge length of the new triangles",
                   .absent = "`scale` is used"},
                  step.length, kAboveZero);
-  visitor.number({.name = "scale", .help = "the edge length, in mean edge lengths of the region"},
+  visitor.number({.name = "scale",
+                  .help = "the edge length, in mean edge lengths of the region",
+                  .flag = "scale"},
                  step.scale,
                  {.least = 0.0, .takes_least = false, .slider_from = 0.1, .slider_to = 10.0});
   visitor.whole({.name = "iterations", .help = "number of passes over the region"},
