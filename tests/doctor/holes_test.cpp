@@ -6,13 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "doctor/broken_meshes.h"
+#include "lapwing/doctor/fix.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/shapes.h"
 
 namespace lapwing {
 namespace {
 
-using ::testing::ElementsAre;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -68,14 +69,39 @@ TEST(FindHoles, RimsThatAreNotManifoldHaveATrouble) {
   for (const Hole& hole : find_holes(three_winged_edge())) {
     EXPECT_THAT(hole.trouble, HasSubstr("more than two faces"));
   }
-  const std::vector<Hole> touching = find_holes(bow_tie());
-  ASSERT_THAT(touching, SizeIs(2));
-  EXPECT_THAT(touching[0].trouble, HasSubstr("vertex 0"));
-  EXPECT_THAT(touching[0].trouble, HasSubstr("--fix OUT"));
+  EXPECT_THAT(find_holes(three_winged_edge())[0].trouble, HasSubstr("--fix OUT"));
   Mesh nowhere = cylinder(5, 2, 1.0, 9.0);
   nowhere.positions[2].x() = std::numeric_limits<double>::quiet_NaN();
   const auto holes = find_holes(nowhere);
   EXPECT_THAT(holes[0].trouble, HasSubstr("vertex 2 is not finite"));
+}
+
+// The sheet without two squares that touch at the inner vertex 12.
+Mesh sheet_with_touching_holes() {
+  Mesh mesh = grid(4, 4);
+  KeepMask keep(mesh.face_count(), 1);
+  for (const std::size_t square : {5, 10}) keep[2 * square] = keep[2 * square + 1] = 0;
+  keep_faces(mesh, keep);
+  return mesh;
+}
+
+TEST(FindHoles, HolesThatTouchAtAVertexAreTwo) {
+  const std::vector<Hole> holes = find_holes(sheet_with_touching_holes());
+  ASSERT_THAT(holes, SizeIs(3));
+  EXPECT_TRUE(holes[0].is_border);
+  for (const std::size_t k : {1, 2}) {
+    EXPECT_THAT(holes[k].rim, SizeIs(4));
+    EXPECT_THAT(holes[k].rim, Contains(12));
+    EXPECT_NEAR(holes[k].perimeter, 1.0, 1e-12);
+    EXPECT_THAT(holes[k].trouble, IsEmpty());
+  }
+}
+
+TEST(FindHoles, HolesThatTouchAtTwoVerticesOfOnePlaceAreTwo) {
+  Mesh mesh = sheet_with_touching_holes();
+  fix(mesh);
+  EXPECT_EQ(mesh.vertex_count(), 26U);
+  EXPECT_THAT(find_holes(mesh), SizeIs(3));
 }
 
 TEST(FindHoles, FacesOfOppositeOrientationAtTheRimAreATrouble) {

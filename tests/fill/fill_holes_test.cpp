@@ -10,8 +10,10 @@
 #include "doctor/broken_meshes.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/doctor/check.h"
+#include "lapwing/doctor/fix.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/topology.h"
 #include "support/cancel_everywhere.h"
 
 namespace lapwing {
@@ -146,16 +148,45 @@ TEST_P(EveryFill, GivesTheSameBitsAgain) {
   EXPECT_EQ(once.face_vertices(), again.face_vertices());
 }
 
+TEST_P(EveryFill, HolesThatTouchBecomeOneManifold) {
+  // The faces around two vertices whose rings have one vertex in common.
+  const Mesh whole = icosphere(3);
+  const Topology& topology = whole.topology();
+  const Index middle = 200;
+  const auto ring = topology.rings[middle];
+  const auto are_near = [&](Index a, Index b) {
+    return std::ranges::count_if(topology.rings[a], [&](Index v) {
+             return std::ranges::binary_search(topology.rings[b], v);
+           }) > 1;
+  };
+  const auto far = std::ranges::find_if(ring, [&](Index v) { return !are_near(v, ring[0]); });
+  ASSERT_NE(far, ring.end());
+  KeepMask keep(whole.face_count(), 1);
+  for (const Index center : {ring[0], *far}) {
+    for (const Index t : topology.vertex_triangles[center]) keep[t] = 0;
+  }
+  Mesh touching = whole;
+  keep_faces(touching, keep);
+  Mesh split = touching;
+  fix(split);
+  EXPECT_GT(split.vertex_count(), whole.vertex_count() - 2);
+  for (const Mesh& mesh : {touching, split}) {
+    ASSERT_THAT(find_holes(mesh), SizeIs(2));
+    Mesh result = filled(mesh, GetParam()).mesh;
+    fix(result);
+    expect_closed_manifold(result);
+  }
+}
+
 TEST_P(EveryFill, NamesTheHoleThatItCannotFill) {
-  const Mesh mesh = bow_tie();
+  const Mesh mesh = three_winged_edge();
   const std::vector<Hole> holes = find_holes(mesh);
   try {
     fill_holes(mesh, holes, GetParam());
     FAIL() << "expected an InputError";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("the hole with 3 rim vertices at vertex 0 cannot be filled: "
-                          "surfaces touch only at vertex 0"));
+                HasSubstr("the hole with 5 rim vertices at vertex 0 cannot be filled: at vertex "));
   }
 }
 

@@ -79,6 +79,24 @@ TEST_F(MeshSteps, ACancelledPreviewChangesNothing) {
   EXPECT_EQ(steps(), 0U);
 }
 
+TEST_F(MeshSteps, EscapeDiscardsThePreview) {
+  viewer_->click("Subdivision");
+  viewer_->click("Subdivide");
+  wait_for_preview();
+  viewer_->key(kEscape);
+  viewer_->look_at();
+  EXPECT_FALSE(viewer_->app().document()->mesh_steps.is_open());
+  EXPECT_FALSE(viewer_->app().document()->editor.shown().previews());
+}
+
+TEST_F(MeshSteps, ShowFramesTheRimOfAHole) {
+  viewer_->click("Holes");
+  viewer_->click("Show");
+  viewer_->look_at();
+  EXPECT_EQ(viewer_->app().document()->editor.pointed_at(),
+            viewer_->app().document()->mesh_steps.holes()->front().rim);
+}
+
 TEST_F(MeshSteps, TheMeshIsDecimatedSubdividedAndRemeshed) {
   const std::size_t vertices = mesh().vertex_count();
   viewer_->click("Decimation");

@@ -70,7 +70,8 @@ constexpr std::array kExamples{
   lapwing peel bumps.ply --detail-size 0.2 --coating height -o heights.ply)"},
     Examples{"lapwing decimate", R"(
   lapwing shape bumpy-plane -o bumps.ply
-  lapwing decimate bumps.ply --share 0.2 --save coarse.ply)"},
+  lapwing decimate bumps.ply --share 0.2 --save coarse.ply
+  lapwing decimate bumps.ply --share 0.05 --recipe coarser.json --save coarser.ply)"},
     Examples{"lapwing cut", R"(
   lapwing shape tube -o tube.obj
   lapwing cut tube.obj --region near:0.5,0,3,0.4 -o patch.obj

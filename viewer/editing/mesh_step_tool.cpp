@@ -21,10 +21,15 @@ void MeshStepTool::preview(const Step& step) {
 }
 
 void MeshStepTool::close(Editor& editor) {
+  if (shown_) editor.shown().end_preview();
+  give_way();
+}
+
+void MeshStepTool::give_way() {
   preview_.stop();
   step_.reset();
   rest_.reset();
-  if (std::exchange(shown_, false)) editor.shown().end_preview();
+  shown_ = false;
 }
 
 void MeshStepTool::apply(Editor& editor) {
@@ -64,9 +69,7 @@ void MeshStepTool::update(Editor& editor, bool others_preview) {
   const bool is_changed =
       rest_ && (editor.state().rest != rest_ || editor.state().settled != settled_);
   if (others_preview || is_changed || (shown_ && !editor.shown().previews())) {
-    // What another tool shows stays.
-    if (others_preview) shown_ = false;
-    return close(editor);
+    return others_preview ? give_way() : close(editor);
   }
   start(editor);
   if (!preview_.update()) return;
@@ -80,10 +83,7 @@ void MeshStepTool::update(Editor& editor, bool others_preview) {
 }
 
 void MeshStepTool::release_device() {
-  preview_.stop();
-  step_.reset();
-  rest_.reset();
-  shown_ = false;
+  give_way();
 }
 
 void MeshStepTool::use_device(const std::shared_ptr<gpu::Context>& context) {

@@ -39,6 +39,8 @@ class MeshStepTool {
   bool has_picture() const { return shown_; }
   /// Discards the preview.
   void close(Editor& editor);
+  /// Discards the preview, but leaves the view as it is, because something else is shown there.
+  void give_way();
   /// Adds the previewed result to the history as a step. Does nothing before it is computed.
   void apply(Editor& editor);
 

@@ -1,7 +1,9 @@
 #include "lapwing/doctor/holes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -11,10 +13,12 @@
 #include "lapwing/base/union_find.h"
 #include "lapwing/mesh/seams.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/welder.h"
 
 namespace lapwing {
 namespace {
 
+constexpr std::ptrdiff_t kLeastRim = 3;
 constexpr const char* kRepairFirst = "; repair the mesh with `lapwing check MESH --fix OUT`";
 
 // Follows the boundary sides from fan to fan.
@@ -35,8 +39,6 @@ class LoopFinder {
       if (in[start_fan(side)] == kNoIndex) is_branching_[start_fan(side)] = 1;
       if (out_[end_fan(side)] == kNoIndex) is_branching_[end_fan(side)] = 1;
     }
-    is_bow_tie_.assign(mesh.vertex_count(), 0);
-    for (const Index v : fans.bow_tie_vertices) is_bow_tie_[v] = 1;
   }
 
   std::vector<Hole> find() const {
@@ -56,8 +58,7 @@ class LoopFinder {
       loops[loop].push_back(side);
     }
     std::vector<Hole> holes;
-    holes.reserve(loops.size());
-    for (const auto& sides : loops) holes.push_back(hole_of(sides));
+    for (const auto& sides : loops) append_holes(sides, holes);
     return holes;
   }
 
@@ -82,39 +83,73 @@ class LoopFinder {
                  " an edge has more than two faces, or faces have opposite orientations" +
                  kRepairFirst + ", or remove the surplus faces in a modelling tool";
         }
-        if (is_bow_tie_[v] != 0) {
-          return "surfaces touch only at " + name + " of the rim" + kRepairFirst;
-        }
       }
     }
     return {};
   }
 
-  Hole hole_of(const std::vector<Index>& sides) const {
+  Hole refused(const std::vector<Index>& sides, std::string trouble) const {
     Hole hole;
+    hole.trouble = std::move(trouble);
     for (const Index side : sides) {
       const Index end = start(edges_.next_corner[side]);
       hole.perimeter += (mesh_.positions[end] - mesh_.positions[start(side)]).norm();
+      hole.rim.insert(hole.rim.end(), {start(side), end});
     }
-    hole.trouble = trouble_of(sides);
-    if (!hole.trouble.empty()) {
-      for (const Index side : sides) {
-        hole.rim.push_back(start(side));
-        hole.rim.push_back(start(edges_.next_corner[side]));
-      }
-      std::ranges::sort(hole.rim);
-      hole.rim.erase(std::unique(hole.rim.begin(), hole.rim.end()), hole.rim.end());
-      return hole;
-    }
-    Index side = sides.front();
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      hole.rim.push_back(start(side));
-      side = out_[end_fan(side)];
+    std::ranges::sort(hole.rim);
+    hole.rim.erase(std::unique(hole.rim.begin(), hole.rim.end()), hole.rim.end());
+    return hole;
+  }
+
+  Hole hole_of(std::vector<Index> rim) const {
+    Hole hole;
+    hole.rim = std::move(rim);
+    for (std::size_t k = 0; k < hole.rim.size(); ++k) {
+      const Index next = hole.rim[(k + 1) % hole.rim.size()];
+      hole.perimeter += (mesh_.positions[next] - mesh_.positions[hole.rim[k]]).norm();
     }
     // The faces of the surface traverse the rim in the opposite direction.
     std::ranges::reverse(hole.rim);
     std::ranges::rotate(hole.rim, std::ranges::min_element(hole.rim));
     return hole;
+  }
+
+  static std::vector<Index> vertices_at(std::span<const std::size_t> places,
+                                        const std::vector<Index>& loop) {
+    std::vector<Index> vertices;
+    for (const std::size_t place : places) vertices.push_back(loop[place]);
+    return vertices;
+  }
+
+  // Appends the loop of `sides`, cut into several where it comes back to a point.
+  void append_holes(const std::vector<Index>& sides, std::vector<Hole>& holes) const {
+    if (std::string trouble = trouble_of(sides); !trouble.empty()) {
+      holes.push_back(refused(sides, std::move(trouble)));
+      return;
+    }
+    std::vector<Index> loop;
+    Positions points;
+    for (Index side = sides.front(); loop.size() < sides.size(); side = out_[end_fan(side)]) {
+      loop.push_back(start(side));
+      points.push_back(mesh_.positions[start(side)]);
+    }
+    const std::vector<Index> first = first_at_same_position(points);
+    std::vector<std::size_t> open;  // places in `loop`
+    auto left = std::ssize(loop);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      if (first[k] != k) {
+        const auto before =
+            std::ranges::find_if(open, [&](std::size_t place) { return first[place] == first[k]; });
+        const std::ptrdiff_t count = open.end() - before;
+        if (count >= kLeastRim && left - count >= kLeastRim) {
+          holes.push_back(hole_of(vertices_at({before, open.end()}, loop)));
+          open.erase(before, open.end());
+          left -= count;
+        }
+      }
+      open.push_back(k);
+    }
+    holes.push_back(hole_of(vertices_at(open, loop)));
   }
 
   const Mesh& mesh_;
@@ -123,7 +158,6 @@ class LoopFinder {
   std::vector<Index> sides_;        // the boundary sides
   std::vector<Index> out_;          // per fan: the boundary side that starts there
   std::vector<char> is_branching_;  // per fan: not exactly one side starts and one ends there
-  std::vector<char> is_bow_tie_;    // per vertex
 };
 
 void mark_borders(const Mesh& mesh, std::vector<Hole>& holes) {
