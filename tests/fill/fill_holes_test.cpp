@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -146,6 +147,12 @@ TEST_P(EveryFill, GivesTheSameBitsAgain) {
   const Mesh again = filled(mesh, GetParam()).mesh;
   EXPECT_EQ(once.positions, again.positions);
   EXPECT_EQ(once.face_vertices(), again.face_vertices());
+}
+
+TEST_P(EveryFill, RefusesAMeshThatIsNotFinite) {
+  Mesh mesh = sphere_with_hole(30.0);
+  mesh.positions[mesh.face(0)[0]].x() = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(filled(mesh, GetParam()), InputError);
 }
 
 TEST_P(EveryFill, HolesThatTouchBecomeOneManifold) {

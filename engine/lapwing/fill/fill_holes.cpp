@@ -138,11 +138,14 @@ void fair(std::vector<HolePatch>& patches, const Mesh& surface, std::span<const 
   }
 }
 
-void require_fillable(std::span<const Hole> holes) {
+void require_fillable(std::span<const Hole> holes, const Mesh& mesh) {
   for (const Hole& hole : holes) {
-    if (hole.trouble.empty()) continue;
-    throw InputError(name_hole(hole) + " cannot be filled: " + hole.trouble, hole.rim);
+    if (!hole.trouble.empty()) {
+      throw InputError(name_hole(hole) + " cannot be filled: " + hole.trouble, hole.rim);
+    }
+    require_extent(hole.rim, mesh.positions, name_hole(hole));
   }
+  if (!holes.empty()) require_finite(mesh);
 }
 
 }  // namespace
@@ -150,7 +153,7 @@ void require_fillable(std::span<const Hole> holes) {
 FilledHoles fill_holes(const Mesh& mesh, std::span<const Hole> holes, FillShape shape,
                        const Progress& progress) {
   const ProgressScope scope(progress);
-  require_fillable(holes);
+  require_fillable(holes, mesh);
   const JoinedSurface joined = joined_surface(mesh);
   const Mesh& surface = joined.empty() ? mesh : joined.surface;
   std::vector<HolePatch> patches;
@@ -178,7 +181,9 @@ FilledHoles fill_holes(const Mesh& mesh, std::span<const Hole> holes, FillShape 
 
 FilledHoles fill_holes(const Mesh& mesh, const FillRequest& request, const Progress& progress) {
   const ProgressScope scope(progress);
-  const std::vector<char> inside = vertex_mask(mesh.vertex_count(), resolve(request.region, mesh));
+  const VertexSet region = resolve(request.region, mesh);
+  require_extent(region, mesh.positions, request.region.where);
+  const std::vector<char> inside = vertex_mask(mesh.vertex_count(), region);
   std::vector<Hole> holes = chosen(
       find_holes(mesh),
       {.most_rim_vertices = static_cast<std::size_t>(request.largest), .borders = request.borders});

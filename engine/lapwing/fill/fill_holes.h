@@ -50,14 +50,16 @@ struct FilledHoles {
 /// diagonal of the rim, the diagonal gets a new vertex. Filled holes close the mesh there, and a
 /// manifold mesh stays manifold.
 ///
-/// Throws InputError, naming the hole, if it has a `trouble`; InputError or SolverError if a fill
-/// would need too many triangles or too much memory; and Cancelled. Stage "fill".
+/// Throws InputError, naming the hole, if it has a `trouble` or a size outside the limits of
+/// `require_extent`; InputError, naming a vertex, if a face of the mesh is not finite; InputError
+/// or SolverError if a fill would need too many triangles or too much memory; and Cancelled. Stage
+/// "fill".
 FilledHoles fill_holes(const Mesh& mesh, std::span<const Hole> holes,
                        FillShape shape = FillShape::smooth, const Progress& progress = {});
 
 /// Fills the holes that `request` selects, except those with a `trouble`, about which it warns.
-/// Throws InputError, naming `region.where`, if the region does not fit the mesh, and the errors of
-/// the function above.
+/// Throws InputError, naming `region.where`, if the region does not fit the mesh or has a size
+/// outside the limits of `require_extent`, and the errors of the function above.
 FilledHoles fill_holes(const Mesh& mesh, const FillRequest& request, const Progress& progress = {});
 
 }  // namespace lapwing

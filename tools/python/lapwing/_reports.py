@@ -175,11 +175,12 @@ def fill_holes(
     borders: bool = False,
     progress: Progress = None,
 ) -> Filled:
-    """Fills the holes of a mesh. A `flat` fill consists of triangles between the vertices of the
-    rim. A `smooth` fill has triangles of the size of those at the rim, and continues the tangent
-    planes of the surface. Holes without a rim vertex in `region` stay open and, if `largest` is
-    not 0, holes with more rim vertices. The border of an open sheet is filled only if `borders` is
-    true. The new triangles have no texture coordinates. `progress` is as in `deform`."""
+    """Fills the holes of a mesh. If `shape` is "flat", a fill consists of triangles between the
+    vertices of the rim. If it is "smooth", the triangles have the size of those at the rim and
+    continue the tangent planes of the surface. Holes without a rim vertex in `region` stay open
+    and, if `largest` is not 0, holes with more rim vertices. The border of an open sheet is filled
+    only if `borders` is true. The new triangles have no texture coordinates. `progress` is as in
+    `deform`."""
     chosen = mesh_of(mesh, faces, "fill_holes: mesh")
     where = _region_json(region, chosen, "fill_holes: region")
     return Filled(**_core.fill_holes(chosen, where, shape, largest, borders, progress))
