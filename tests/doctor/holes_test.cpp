@@ -104,6 +104,17 @@ TEST(FindHoles, HolesThatTouchAtTwoVerticesOfOnePlaceAreTwo) {
   EXPECT_THAT(find_holes(mesh), SizeIs(3));
 }
 
+TEST(FindHoles, ASingleFaceIsNotFilledByItsReverse) {
+  Mesh mesh = cylinder(6, 2, 1.0, 9.0);
+  const auto first = static_cast<Index>(mesh.vertex_count());
+  for (const double x : {5.0, 6.0, 7.0}) mesh.positions.emplace_back(x, x * x, 0.0);
+  add_polygon(mesh, {first, first + 1, first + 2});
+  const std::vector<Hole> holes = find_holes(mesh);
+  ASSERT_THAT(holes, SizeIs(3));
+  EXPECT_THAT(holes[0].trouble, IsEmpty());
+  EXPECT_THAT(holes[2].trouble, HasSubstr("single face"));
+}
+
 TEST(FindHoles, FacesOfOppositeOrientationAtTheRimAreATrouble) {
   Mesh mesh = cylinder(6, 2, 1.0, 9.0);
   Faces& faces = mesh.edit_faces();

@@ -72,7 +72,19 @@ class LoopFinder {
     of_fan[fan] = side;
   }
 
+  bool is_single_face(const std::vector<Index>& sides) const {
+    const Index face = edges_.face_of_corner[sides.front()];
+    return sides.size() == mesh_.face(face).size() && std::ranges::all_of(sides, [&](Index side) {
+             return edges_.face_of_corner[side] == face;
+           });
+  }
+
   std::string trouble_of(const std::vector<Index>& sides) const {
+    if (is_single_face(sides)) {
+      return "the part is a single face, which the fill would repeat; remove or extrude the face "
+             "in "
+             "a modelling tool";
+    }
     for (const Index side : sides) {
       for (const Index corner : {side, edges_.next_corner[side]}) {
         const Index v = mesh_.face_vertices()[corner];

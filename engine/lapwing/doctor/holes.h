@@ -27,8 +27,9 @@ struct Hole {
 /// point, such as a bow-tie vertex, is cut there into several holes. If different vertices are at
 /// the point, filling these holes creates unwelded seams, which `fix` welds. Loops that touch an
 /// edge of more than two faces, a vertex that is not finite, or faces of opposite orientation have
-/// a `trouble`. Unwelded seams are joined (joined_surface), so they are no holes, and rims use the
-/// leaders of joined vertices. Near-linear.
+/// a `trouble`, and so has the loop of a part that is a single face. Unwelded seams are joined
+/// (joined_surface), so they are no holes, and rims use the leaders of joined vertices.
+/// Near-linear.
 std::vector<Hole> find_holes(const Mesh& mesh);
 /// The same for a mesh without unwelded seams, whose edges and fans are known.
 std::vector<Hole> find_holes(const Mesh& mesh, const Edges& edges, const Fans& fans);
