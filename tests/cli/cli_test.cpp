@@ -287,6 +287,35 @@ TEST_F(CommandLine, CheckFindsAndFixes) {
   EXPECT_EQ(fixed.face_count(), 1U);
 }
 
+TEST_F(CommandLine, CheckFillsHoles) {
+  EXPECT_THAT(succeed("check tube.obj"), HasSubstr("2 holes"));
+  EXPECT_THAT(succeed("check tube.obj --fix flat.obj --fill-holes flat"),
+              AllOf(HasSubstr("2 holes filled with "), HasSubstr(" and 0 new vertices")));
+  EXPECT_EQ(read_mesh(file("flat.obj")).vertex_count(), 240U);
+  EXPECT_THAT(succeed("check tube.obj --fix round.obj --fill-holes smooth"),
+              HasSubstr("boundary      none"));
+  EXPECT_GT(read_mesh(file("round.obj")).vertex_count(), 240U);
+  EXPECT_THAT(succeed("check tube.obj --fix open.obj --fill-holes flat --largest 3"),
+              HasSubstr("no hole to fill"));
+  expect_refused("check tube.obj --fill-holes flat", 2);
+  expect_refused("check tube.obj --fix a.obj --fill-holes round", 2);
+}
+
+TEST_F(CommandLine, APartThatIsInsideOutIsTurnedWhenItIsFilled) {
+  // A tetrahedron without its lower face, with normals inward.
+  write("turned.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 3\n3 1 0 3\n3 2 1 3\n3 0 2 3\n");
+  EXPECT_THAT(succeed("check turned.off --fix a.off --fill-holes flat"),
+              AllOf(HasSubstr("1 hole filled"), HasSubstr("1 inside-out part turned")));
+}
+
+TEST_F(CommandLine, TheBorderOfASheetIsFilledOnRequest) {
+  succeed("shape sheet -o sheet.obj");
+  EXPECT_THAT(succeed("check sheet.obj --fix a.obj --fill-holes flat"),
+              HasSubstr("no hole to fill"));
+  EXPECT_THAT(succeed("check sheet.obj --fix a.obj --fill-holes flat --fill-borders"),
+              HasSubstr("1 hole filled"));
+}
+
 TEST_F(CommandLine, CheckReadsPastWhatOtherCommandsRefuse) {
   write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\nf 1 2\nf 1 2 9\n");
   expect_refused("convert short.obj a.off", 3, {"short.obj:7", "`lapwing check MESH --fix OUT`"});

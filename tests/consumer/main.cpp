@@ -87,5 +87,12 @@ int main() {
   expect(fine.mesh.vertex_count() > 2 * sheet.vertex_count() &&
              fine.after.mean_edge < 0.7 * fine.before.mean_edge,
          "a sheet gets finer triangles");
+
+  const Mesh tube = cylinder(12, 5, 1.0, 4.0);
+  expect(find_holes(fill_holes(tube, find_holes(tube)).mesh).empty(), "a tube gets ends");
+  expect(decimate(tube, {.share = 0.5}).mesh.vertex_count() < tube.vertex_count(),
+         "a tube has fewer vertices");
+  expect(subdivide(tube, {.times = 1}).face_count() == 4 * tube.face_count(),
+         "a tube has more triangles");
   return failures;
 }

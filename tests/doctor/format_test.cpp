@@ -37,6 +37,12 @@ TEST(Format, InformationAloneIsNoDefect) {
                                          HasSubstr("at vertices 0, 3"), EndsWith("no defects\n")));
 }
 
+TEST(Format, HolesHaveTheNumbersOfTheirRimVertices) {
+  EXPECT_THAT(format(check(cylinder(9, 5, 1.0, 2.0))),
+              AllOf(HasSubstr("info     2 holes"), HasSubstr("at vertices 0, 36, with 9 and 9 rim "
+                                                             "vertices\n")));
+}
+
 TEST(Format, StatisticsNameGenusAndBoundary) {
   EXPECT_THAT(format(check(torus(8, 6, 2.0, 0.5)).statistics),
               AllOf(HasSubstr("Euler number  0, genus 1\n"), HasSubstr("boundary      none\n")));

@@ -9,6 +9,7 @@
 #include "lapwing/doctor/fix.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/lapwing.h"
+#include "lapwing/mesh/compact.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing::fuzz {
@@ -309,6 +310,28 @@ void check_and_fix(Bytes bytes) {
   require(mesh.positions == once.positions, "and stays");
 }
 
+void fill_and_resample(Bytes bytes) {
+  Choices choices(bytes);
+  Mesh mesh = choices.mesh();
+  FillRequest request;
+  if (choices.one_in(2)) request.shape = FillShape::flat;
+  request.borders = choices.one_in(2);
+  try {
+    fix(mesh);
+    const FilledHoles filled = fill_holes(mesh, request);
+    validate_indices(filled.mesh);
+    validate_attributes(filled.mesh);
+    require(std::ranges::all_of(filled.mesh.positions, is_finite), "finite");
+    for (const Hole& hole : find_holes(filled.mesh)) {
+      require(!request.borders || !hole.trouble.empty(), "a hole without trouble is filled");
+    }
+    const DecimatedMesh coarse = decimate(filled.mesh, {.share = 0.5});
+    validate_attributes(coarse.mesh);
+    validate_attributes(subdivide(coarse.mesh, {.times = 1, .smooth = choices.one_in(2)}));
+  } catch (const Error&) {
+  }
+}
+
 std::vector<std::string> some_bytes() {
   std::vector<std::string> seeds;
   std::mt19937 random(23);  // NOLINT(cert-msc51-cpp): the same every time
@@ -330,7 +353,9 @@ constexpr std::array kOperationTargets{
     Target{"parameterize", "any region", &parameterize_region, &some_bytes, "", 300},
     Target{"peel", "any region and size", &peel_region, &some_bytes, "", 300},
     Target{"doctor", "checked, repaired, repaired again: nothing left", &check_and_fix, &some_bytes,
-           "", 500}};
+           "", 500},
+    Target{"fill", "holes filled, then decimated and subdivided", &fill_and_resample, &some_bytes,
+           "", 200}};
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/io/uri.h"
 #include "support/models.h"
 
 namespace lapwing {
@@ -352,6 +353,36 @@ TEST(FileColorsOfGltf, AreThoseOfItsMaterials) {
   EXPECT_EQ(colors.images[1].rgba, one_color(1, 1, 70).rgba);
   EXPECT_FALSE(colors.materials[3].color.has_value());
   EXPECT_THAT(colors.notes, IsEmpty());
+}
+
+// A mesh with an image in a data: URI, which two nodes and two instances of one of them show.
+TEST(FileColorsOfGltf, InstancesHaveTheImageOfTheirMesh) {
+  const TemporaryFolder folder;
+  const std::string inside = encode_png(one_color(1, 1, 70));
+  test::GltfSample sample;
+  const auto points = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3,
+                                 R"(,"min":[0,0,0],"max":[1,1,0])");
+  const auto uv = sample.add(std::vector<float>{0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+  const auto places = sample.add(std::vector<float>{0, 0, 1, 0, 0, 2}, 5126, "VEC3", 2);
+  const std::filesystem::path file = folder.file(
+      "a.glb",
+      sample.glb(R"("scenes":[{"nodes":[0,1]}],"extensionsUsed":["EXT_mesh_gpu_instancing"],)"
+                 R"("nodes":[{"mesh":0},{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":)"
+                 R"({"attributes":{"TRANSLATION":)" +
+                 std::to_string(places) +
+                 R"(}}}}],"meshes":[{"primitives":[{"attributes":{"POSITION":)" +
+                 std::to_string(points) + R"(,"TEXCOORD_0":)" + std::to_string(uv) +
+                 R"(},"material":0}]}],"materials":[{"name":"in","pbrMetallicRoughness":)"
+                 R"({"baseColorTexture":{"index":0}}}],"textures":[{"source":0}],)"
+                 R"("images":[{"uri":"data:image/png;base64,)" +
+                 encode_base64(inside) + R"("}])"));
+  const Mesh mesh = read_mesh(file);
+  const FileColors colors = read_file_colors(mesh, file);
+  EXPECT_THAT(colors.notes, IsEmpty());
+  ASSERT_THAT(colors.images, SizeIs(1));
+  EXPECT_EQ(colors.images[0].rgba, one_color(1, 1, 70).rgba);
+  EXPECT_THAT(materials_of_faces(colors, mesh), ElementsAre(0, 0, 0));
+  EXPECT_THAT(mesh.attributes().corner_uvs, SizeIs(9));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "coating/coating_scenes.h"
 #include "lapwing/lapwing.h"
 #include "lapwing/mesh/closest_point.h"
+#include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/topology.h"
 
@@ -139,6 +140,18 @@ Mesh run_mix(const Mesh& plain, const Placement& placement) {
   return with_positions(plain, placement.back(std::move(mixed.mesh.positions)));
 }
 
+// Removes the vertices in the middle and fills the hole.
+Mesh run_fill(const Mesh& plain, const Placement& placement) {
+  const std::vector<Index> order = around_the_middle(plain);
+  KeepMask keep(plain.vertex_count(), 1);
+  for (std::size_t k = 0; k < std::max<std::size_t>(order.size() / 20, 1); ++k) keep[order[k]] = 0;
+  Mesh open = plain;
+  keep_vertices(open, keep);
+  Mesh result = fill_holes(placement(open), FillRequest{}).mesh;
+  result.positions = placement.back(std::move(result.positions));
+  return result;
+}
+
 // Replaces a small disk by a dome. The size of the dome is a third of the mesh size.
 Mesh run_transplant(const Mesh& plain, const Placement& placement) {
   Mesh dome = uneven_relief(10, 1.0, 0.05, 3);
@@ -159,6 +172,7 @@ std::vector<Operation> all_operations() {
   return {{"deform", run_deform},
           {"peel", run_peel},
           {"remesh", run_remesh},
+          {"fill_holes", run_fill},
           {"parameterize", run_parameterize},
           {"coat", run_coat},
           {"mix", run_mix},

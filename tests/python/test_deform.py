@@ -115,7 +115,7 @@ def test_every_key_of_an_operation_is_a_parameter():
 
 def test_every_parameter_is_in_the_docstring():
     for name in ("deform", "coat", "mix", "transplant", "peel", "remesh", "parameterize", "run",
-                 "check", "fix", "render", "read", "write", "shape", "Deformer"):
+                 "check", "fix", "fill_holes", "decimate", "subdivide", "render", "read", "write", "shape", "Deformer"):
         function = getattr(lapwing, name)
         told = set(re.findall(r"[A-Za-z_]\w*", function.__doc__))
         for parameter in set(inspect.signature(function).parameters) - {"mesh", "faces", "path", "name"}:

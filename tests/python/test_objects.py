@@ -185,6 +185,7 @@ PHRASES = {
     "recipe: /steps/0/roi: empty": "recipe: /steps/0/roi: empty",
     "/home/a/b.obj:2: expected": "/home/a/b.obj:2: expected",
     "repair it with `lapwing check MESH --fix OUT`": "repair it with `lapwing.fix`",
+    "fill them with `lapwing check MESH --fix OUT --fill-holes smooth`": "fill them with `lapwing.fill_holes`",
     "run `lapwing check` first": "run `lapwing.check` first",
     "remesh the patch with `lapwing remesh`": "remesh the patch with `lapwing.remesh`",
     "close programs, or run with --device cpu": 'close programs, or use device="cpu"',

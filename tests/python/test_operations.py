@@ -123,6 +123,34 @@ def test_check_and_fix():
     assert fixed.vertex_sources.tolist() == [0, 1, 2, 5]
 
 
+def test_fill_holes():
+    tube = lapwing.shape("tube")
+    found = lapwing.check(tube)
+    assert len(found.holes) == 2 and not found.holes[0].is_border and found.holes[0].rim[0] == 0
+    flat = lapwing.fill_holes(tube, shape="flat")
+    assert flat.holes == 2 and flat.new_vertices == 0
+    assert lapwing.check(flat.mesh).statistics["boundary_loops"] == 0
+    smooth = lapwing.fill_holes(tube.vertices, tube.faces)
+    assert smooth.new_vertices > 0 and smooth.mesh.vertex_count == tube.vertex_count + smooth.new_vertices
+    assert lapwing.fill_holes(tube, largest=3).holes == 0
+    sheet = lapwing.shape("sheet")
+    assert lapwing.fill_holes(sheet).holes == 0 and lapwing.fill_holes(sheet, borders=True).holes == 1
+    with pytest.raises(lapwing.InputError, match="fill_holes: shape"):
+        lapwing.fill_holes(tube, shape="round")
+
+
+def test_decimate_and_subdivide():
+    ball = lapwing.shape("sphere")
+    coarse = lapwing.decimate(ball, share=0.25)
+    assert abs(coarse.mesh.vertex_count / ball.vertex_count - 0.25) < 0.1
+    assert (coarse.vertices == ball.vertices[coarse.kept]).all()
+    fine = lapwing.subdivide(ball, times=2)
+    assert fine.mesh.face_count == 16 * ball.face_count
+    assert (fine.vertices[:ball.vertex_count] == ball.vertices).all()
+    smooth = lapwing.subdivide(ball.vertices, ball.faces, smooth=True)
+    assert (smooth.vertices[:ball.vertex_count] != ball.vertices).any()
+
+
 def test_generated_meshes_are_listed():
     assert "tube" in lapwing.shape_names()
     assert all(lapwing.shape(name).face_count > 0 for name in lapwing.shape_names())

@@ -120,9 +120,11 @@ INSTANTIATE_TEST_SUITE_P(
     Step, RecipeMistake,
     ::testing::Values(
         Mistake{"NoOp", recipe("[{}]"), ": /steps/0: the key \"op\" is missing; add it"},
-        Mistake{"UnknownOp", recipe(R"([{"op": "defrom"}])"),
-                ": /steps/0/op: unknown op \"defrom\"; did you mean \"deform\"? Known here: "
-                "\"deform\", \"coat\", \"mix\", \"transplant\", \"peel\""},
+        Mistake{
+            "UnknownOp", recipe(R"([{"op": "defrom"}])"),
+            ": /steps/0/op: unknown op \"defrom\"; did you mean \"deform\"? Known here: "
+            "\"deform\", \"coat\", \"mix\", \"transplant\", \"peel\", \"remesh\", \"decimate\", "
+            "\"subdivide\", \"fill_holes\""},
         Mistake{"NoRoi", step(R"("handles": [])"),
                 ": /steps/0: the key \"roi\" is missing; add it"},
         Mistake{"NoHandle", step(R"("roi": {"all": true}, "handles": [])"),

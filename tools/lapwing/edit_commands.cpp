@@ -72,10 +72,10 @@ void add_run(CLI::App& app) {
 
 void add_steps(CLI::App& app) {
   for (const Operation& operation : operations()) {
-    // add_peel adds `lapwing peel`, which also writes the coating.
-    if (operation.name != "peel") {
-      add_step(app, operation);
-    }
+    // These have commands that also write or print other results: peel, remesh and subdivide, and
+    // check for `fill_holes`.
+    constexpr std::array<std::string_view, 4> kOthers{"peel", "remesh", "subdivide", "fill_holes"};
+    if (std::ranges::find(kOthers, operation.name) == kOthers.end()) add_step(app, operation);
   }
 }
 

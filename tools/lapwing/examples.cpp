@@ -73,6 +73,10 @@ constexpr std::array kExamples{
   lapwing deform template.ply --handle near:0,0,6,1 --translate 1,0,0 --save bent.ply
   lapwing remesh bent.ply --scale 0.8 -o scan.ply
   lapwing wrap template.ply scan.ply -o wrapped.ply)"},
+    Examples{"lapwing decimate", R"(
+  lapwing shape bumpy-plane -o bumps.ply
+  lapwing decimate bumps.ply --share 0.2 --save coarse.ply
+  lapwing decimate bumps.ply --share 0.05 --recipe coarser.json --save coarser.ply)"},
     Examples{"lapwing cut", R"(
   lapwing shape tube -o tube.obj
   lapwing cut tube.obj --region near:0.5,0,3,0.4 -o patch.obj
@@ -104,7 +108,8 @@ constexpr std::array kExamples{
     Examples{"lapwing check", R"(
   lapwing shape tube -o tube.obj
   lapwing check tube.obj
-  lapwing check tube.obj --fix repaired.obj)"},
+  lapwing check tube.obj --fix repaired.obj
+  lapwing check tube.obj --fix closed.obj --fill-holes smooth)"},
     Examples{"lapwing convert", R"(
   lapwing shape tube -o tube.obj
   lapwing convert tube.obj tube.glb

@@ -1,16 +1,21 @@
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "lapwing/base/counted.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/printable_text.h"
 #include "lapwing/doctor/format.h"
+#include "lapwing/fill/fill_holes.h"
 #include "lapwing/gpu/devices.h"
 #include "lapwing/io/source_file.h"
 #include "lapwing/recipe/step.h"
@@ -40,6 +45,8 @@ struct CheckArguments {
   std::string mesh;
   std::string fix;
   bool self_intersections = false;
+  std::optional<FillShape> fill;
+  FillRequest holes;
 };
 
 bool has_errors(const CheckReport& report) {
@@ -56,15 +63,34 @@ CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
   return report;
 }
 
+// Fills the holes that the flags select. Returns a line for the list of repairs.
+std::string filled(Mesh& mesh, const CheckArguments& a) {
+  FillRequest request = a.holes;
+  request.shape = *a.fill;
+  FilledHoles result = fill_holes(mesh, request);
+  for (const std::string& warning : result.warnings) warn(warning);
+  for (const std::string& text : result.notes) note(text);
+  if (result.holes == 0) return "no hole to fill\n";
+  mesh = std::move(result.mesh);
+  std::string lines = counted(result.holes, "holes") + " filled with " +
+                      counted(result.faces, "triangles") + " and " +
+                      counted(result.vertices, "new vertices") + "\n";
+  // A part that is closed now can be inside out.
+  const FixReport repairs = fix(mesh);
+  return repairs.changed() ? lines + format(repairs) : lines;
+}
+
 // Repairs the mesh and writes it. If the format stays the same, so does the encoding (text or
 // binary).
-void write_repaired(DamagedMesh& damaged, const std::string& path) {
+void write_repaired(DamagedMesh& damaged, const CheckArguments& a) {
+  const std::string& path = a.fix;
   WriteOptions options{.original_file = damaged.file};
   const bool keeps_format = format_of(path) == damaged.file->format();
   if (keeps_format && !is_gltf(format_of(path))) options.encoding = damaged.file->encoding;
   const FixReport repairs = fix(damaged.mesh);
   std::string lines = format_repairs(damaged.defects);
-  if (lines.empty() || repairs.changed()) lines += format(repairs);
+  if (repairs.changed() || (lines.empty() && !a.fill)) lines += format(repairs);
+  if (a.fill) lines += filled(damaged.mesh, a);
   std::printf("\nRepairs\n%s", lines.c_str());
   print_notes(write_mesh(damaged.mesh, path, options));
   std::printf("\nAfter the repairs: %s\n", shown(path).c_str());
@@ -81,7 +107,7 @@ void check_mesh(const CheckArguments& a) {
   }
   CheckReport report = examine_and_print(damaged.mesh, a.self_intersections);
   if (!a.fix.empty()) {
-    write_repaired(damaged, a.fix);
+    write_repaired(damaged, a);
     report = examine_and_print(damaged.mesh, a.self_intersections);
   }
   const bool is_refused = a.fix.empty() && !damaged.defects.empty();
@@ -108,7 +134,26 @@ void add_check(CLI::App& app) {
       "check", "the mesh doctor: the defects of a mesh, and what they mean for editing it");
   auto a = std::make_shared<CheckArguments>();
   command->add_option("MESH", a->mesh, kMeshHelp)->required();
-  command->add_option("--fix", a->fix, "repair what can be repaired, and write the mesh here");
+  auto* fix =
+      command->add_option("--fix", a->fix, "repair what can be repaired, and write the mesh here");
+  const std::map<std::string, FillShape> shapes{{"flat", FillShape::flat},
+                                                {"smooth", FillShape::smooth}};
+  auto* fill = command
+                   ->add_option("--fill-holes", a->fill,
+                                "with --fix: fill holes flat, or smooth like the surface around")
+                   ->transform(CLI::CheckedTransformer(shapes).description("flat|smooth"))
+                   ->needs(fix);
+  command
+      ->add_option("--largest", a->holes.largest,
+                   "fill only holes with at most this number of rim vertices")
+      ->check(CLI::PositiveNumber)
+      ->needs(fill);
+  command
+      ->add_flag(
+          "--fill-borders", a->holes.borders,
+          "also fill the border of an open sheet: the longest loop of a part that is flatter "
+          "than a hemisphere")
+      ->needs(fill);
   command->add_flag("--self-intersections", a->self_intersections,
                     "also find faces that intersect others");
   command->footer("Exits with 3 if the mesh has defects that prevent editing there.");

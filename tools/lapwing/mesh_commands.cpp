@@ -7,7 +7,7 @@
 
 #include "commands.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/mesh/subdivide.h"
+#include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/remesh/remesh.h"
 #include "messages.h"
 #include "output_files.h"
@@ -47,19 +47,16 @@ void convert(const ConvertArguments& a) {
 struct SubdivideArguments {
   std::string mesh;
   std::string output;
-  int times = 1;
-  bool smooth = false;
+  SubdivideRequest request;
 };
 
 void subdivide_mesh(const SubdivideArguments& a) {
   OutputFiles files;
   files.reads("MESH", a.mesh, true);
   files.writes_mesh("--output", a.output);
-  Mesh mesh = read_with_notes(a.mesh);
+  const Mesh mesh = read_with_notes(a.mesh);
   warn_without_surface(mesh, a.mesh);
-  require_subdividable(mesh, a.times);
-  for (int i = 0; i < a.times; ++i) mesh = a.smooth ? loop_subdivide(mesh) : subdivide(mesh);
-  print_notes(write_mesh(mesh, a.output));
+  print_notes(write_mesh(subdivide(mesh, a.request), a.output));
 }
 
 struct RemeshArguments {
@@ -126,18 +123,16 @@ void add_convert(CLI::App& app) {
 }
 
 void add_subdivide(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("subdivide", "a finer triangle mesh: every triangle becomes four");
+  auto* command = app.add_subcommand("subdivide", "a finer mesh: every triangle becomes four");
   auto a = std::make_shared<SubdivideArguments>();
   command->add_option("MESH", a->mesh, kMeshHelp)->required();
   command
-      ->add_option("-o,--output", a->output,
-                   "positions and triangles only; its extension names the format")
+      ->add_option("-o,--output", a->output, "its extension names the format; normals are dropped")
       ->required();
-  command->add_option("--times", a->times, "number of subdivisions")
+  command->add_option("--times", a->request.times, "number of subdivisions")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  command->add_flag("--smooth", a->smooth,
+  command->add_flag("--smooth", a->request.smooth,
                     "smooth the shape by Loop's scheme; by default the shape stays the same");
   command->callback([a] { subdivide_mesh(*a); });
 }

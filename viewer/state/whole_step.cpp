@@ -1,5 +1,6 @@
 #include "state/whole_step.h"
 
+#include <algorithm>
 #include <cctype>
 #include <functional>
 
@@ -45,6 +46,7 @@ std::string describe(const Step& step) {
   const Operation& operation = operation_of(step);
   std::string words(operation.name);
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  std::ranges::replace(words, '_', ' ');
   if (paths.empty() || (paths.size() == 1 && paths.front().empty())) return words;
   std::string_view before = operation.before_files;
   for (const fs::path& path : paths) {

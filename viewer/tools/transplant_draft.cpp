@@ -81,7 +81,7 @@ TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double di
 }
 
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host) {
-  const Hole hole = cut_hole(step.target_region, *host.rest);
+  const CutHole hole = cut_hole(step.target_region, *host.rest);
   const std::shared_ptr<const Mesh> read = read_part_mesh(step, {}, {});
   PlacedPart placed = place_part(step, read ? *read : *host.rest, *host.rest, hole);
   if (placed.motion.linear().determinant() < 0.0) {

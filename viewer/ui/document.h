@@ -5,6 +5,7 @@
 
 #include "editing/detail_transfer_tool.h"
 #include "editing/editor.h"
+#include "editing/mesh_step_tool.h"
 #include "editing/transplant_tool.h"
 #include "files/load_file.h"
 #include "ui/doctor_banner.h"
@@ -25,6 +26,7 @@ struct Document {
                context, say, wake),
         banner(opened.name, opened.mesh, report, wake),
         desk(opened.up_axis, context, say, wake),
+        mesh_steps(opened.mesh, report.holes, context, wake),
         transplant(context, std::move(say), std::move(wake)) {}
 
   OpenedMesh opened;
@@ -41,6 +43,7 @@ struct Document {
   Editor editor;
   DoctorBanner banner;
   DetailTransferTool desk;
+  MeshStepTool mesh_steps;
   TransplantTool transplant;
   /// Where Save writes without asking: chosen by the first save, so that the opened file is never
   /// replaced by accident. Empty until then.

@@ -85,6 +85,11 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
     mesh_row("Vertices", std::to_string(s.vertices));
     mesh_row("Faces", std::to_string(s.faces));
     if (s.triangles != s.faces) mesh_row("Triangles", std::to_string(s.triangles));
+    const Mesh& now = *document.editor.state().rest;
+    if (!now.shares_faces_with(*document.opened.mesh)) {
+      mesh_row("Edited mesh", std::to_string(now.vertex_count()) + " vertices, " +
+                                  std::to_string(now.face_count()) + " faces");
+    }
     mesh_row("Components", std::to_string(s.component_sizes.size()));
     mesh_row("Boundaries", std::to_string(s.boundary_loops));
     if (s.genus) mesh_row("Genus", std::to_string(*s.genus));

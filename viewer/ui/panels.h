@@ -12,6 +12,7 @@
 #include "editing/detail_transfer_tool.h"
 #include "editing/editor.h"
 #include "editing/guide.h"
+#include "editing/mesh_step_tool.h"
 #include "editing/part_library_view.h"
 #include "files/file_purpose.h"
 #include "files/recent_files.h"
@@ -51,6 +52,10 @@ float status_height();
 /// Draws the mesh's name, its sizes and the defects that the mesh doctor found. Appends `unit` to
 /// lengths if it is not empty.
 void draw_mesh_panel(const Document& document, const std::string& unit);
+
+/// Draws the holes of the surface, and the commands that change its triangles. `size` is the size
+/// of the surface. Returns the vertices of a hole that the user wants to see.
+std::optional<std::vector<Index>> draw_mesh_steps(MeshStepTool& tool, Editor& editor, double size);
 
 /// Describes a rectangle of the window, in ImGui's units unless stated otherwise.
 struct PictureArea {

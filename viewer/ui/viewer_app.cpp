@@ -36,6 +36,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   give_up_turntable("The device was lost");
   part_pictures_.release();
   if (document_) {
+    document_->mesh_steps.release_device();
     document_->transplant.release_device();
     document_->desk.release_device();
     document_->editor.release_device();
@@ -45,6 +46,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   if (document_) {
     document_->editor.use_device(context_);
     document_->desk.use_device(context_);
+    document_->mesh_steps.use_device(context_);
     document_->transplant.use_device(context_);
   }
   say("The device failed and was opened again: " + context_->description().name);

@@ -179,6 +179,7 @@ class ViewerApp final : public App {
   void follow_task();
   void draw_tabs();
   void draw_task(Task task);
+  void draw_mesh_commands();
   void draw_result();
   /// Frames vertices and points at them, until `look_back`.
   void show_vertices(const std::vector<Index>& vertices);

@@ -98,7 +98,9 @@ double ViewerApp::draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector
   const bool others = document_->desk.is_open() || document_->transplant.is_open();
   if (others && !document_->banner.is_empty()) return 0.0;
   DoctorBanner& banner = document_->banner;
+  const bool had_picture = banner.has_picture();
   const auto wish = banner.draw(document_->editor, corner, end - corner);
+  if (!had_picture && banner.has_picture()) document_->mesh_steps.give_way();
   if (!wish) return banner.height();
   switch (*wish) {
     case BannerWish::look_at_places:

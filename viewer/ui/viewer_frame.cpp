@@ -135,7 +135,8 @@ void ViewerApp::draw_marks() {
 
 void ViewerApp::draw_over_picture() {
   toolbar_height_ = guide_height_ = banner_height_ = 0.0;
-  const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture();
+  const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture() &&
+                     !document_->mesh_steps.has_picture();
   // Drawn also while the banner has the picture, so that the banner does not move under the cursor.
   if (show_panels_ && !document_->banner.is_empty()) {
     toolbar_height_ = draw_toolbar(document_->editor, picture_area());
@@ -186,7 +187,9 @@ void ViewerApp::update_document() {
   transplants_ = transplant.is_open();
   desk.update(editor);
   transplant.update(editor);
-  document_->banner.update(editor, desk.is_open() || transplant.is_open());
+  const bool others = desk.is_open() || transplant.is_open();
+  document_->banner.update(editor, others || document_->mesh_steps.is_open());
+  document_->mesh_steps.update(editor, others);
   part_pictures_.renew(transplant.library(), *context_);
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size, pixels_per_point_);

@@ -354,6 +354,9 @@ void ViewerApp::escape() {
   turntable_plan_.picture.open = false;
   // Close one thing at a time, so that what led to the chooser shows again.
   if (chooser_.is_open()) return chooser_.close();
+  if (document_ && document_->mesh_steps.is_open()) {
+    return document_->mesh_steps.close(document_->editor);
+  }
   leaving_for_ = nullptr;
   interrupted_.clear();
   show_start_ = !document_;

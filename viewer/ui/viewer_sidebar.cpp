@@ -160,6 +160,7 @@ void ViewerApp::draw_task(Task task) {
       break;
     case Task::mesh:
       draw_mesh_panel(*document_, preferences_.unit);
+      draw_mesh_commands();
       if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
       if (ImGui::CollapsingHeader("Attached objects")) {
         if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
@@ -174,6 +175,16 @@ void ViewerApp::draw_task(Task task) {
       }
       break;
   }
+}
+
+void ViewerApp::draw_mesh_commands() {
+  if (document_->desk.is_open() || document_->transplant.is_open()) {
+    ImGui::TextDisabled("Apply or cancel the open operation to change the triangles.");
+    return;
+  }
+  const double size = document_->report.statistics.bounds.diagonal();
+  const auto hole = draw_mesh_steps(document_->mesh_steps, document_->editor, size);
+  if (hole) show_vertices(*hole);
 }
 
 // Draws the result of what is open, always in the same place.

@@ -18,6 +18,7 @@ void append_vertices(const Mesh& mesh, const Defect& defect, std::vector<Index>&
     case Element::vertex:
     case Element::edge:
     case Element::component:
+    case Element::rim:
       vertices.insert(vertices.end(), defect.first.begin(), defect.first.end());
       break;
     case Element::face:

@@ -21,7 +21,7 @@ void TransplantPreview::follow(const AppState& host, const TransplantStep& step)
   message_.clear();
   job_.start([host, step](const std::shared_ptr<Kernels>& kernels,
                           const Progress& progress) -> TransplantResult {
-    const Hole hole = cut_hole(step.target_region, *host.rest);
+    const CutHole hole = cut_hole(step.target_region, *host.rest);
     return {apply_step(host, step, {}, *kernels, progress),
             loop_points(hole.loop, host.rest->positions)};
   });

@@ -86,6 +86,10 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
     {"several_components", "components", "pieces without a common edge move independently",
      "add a handle or a belt to each piece that an edit should move or hold", Severity::info,
      Element::component, false},
+    {"hole", "holes",
+     "the surface is open there: a hole moves with its rim; the border of an open sheet is no hole",
+     "fill them with `lapwing check MESH --fix OUT --fill-holes smooth`", Severity::info,
+     Element::rim, false},
     {"self_intersection", "faces that cut through others",
      "parts of the surface intersect or overlap: editing works, but the surface bounds no solid",
      "pull the parts apart with an edit, or remodel them", Severity::warning, Element::face, false},
@@ -234,6 +238,14 @@ void check_components(const Topology& topology, const Findings& findings) {
   if (first.size() > 1) add(findings, DefectKind::several_components, first);
 }
 
+void check_holes(const Mesh& mesh, const Edges& edges, const Fans& fans, const Findings& findings) {
+  const bool has_seams = findings.report.find(DefectKind::unwelded_seam) != nullptr;
+  findings.report.holes = has_seams ? find_holes(mesh) : find_holes(mesh, edges, fans);
+  std::vector<Index> first;
+  for (const Hole& hole : chosen(findings.report.holes, {})) first.push_back(hole.rim.front());
+  add(findings, DefectKind::hole, first);
+}
+
 }  // namespace
 
 const Defect* CheckReport::find(DefectKind kind) const {
@@ -277,6 +289,7 @@ CheckReport check(const Mesh& mesh, std::size_t most_listed) {
   add(findings, DefectKind::inward_open_part, orientation.inward_open);
   check_rings(mesh, findings);
   check_components(topology, findings);
+  check_holes(mesh, edges, fans, findings);
   return report;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lapwing/doctor/holes.h"
 #include "lapwing/doctor/statistics.h"
 #include "lapwing/mesh/mesh.h"
 
@@ -28,6 +29,7 @@ enum class DefectKind {
   point_ring,
   collinear_ring,
   several_components,
+  hole,
   self_intersection,  ///< found only by add_self_intersections
 };
 inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::self_intersection) + 1;
@@ -45,6 +47,7 @@ enum class Element {
   face,
   edge,       ///< two vertices per edge
   component,  ///< the smallest vertex of each component
+  rim,        ///< the smallest vertex of each rim
 };
 
 /// Texts about a kind of defect.
@@ -74,6 +77,7 @@ struct Defect {
 struct CheckReport {
   std::vector<Defect> defects;
   MeshStatistics statistics;
+  std::vector<Hole> holes;  ///< all boundary loops, including the borders of open sheets
 
   /// Returns the defect of this kind, or null if there is none.
   const Defect* find(DefectKind kind) const;

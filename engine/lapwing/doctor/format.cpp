@@ -51,8 +51,8 @@ void write_components(std::ostream& out, const std::vector<std::size_t>& sizes) 
 
 // These names must be in the order of the enumerators of Severity and Element.
 constexpr std::array<std::string_view, 3> kSeverityNames{"info", "warning", "error"};
-constexpr std::array<std::string_view, 5> kElementNames{"", "vertices", "faces", "edges",
-                                                        "at vertices"};
+constexpr std::array<std::string_view, 6> kElementNames{"",      "vertices",    "faces",
+                                                        "edges", "at vertices", "at vertices"};
 
 // Writes "vertices 3, 7, 12, ..." or "edges 3-7, 12-15".
 void write_places(std::ostream& out, const Defect& defect) {
@@ -66,7 +66,18 @@ void write_places(std::ostream& out, const Defect& defect) {
   if (defect.first.size() / width < defect.count) out << ", ...";
 }
 
-void write_defect(std::ostream& out, const Defect& defect, int count_width, int name_width) {
+// Writes "with 24, 8 and 3 rim vertices"; the holes are in the order of the defect's places.
+void write_rims(std::ostream& out, const Defect& defect, const std::vector<Hole>& holes) {
+  const std::size_t listed = defect.first.size();
+  for (std::size_t i = 0; i < listed; ++i) {
+    const bool is_last = i + 1 == listed && listed == defect.count;
+    out << (i == 0 ? ", with " : is_last ? " and " : ", ") << holes[i].rim.size();
+  }
+  out << (listed < defect.count ? ", ... rim vertices" : " rim vertices");
+}
+
+void write_defect(std::ostream& out, const CheckReport& report, const Defect& defect,
+                  int count_width, int name_width) {
   const DefectInfo& info = describe(defect.kind);
   const std::string indent(kSeverityWidth, ' ');
   out << std::left << std::setw(kSeverityWidth)
@@ -77,6 +88,7 @@ void write_defect(std::ostream& out, const Defect& defect, int count_width, int 
     out << std::right << std::setw(count_width) << defect.count << ' ' << std::left
         << std::setw(name_width) << in_number(defect.count, info.name);
     write_places(out, defect);
+    if (defect.kind == DefectKind::hole) write_rims(out, defect, chosen(report.holes, {}));
   }
   out << '\n' << indent << info.meaning << '\n';
   if (!info.next_step.empty()) out << indent << "-> " << info.next_step << '\n';
@@ -128,7 +140,9 @@ std::string format(const CheckReport& report) {
     if (info.fixable) ++fixable;
   }
   std::ostringstream out = plain_stream();
-  for (const Defect& defect : report.defects) write_defect(out, defect, count_width, name_width);
+  for (const Defect& defect : report.defects) {
+    write_defect(out, report, defect, count_width, name_width);
+  }
   if (problems == 0) {
     out << "no defects\n";
   } else {

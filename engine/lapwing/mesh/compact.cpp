@@ -6,6 +6,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 namespace {
@@ -136,6 +137,37 @@ std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep) {
   for (Index& v : mesh.edit_faces().vertices) v = renumbered[v];
   replace_vertices(mesh, sources);
   return sources;
+}
+
+void triangulate_faces(Mesh& mesh) {
+  const std::shared_ptr<const Topology> topology = mesh.shared_topology();
+  if (topology->triangles.size() == mesh.face_count() &&
+      mesh.face_vertices().size() == 3 * mesh.face_count()) {
+    return;
+  }
+  FaceSources sources;
+  CancelCheck cancel_check;
+  for (std::size_t t = 0; t < topology->triangles.size(); ++t) {
+    cancel_check();
+    const Index face = topology->triangle_faces[t];
+    const auto polygon = mesh.face(face);
+    for (const Index v : topology->triangles[t]) {
+      const auto at = std::ranges::find(polygon, v) - polygon.begin();
+      sources.corners.push_back(mesh.face_starts()[face] + static_cast<Index>(at));
+    }
+    sources.faces.push_back(face);
+    sources.starts.push_back(static_cast<Index>(sources.corners.size()));
+  }
+  replace_faces(mesh, sources);
+}
+
+void drop_normals(Mesh& mesh) {
+  validate_attributes(mesh);
+  MeshAttributes& a = mesh.edit_attributes();
+  a.normals.clear();
+  a.corner_normals.clear();
+  a.has_vertex_normals = false;
+  mesh.source.reset();
 }
 
 void drop_unused_attributes(Mesh& mesh) {

@@ -42,6 +42,13 @@ void replace_vertices(Mesh& mesh, std::span<const Index> sources);
 /// rest. Returns the old number of each new vertex.
 std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep);
 
+/// Replaces the polygons by the triangles of `mesh.topology()`, with their attributes. Degenerate
+/// faces are dropped. Does nothing if all faces are triangles already.
+void triangulate_faces(Mesh& mesh);
+
+/// Drops the stored normals.
+void drop_normals(Mesh& mesh);
+
 /// Drops UVs and normals that no corner uses, and materials and groups that no face uses. Renumbers
 /// the rest in the old order. Per-vertex normals stay.
 void drop_unused_attributes(Mesh& mesh);

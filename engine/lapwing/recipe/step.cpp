@@ -10,7 +10,11 @@ std::span<const Operation> operations() {
        {"coat", "put the fine detail of one surface on another", " from ", CoatStep{}},
        {"mix", "mix the detail of two surfaces on a third", " ", MixStep{}},
        {"transplant", "put a part of one mesh on another", " ", TransplantStep{}},
-       {"peel", "take the fine detail off a surface", " ", PeelRequest{}}}};
+       {"peel", "take the fine detail off a surface", " ", PeelRequest{}},
+       {"remesh", "make the triangles of a region nearly equilateral", " ", RemeshRequest{}},
+       {"decimate", "reduce the number of vertices", " ", DecimateRequest{}},
+       {"subdivide", "cut each triangle into four", " ", SubdivideRequest{}},
+       {"fill_holes", "close the holes of a mesh", " ", FillRequest{}}}};
   return kOperations;
 }
 

@@ -9,6 +9,10 @@
 #include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/peel.h"
 #include "lapwing/deform/deform_request.h"
+#include "lapwing/fill/fill_holes.h"
+#include "lapwing/mesh/decimate_mesh.h"
+#include "lapwing/mesh/subdivide_mesh.h"
+#include "lapwing/remesh/remesh.h"
 #include "lapwing/transplant/transplant_request.h"
 
 namespace lapwing {
@@ -36,7 +40,8 @@ struct TransplantStep : TransplantRequest {
 
 /// One operation of a recipe. The recipe format, the commands, the reference and the panels of the
 /// window are all derived from these types and their `describe` functions.
-using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest>;
+using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest,
+                          RemeshRequest, DecimateRequest, SubdivideRequest, FillRequest>;
 
 /// A kind of step.
 struct Operation {
@@ -57,6 +62,10 @@ void describe(CoatStep& step, KeyVisitor& visitor);
 void describe(MixStep& step, KeyVisitor& visitor);
 void describe(TransplantStep& step, KeyVisitor& visitor);
 void describe(PeelRequest& step, KeyVisitor& visitor);
+void describe(RemeshRequest& step, KeyVisitor& visitor);
+void describe(DecimateRequest& step, KeyVisitor& visitor);
+void describe(SubdivideRequest& step, KeyVisitor& visitor);
+void describe(FillRequest& step, KeyVisitor& visitor);
 
 /// Describe groups of keys for the panels.
 void describe(DeformParameters& parameters, KeyVisitor& visitor);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "lapwing/base/stopwatch.h"
@@ -168,6 +169,75 @@ StepReport run_step(const PeelRequest& step, const StepContext& on) {
   on.result.warn(peeled.warnings);
   on.result.mesh.positions = std::move(peeled.mesh.positions);
   return report;
+}
+
+// Replaces the mesh by one whose vertex v was vertex `old[v]`, or is new if this is kNoIndex.
+// `old` may be shorter than the list of vertices; the rest is new.
+void replace_mesh(Mesh mesh, std::span<const Index> old, RunResult& result) {
+  Positions original = mesh.positions;
+  for (std::size_t v = 0; v < old.size(); ++v) {
+    if (old[v] != kNoIndex) original[v] = result.original[old[v]];
+  }
+  result.original = std::move(original);
+  result.mesh = std::move(mesh);
+}
+
+std::vector<Index> first_vertices(std::size_t count) {
+  std::vector<Index> vertices(count);
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  return vertices;
+}
+
+// Returns the report of a step that may have changed all vertices of `region`.
+StepReport report_of_mesh_step(VertexSet region, StageTimings timings, RunResult& result) {
+  StepReport report;
+  report.roi = report.free = region.size();
+  report.timings = std::move(timings);
+  result.region = {std::move(region), {}, {}};
+  return report;
+}
+
+StepReport run_step(const RemeshRequest& step, const StepContext& on) {
+  StageTimings timings;
+  Remeshed done;
+  stage("remesh", timings, on.progress, [&] { done = remesh(on.result.mesh, step, on.progress); });
+  on.result.warn(done.warnings);
+  replace_mesh(std::move(done.mesh), done.kept, on.result);
+  return report_of_mesh_step(std::move(done.region), std::move(timings), on.result);
+}
+
+StepReport run_step(const DecimateRequest& step, const StepContext& on) {
+  StageTimings timings;
+  DecimatedMesh done;
+  stage("decimate", timings, on.progress,
+        [&] { done = decimate(on.result.mesh, step, on.progress); });
+  replace_mesh(std::move(done.mesh), done.kept, on.result);
+  return report_of_mesh_step(first_vertices(done.kept.size()), std::move(timings), on.result);
+}
+
+StepReport run_step(const SubdivideRequest& step, const StepContext& on) {
+  StageTimings timings;
+  Mesh fine;
+  stage("subdivide", timings, on.progress,
+        [&] { fine = subdivide(on.result.mesh, step, on.progress); });
+  const std::vector<Index> old = first_vertices(on.result.mesh.vertex_count());
+  replace_mesh(std::move(fine), old, on.result);
+  return report_of_mesh_step(first_vertices(on.result.mesh.vertex_count()), std::move(timings),
+                             on.result);
+}
+
+StepReport run_step(const FillRequest& step, const StepContext& on) {
+  StageTimings timings;
+  FilledHoles done;
+  stage("fill", timings, on.progress,
+        [&] { done = fill_holes(on.result.mesh, step, on.progress); });
+  on.result.warn(done.warnings);
+  on.result.note(done.notes);
+  const std::vector<Index> old = first_vertices(on.result.mesh.vertex_count());
+  VertexSet added(done.vertices);
+  std::iota(added.begin(), added.end(), static_cast<Index>(old.size()));
+  if (done.holes > 0) replace_mesh(std::move(done.mesh), old, on.result);
+  return report_of_mesh_step(std::move(added), std::move(timings), on.result);
 }
 
 // Records the device. If it replaced another device that failed, adds a note once.

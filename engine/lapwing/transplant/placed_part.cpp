@@ -138,9 +138,9 @@ VertexSet without_other_side(const BoundaryLoop& loop, const CutPiece& rest,
 
 }  // namespace
 
-Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
+CutHole cut_hole(const RegionSpec& region, const Mesh& mesh) {
   const Topology& topology = mesh.topology();
-  Hole hole;
+  CutHole hole;
   const std::string& where = region.where;
   const VertexSet vertices = resolve(region, mesh);
   require_extent(vertices, mesh.positions, where);
@@ -176,7 +176,7 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
 }
 
 PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
-                      const Hole& hole) {
+                      const CutHole& hole) {
   PlacedPart part = cut_part(request, source);
   const std::string where = request.where + "/part";
   if (is_inside_out(part, where)) turn(part);

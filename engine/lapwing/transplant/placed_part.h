@@ -12,7 +12,7 @@
 namespace lapwing {
 
 /// The hole that the removal of a target region leaves in a mesh.
-struct Hole {
+struct CutHole {
   std::vector<Triangle> triangles;  ///< the removed triangles, as vertices of the mesh
   BoundaryLoop loop;  ///< their boundary, with the triangles on its left, as vertices of the mesh
   CutPiece rest;
@@ -21,7 +21,7 @@ struct Hole {
 
 /// Removes `region` from `mesh`. Throws InputError, naming the region, if it contains no whole face
 /// or all faces, if its boundary is not one loop, or if it reaches the boundary of the mesh.
-Hole cut_hole(const RegionSpec& region, const Mesh& mesh);
+CutHole cut_hole(const RegionSpec& region, const Mesh& mesh);
 
 /// A part in its final position on the host.
 struct PlacedPart {
@@ -35,6 +35,6 @@ struct PlacedPart {
 /// Cuts the part of `request` from `source`, reverses it if it is inside out, and places it. Throws
 /// InputError, naming the part, if it lacks the boundary loop, is not finite, or becomes flat.
 PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
-                      const Hole& hole);
+                      const CutHole& hole);
 
 }  // namespace lapwing

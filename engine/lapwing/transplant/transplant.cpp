@@ -83,7 +83,7 @@ class TransplantRun {
   const std::string& part_name_;
   Kernels& kernels_;
   const Progress& progress_;
-  Hole hole_;
+  CutHole hole_;
   double hole_radius_ = 0.0;
   bool even_strip_ = true;
   Assembly joined_;

@@ -7,6 +7,9 @@
 #include "lapwing/coating/peel.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
+#include "lapwing/fill/fill_holes.h"
+#include "lapwing/mesh/decimate_mesh.h"
+#include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/recipe/read_values.h"
 #include "lapwing/region/grab_region.h"
@@ -106,6 +109,8 @@ const char* word_of(Element element) {
       return "edge";
     case Element::component:
       return "component";
+    case Element::rim:
+      return "rim";
     case Element::none:
       break;
   }
@@ -139,7 +144,14 @@ py::dict check_mesh(const Mesh& mesh, bool self_intersections, std::size_t most_
                             "element"_a = word_of(info.element), "first"_a = array_of(defect.first),
                             "fixable"_a = info.fixable));
   }
-  return py::dict("defects"_a = std::move(defects), "statistics"_a = dict_of(report.statistics),
+  py::list holes;
+  for (const Hole& hole : report.holes) {
+    holes.append(py::dict("rim"_a = array_of(hole.rim), "perimeter"_a = hole.perimeter,
+                          "is_border"_a = hole.is_border,
+                          "trouble"_a = in_python_words(hole.trouble)));
+  }
+  return py::dict("defects"_a = std::move(defects), "holes"_a = std::move(holes),
+                  "statistics"_a = dict_of(report.statistics),
                   "has_problems"_a = report.has_problems(), "is_fixable"_a = report.is_fixable());
 }
 
@@ -156,6 +168,33 @@ py::dict fix_mesh(const Mesh& mesh) {
                   "vertex_sources"_a = array_of(sources));
 }
 
+py::dict fill_mesh_holes(const Mesh& mesh, const std::string& region, const std::string& shape,
+                         int largest, bool borders, const py::object& heard) {
+  FillRequest request;
+  request.region = region_of(region, "fill_holes: region");
+  request.shape = one_of<FillShape>("fill_holes: shape", shape,
+                                    {{"flat", FillShape::flat}, {"smooth", FillShape::smooth}});
+  request.largest = largest;
+  request.borders = borders;
+  const FilledHoles result = Interruptible(heard).call(
+      [&](const Progress& progress) { return fill_holes(mesh, request, progress); });
+  return py::dict("mesh"_a = result.mesh, "holes"_a = result.holes,
+                  "new_vertices"_a = result.vertices, "new_faces"_a = result.faces,
+                  "warnings"_a = in_python_words(result.warnings));
+}
+
+py::dict decimate_mesh(const Mesh& mesh, double share, const py::object& heard) {
+  const DecimatedMesh result = Interruptible(heard).call(
+      [&](const Progress& progress) { return decimate(mesh, {.share = share}, progress); });
+  return py::dict("mesh"_a = result.mesh, "kept"_a = array_of(result.kept));
+}
+
+py::dict subdivide_mesh(const Mesh& mesh, int times, bool smooth, const py::object& heard) {
+  return py::dict("mesh"_a = Interruptible(heard).call([&](const Progress& progress) {
+    return subdivide(mesh, {.times = times, .smooth = smooth}, progress);
+  }));
+}
+
 }  // namespace
 
 void add_mesh_operations(py::module_& module) {
@@ -166,6 +205,10 @@ void add_mesh_operations(py::module_& module) {
   module.def("grab_region", &grab_region_of, "mesh"_a, "vertex"_a, "radius"_a, "factor"_a);
   module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
   module.def("fix", &fix_mesh, "mesh"_a);
+  module.def("fill_holes", &fill_mesh_holes, "mesh"_a, "region"_a, "shape"_a, "largest"_a,
+             "borders"_a, "progress"_a);
+  module.def("decimate", &decimate_mesh, "mesh"_a, "share"_a, "progress"_a);
+  module.def("subdivide", &subdivide_mesh, "mesh"_a, "times"_a, "smooth"_a, "progress"_a);
 }
 
 }  // namespace lapwing::python

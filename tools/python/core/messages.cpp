@@ -16,7 +16,8 @@ void replace_all(std::string& text, const std::string& old, const std::string& b
 
 // Phrases for shells and their replacements. A phrase precedes shorter phrases that it contains, so
 // that it is replaced first.
-constexpr std::array<std::pair<const char*, const char*>, 11> kPhrases{{
+constexpr std::array<std::pair<const char*, const char*>, 12> kPhrases{{
+    {"`lapwing check MESH --fix OUT --fill-holes smooth`", "`lapwing.fill_holes`"},
     {"`lapwing check MESH --fix OUT`", "`lapwing.fix`"},
     {"`lapwing check --fix`", "`lapwing.fix`"},
     {" (`lapwing info` lists them)", ""},

@@ -29,24 +29,31 @@ from ._operations import coat, deform, keys, mix, run, transplant
 from ._picture import render
 from ._reports import (
     Check,
+    Decimated,
     Defect,
+    Filled,
     Fixed,
     GrabRegion,
+    Hole,
     Parameterized,
     Peeled,
     Remeshed,
+    Subdivided,
     check,
+    decimate,
+    fill_holes,
     fix,
     grab_region,
     parameterize,
     peel,
     remesh,
+    subdivide,
 )
 
 __all__ = [
-    "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Fixed",
-    "GrabRegion", "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Response",
-    "Result", "SolverError", "check", "coat", "deform", "fix", "grab_region", "keys", "mix",
-    "parameterize", "peel", "read", "remesh", "render", "run", "shape", "shape_names", "transplant",
-    "write",
+    "Certificate", "Check", "Decimated", "Defect", "Deformer", "DeviceError", "Error", "FileError",
+    "Filled", "Fixed", "GrabRegion", "Hole", "InputError", "Many", "Mesh", "Parameterized",
+    "Peeled", "Remeshed", "Response", "Result", "SolverError", "Subdivided", "check", "coat",
+    "decimate", "deform", "fill_holes", "fix", "grab_region", "keys", "mix", "parameterize", "peel",
+    "read", "remesh", "render", "run", "shape", "shape_names", "subdivide", "transplant", "write",
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Dict, Iterator, List, Optional, Sequence
+from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
 
 from . import _core
 from ._arguments import mesh_of, region_of, vertices_of
@@ -30,9 +30,19 @@ class Defect:
     severity: str  #: "info", "warning" or "error" (a region cannot contain this place)
     meaning: str
     next_step: str
-    element: str  #: type of the elements in `first`: "vertex", "face", "edge", "component", "mesh"
+    element: str  #: type of the elements in `first`: "vertex", "face", "edge", "component", "rim", "mesh"
     first: Array  #: the first elements with this defect, ascending; an edge is two vertices
     fixable: bool  #: whether `fix` repairs all of them
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A boundary loop of a mesh."""
+
+    rim: Array  #: vertices in order, in the orientation of a face that closes the hole
+    perimeter: float
+    is_border: bool  #: whether it is the border of an open sheet, which `fill_holes` omits
+    trouble: str  #: why it cannot be filled; empty if it can
 
 
 @dataclass(frozen=True)
@@ -40,6 +50,7 @@ class Check:
     """Result of `check`."""
 
     defects: List[Defect]
+    holes: List[Hole]  #: all boundary loops, those with the most vertices first
     statistics: Dict[str, Any]
     has_problems: bool
     is_fixable: bool
@@ -68,6 +79,28 @@ class Fixed(_Made):
 
     repairs: Dict[str, int]  #: number of repairs of each kind
     vertex_sources: Array  #: for each vertex, its number in the damaged mesh
+
+
+@dataclass(frozen=True)
+class Filled(_Made):
+    """Result of `fill_holes`: `mesh`, `vertices`, `faces`."""
+
+    holes: int  #: number of filled holes
+    new_vertices: int  #: number of new vertices, which come last
+    new_faces: int  #: number of new triangles, which come last
+    warnings: List[str]
+
+
+@dataclass(frozen=True)
+class Decimated(_Made):
+    """Result of `decimate`: `mesh`, `vertices`, `faces`."""
+
+    kept: Array  #: for each vertex, its number in the given mesh
+
+
+@dataclass(frozen=True)
+class Subdivided(_Made):
+    """Result of `subdivide`: `mesh`, `vertices`, `faces`. The given vertices come first."""
 
 
 @dataclass(frozen=True)
@@ -131,6 +164,7 @@ def check(
     `self_intersections` takes several times as long as everything else. Each defect lists the
     first `most_listed` of its places."""
     found = _core.check(mesh_of(mesh, faces, "check: mesh"), self_intersections, most_listed)
+    found["holes"] = [Hole(**hole) for hole in found["holes"]]
     found["defects"] = [Defect(**defect) for defect in found["defects"]]
     return Check(**found)
 
@@ -138,6 +172,55 @@ def check(
 def fix(mesh: MeshOrVertices, faces: Optional[FacesLike] = None) -> Fixed:
     """Repairs defects that have one sensible repair. Positions do not change."""
     return Fixed(**_core.fix(mesh_of(mesh, faces, "fix: mesh")))
+
+
+def fill_holes(
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    region: Region = "all",
+    shape: Literal["flat", "smooth"] = "smooth",
+    largest: int = 0,
+    borders: bool = False,
+    progress: Progress = None,
+) -> Filled:
+    """Fills the holes of a mesh. If `shape` is "flat", a fill consists of triangles between the
+    vertices of the rim. If it is "smooth", the triangles have the size of those at the rim and
+    continue the tangent planes of the surface. Holes without a rim vertex in `region` stay open
+    and, if `largest` is not 0, holes with more rim vertices. The border of an open sheet is filled
+    only if `borders` is true. The new triangles have no texture coordinates. `progress` is as in
+    `deform`."""
+    chosen = mesh_of(mesh, faces, "fill_holes: mesh")
+    where = _region_json(region, chosen, "fill_holes: region")
+    return Filled(**_core.fill_holes(chosen, where, shape, largest, borders, progress))
+
+
+def decimate(
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    share: float = 0.5,
+    progress: Progress = None,
+) -> Decimated:
+    """Keeps about `share` of the vertices, those that matter most for the shape, and triangulates
+    the mesh. Seams of texture coordinates and borders of materials stay. Stored normals are
+    dropped. `progress` is as in `deform`."""
+    return Decimated(**_core.decimate(mesh_of(mesh, faces, "decimate: mesh"), share, progress))
+
+
+def subdivide(
+    mesh: MeshOrVertices,
+    faces: Optional[FacesLike] = None,
+    *,
+    times: int = 1,
+    smooth: bool = False,
+    progress: Progress = None,
+) -> Subdivided:
+    """Triangulates the mesh and cuts each triangle into four, `times` times. If `smooth` is true,
+    the shape becomes smooth by Loop's scheme; otherwise it stays. Stored normals are dropped.
+    `progress` is as in `deform`."""
+    chosen = mesh_of(mesh, faces, "subdivide: mesh")
+    return Subdivided(**_core.subdivide(chosen, times, smooth, progress))
 
 
 def peel(

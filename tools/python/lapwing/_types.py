@@ -68,7 +68,9 @@ Handle = Union[Tuple[Region, Move], Mapping[str, Any]]
 Landmarks = Tuple[ArrayLike, ArrayLike]
 Progress = Optional[Callable[[str, float], Optional[bool]]]
 
-Operation = Literal["deform", "coat", "mix", "transplant", "peel"]
+Operation = Literal[
+    "deform", "coat", "mix", "transplant", "peel", "remesh", "decimate", "subdivide", "fill_holes"
+]
 Weights = Literal["uniform", "cotangent"]
 LinearResponse = Literal["tangent", "rsi"]
 Loose = Literal["carry", "leave", "refuse"]

@@ -1,0 +1,94 @@
+#include "editing/mesh_step_tool.h"
+
+#include <utility>
+
+#include "editing/kernels_like.h"
+#include "lapwing/base/errors.h"
+
+namespace lapwing::viewer {
+
+MeshStepTool::MeshStepTool(std::shared_ptr<const Mesh> mesh, std::vector<Hole> holes,
+                           const std::shared_ptr<gpu::Context>& context, std::function<void()> wake)
+    : preview_(kernels_like(context), wake),
+      holes_of_(std::move(mesh)),
+      holes_(std::move(holes)),
+      finding_(kernels_like(context), std::move(wake)) {}
+
+void MeshStepTool::preview(const Step& step) {
+  preview_.stop();
+  step_ = step;
+  rest_.reset();
+}
+
+void MeshStepTool::close(Editor& editor) {
+  if (shown_) editor.shown().end_preview();
+  give_way();
+}
+
+void MeshStepTool::give_way() {
+  preview_.stop();
+  step_.reset();
+  rest_.reset();
+  shown_ = false;
+}
+
+void MeshStepTool::apply(Editor& editor) {
+  if (!step_ || preview_.result() == nullptr) return;
+  const Apply applied{*step_, preview_.result()->result};
+  close(editor);
+  editor.perform(applied);
+}
+
+void MeshStepTool::start(const Editor& editor) {
+  if (!step_ || rest_ || needs_settling(editor.state()) || editor.is_dragging()) return;
+  rest_ = editor.state().rest;
+  settled_ = editor.state().settled;
+  preview_.start(editor.state(), *step_);
+}
+
+void MeshStepTool::update_holes(const Editor& editor) {
+  const std::shared_ptr<const Mesh>& rest = editor.state().rest;
+  if (!rest->shares_faces_with(*holes_of_)) {
+    holes_of_ = rest;
+    holes_.reset();
+    finding_.start([rest](const std::shared_ptr<Kernels>&, const Progress& progress) {
+      const ProgressScope scope(progress);
+      return find_holes(*rest);
+    });
+  }
+  try {
+    if (auto found = finding_.take()) holes_ = std::move(found);
+  } catch (const Error&) {
+    holes_.emplace();  // the step that needs the holes reports why
+  }
+}
+
+void MeshStepTool::update(Editor& editor, bool others_preview) {
+  update_holes(editor);
+  if (!step_) return;
+  const bool is_changed =
+      rest_ && (editor.state().rest != rest_ || editor.state().settled != settled_);
+  if (others_preview || is_changed || (shown_ && !editor.shown().previews())) {
+    return others_preview ? give_way() : close(editor);
+  }
+  start(editor);
+  if (!preview_.update()) return;
+  const std::shared_ptr<const Mesh> mesh = preview_.mesh();
+  if (mesh != nullptr) {
+    editor.shown().show_preview(mesh);
+    shown_ = true;
+  } else if (std::exchange(shown_, false)) {
+    editor.shown().end_preview();
+  }
+}
+
+void MeshStepTool::release_device() {
+  give_way();
+}
+
+void MeshStepTool::use_device(const std::shared_ptr<gpu::Context>& context) {
+  preview_.use_kernels(kernels_like(context));
+  finding_.use_kernels(kernels_like(context));
+}
+
+}  // namespace lapwing::viewer
