@@ -172,6 +172,24 @@ TEST_F(StiffCylinder, ARigidPartAroundAHandleOrTheBeltGoesWithIt) {
   }
 }
 
+TEST_F(StiffCylinder, AFreeHandleStillTurnsBesideARigidPart) {
+  const VertexSet part = between(2.0, 3.5);
+  const auto turn = [&](double factor) {
+    HandleMotions motions =
+        handle_motions(std::array{Affine3d(Eigen::Translation3d(3.0, 0.0, -1.0))});
+    motions.is_free = {1};
+    const DeformSolver solver(mesh_.positions, mesh_.topology(), region_with(part, factor), {},
+                              kernels_);
+    const DeformResult result = solver.solve(motions);
+    EXPECT_TRUE(result.certificate.settled);
+    EXPECT_EQ(result.motions.is_free, motions.is_free);
+    return shortest_turn(result.motions.maps[0]).angle();
+  };
+  const double stiff = turn(kStiffest);
+  EXPECT_GT(stiff, 0.3);
+  EXPECT_NEAR(turn(kRigidStiffness), stiff, 0.1 * stiff);
+}
+
 TEST_F(StiffCylinder, ALinearResponseKeepsAStiffPartStraight) {
   const VertexSet part = between(2.0, 3.5);
   const auto stretch = [&](double factor) {

@@ -104,7 +104,8 @@ constexpr double kRigidFactor = 1e4;
 void multiply_by_stiffness(const Adjacency& rings, std::span<const Index> roi,
                            std::span<const VertexStiffness> stiffness, EnergyWeights& weights) {
   if (stiffness.empty()) return;
-  std::vector<double> factors(rings.row_count(), 0.0);
+  std::vector<double>& factors = weights.factors;
+  factors.assign(rings.row_count(), 0.0);
   for (const Index i : roi) factors[i] = 1.0;
   for (const auto& [v, factor] : stiffness) factors[v] = std::min(factor, kRigidFactor);
   for (const Index i : roi) {

@@ -35,6 +35,8 @@ struct EnergyWeights {
   Numbers rows;       ///< om_i, per vertex of the mesh; empty: all 1
   /// k_ij = k_ji, per entry of the mesh's rings; empty: all 0.
   Numbers stiffness;
+  /// Stiffness factors, per vertex of the mesh, 0 outside the region; empty: all 1.
+  std::vector<double> factors;
 };
 
 /// Returns the weights of the region `roi`, which must not be empty. Entries of other vertices are
