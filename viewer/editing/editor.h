@@ -112,7 +112,10 @@ class Editor {
   const Part& part() const { return part_; }
   void choose(const Part& part);
   /// Whether the active tool chooses vertices of `part()`.
-  bool chooses_parts() const { return !has_in_hand(tools_.gizmo) && !has_in_hand(tools_.grab); }
+  bool chooses_parts() const {
+    return !has_in_hand(tools_.gizmo) && !has_in_hand(tools_.grab) &&
+           !has_in_hand(tools_.stiffness);
+  }
   /// Calls `choose`, and activates the disk unless the active tool chooses parts.
   void begin_choosing(const Part& part);
   /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
@@ -120,6 +123,7 @@ class Editor {
 
   GrabTool& grab_tool() { return tools_.grab; }
   PaintTool& paint_tool() { return tools_.paint; }
+  StiffnessPaint& stiffness_tool() { return tools_.stiffness; }
   const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
   const RulerTool& ruler_tool() const { return tools_.ruler; }
   bool has_gizmo() const { return has_in_hand(tools_.gizmo) && handle_ < handle_count(); }

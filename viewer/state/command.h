@@ -58,6 +58,11 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
+/// Sets how stiff parts of the surface are.
+struct SetStiffness {
+  std::vector<StiffnessSpec> parts;
+};
+
 /// Sets the handle's move from its rest position. `to.path` contains the waypoints since the
 /// handle's last move; they are added to the path in the state (`extend_path`).
 struct MoveHandle {
@@ -113,8 +118,8 @@ struct Revise {
 
 /// One action of a user, a test or a recipe.
 using Command = std::variant<Choose, Paint, Grab, SetFalloff, RemoveHandle, SetBeltWidth, SetMirror,
-                             MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
-                             CarryAlong, StopCarrying, Apply, Revise>;
+                             SetStiffness, MoveHandle, MoveHandles, Settle, Commit, NewEdit,
+                             SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
 
 template <class... Kinds>
 bool is_one_of(const Command& command) {
@@ -124,9 +129,9 @@ bool is_one_of(const Command& command) {
 /// Returns the state after `command`. Choose, Paint, RemoveHandle, NewEdit and Apply commit first,
 /// so that regions are chosen on the visible surface. If the ROI changes, vertices outside it are
 /// removed from the handles and from a belt that the user has chosen. If moves, falloffs,
-/// parameters, mirror, belt width or carried files change, the rest shape stays and the result is
-/// discarded. Throws the errors of `resolve`. Throws InputError if the state does not allow the
-/// command, for example a choice while the result of a drag is not yet computed.
+/// parameters, mirror, stiffness, belt width or carried files change, the rest shape stays and the
+/// result is discarded. Throws the errors of `resolve`. Throws InputError if the state does not
+/// allow the command, for example a choice while the result of a drag is not yet computed.
 AppState apply(AppState state, const Command& command);
 
 /// Returns the command's name for the history panel: "ROI: disk", "move handle 1", "settle".
