@@ -88,6 +88,10 @@ TEST_P(Panels, OfADeformAreWhole) {
   check("tooltip");
   viewer_->click("Brush");
   check("deform-brush");
+  viewer_->key('P', {.shift = true});
+  viewer_->click("Rigid");
+  ASSERT_TRUE(viewer_->shows("10")) << "the factor";
+  check("deform-stiffness");
   // Each with something that it alone has.
   for (const auto& [tab, own] : {std::pair{"Coat", "New coat"},
                                  {"Mix", "New mix"},

@@ -59,13 +59,12 @@ void draw_parts(Editor& editor) {
   draw_handles(editor);
 }
 
-void draw_paint_options(Editor& editor) {
-  PaintTool::Options& options = editor.paint_tool().options();
+void draw_paint_options(PaintTool::Options& options) {
   ImGui::Checkbox("Select through", &options.through);
   explain("Also paints vertices that the surface hides.");
   ImGui::SameLine();
   ImGui::Checkbox("Erase", &options.erase);
-  explain("Removes vertices from the selection.", "Shortcut: Ctrl while painting");
+  explain("Erases instead of painting.", "Shortcut: Ctrl while painting");
   if (options.shape != PaintTool::Shape::brush) return;
   float radius = static_cast<float>(options.radius_pt);
   label_field("Brush radius");
@@ -77,30 +76,18 @@ void draw_stiffness_options(Editor& editor) {
   StiffnessPaint& paint = editor.stiffness_tool();
   ImGui::Checkbox("Rigid", &paint.is_rigid);
   explain("Each connected rigid part moves as one body, such as a bone or a tooth.");
-  ImGui::SameLine();
-  ImGui::Checkbox("Erase", &paint.brush().erase);
-  explain("Removes painted stiffness.", "Shortcut: Ctrl while painting");
-  ImGui::SameLine();
-  ImGui::Checkbox("Select through", &paint.brush().through);
-  explain("Also paints vertices that the surface hides.");
-  ImGui::BeginDisabled(paint.is_rigid);
-  float factor = static_cast<float>(paint.factor);
-  label_field("Stiffness");
-  if (ImGui::SliderFloat("##stiffness", &factor, 0.01F, 100.0F, "%.3g",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-    paint.factor = std::clamp(static_cast<double>(factor), kSoftest, kStiffest);
+  if (!paint.is_rigid) {
+    float factor = static_cast<float>(paint.factor);
+    label_field("Stiffness");
+    if (ImGui::SliderFloat("##stiffness", &factor, 0.01F, 100.0F, "%.3g",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
+      paint.factor = std::clamp(static_cast<double>(factor), kSoftest, kStiffest);
+    }
+    explain("How many times stiffer than the rest. Below 1: softer.");
   }
-  explain("How many times stiffer than the rest. Below 1: softer.");
-  ImGui::EndDisabled();
-  float radius = static_cast<float>(paint.brush().radius_pt);
-  label_field("Brush radius");
-  if (ImGui::SliderFloat("##brush", &radius, 1.0F, 200.0F, "%.0f pt")) {
-    paint.brush().radius_pt = static_cast<double>(radius);
-  }
-  explain("Radius of the brush.", "Shortcut: [ and ], Ctrl + wheel");
-  ImGui::BeginDisabled(editor.state().selection.stiffness.empty());
+  draw_paint_options(paint.brush());
+  if (editor.state().selection.stiffness.empty()) return;
   if (ImGui::Button("Remove stiffness")) editor.perform(SetStiffness{});
-  ImGui::EndDisabled();
 }
 
 // A whole drag of the slider is one step of the history.
@@ -232,7 +219,7 @@ void draw_buttons(Editor& editor) {
 
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   draw_parts(editor);
-  if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
+  if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor.paint_tool().options());
   if (editor.has_in_hand(editor.stiffness_tool())) draw_stiffness_options(editor);
   draw_buttons(editor);
   draw_belt_width(editor, drafts);
