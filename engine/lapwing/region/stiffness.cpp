@@ -1,6 +1,7 @@
 #include "lapwing/region/stiffness.h"
 
 #include <sstream>
+#include <string>
 
 #include "lapwing/base/errors.h"
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"

@@ -1,6 +1,8 @@
 #include "lapwing/deform/modifiers/rigid_parts.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace lapwing {
 namespace {

@@ -17,8 +17,8 @@ namespace lapwing {
 std::optional<EditRegion> with_rigid_handles(EditRegion region, const Topology& topology,
                                              std::optional<double> constraint_weight);
 
-/// Adds to `motions`, for each further handle of `rigid`, the rigid motion that maps its vertices
-/// best from `rest` to `current`. No orientation is free afterwards.
+/// Adds to `motions`, for each further handle of `rigid`, the rigid motion that is nearest to the
+/// `displacement` of its vertices. No orientation is free afterwards.
 HandleMotions with_rigid_motions(const HandleMotions& motions, const EditRegion& rigid,
                                  std::span<const Eigen::Vector3d> rest,
                                  std::span<const Eigen::Vector3d> displacement);
