@@ -43,6 +43,28 @@ class LiveEdit(SceneTest):
         expected = run_recipe(path)
         self.assertLess(np.abs(shown - expected).max(), TOLERANCE * diagonal(expected))
 
+    def test_a_painted_group_is_rigid_stiff_or_soft(self):
+        obj = wavy()
+        points = coordinates(obj.data.vertices)
+        distance = np.hypot(points[:, 0] - 0.45, points[:, 1])
+        group = obj.vertex_groups.new(name="Bones")
+        for v in np.flatnonzero(distance < 0.4):
+            group.add([int(v)], 1.0 if distance[v] < 0.2 else 0.5 if distance[v] < 0.3 else 0.0,
+                      "REPLACE")
+        obj.lapwing.stiffness = "Bones"
+        deform(obj)
+        made = coordinates(obj.data.vertices)
+        bone = np.flatnonzero(distance < 0.2)
+        for k in bone:
+            lengths = np.linalg.norm(points[bone] - points[k], axis=1)
+            np.testing.assert_allclose(np.linalg.norm(made[bone] - made[k], axis=1), lengths, atol=1e-4)
+        recipe = json.loads(export().read_text())
+        field = recipe["steps"][0]["stiffness"][0]["factor"]["field"]
+        self.assertEqual({field[v] for v in bone}, {"rigid"})
+        self.assertEqual({field[v] for v in np.flatnonzero(distance >= 0.4)}, {1.0})
+        self.assertEqual({field[v] for v in np.flatnonzero((distance >= 0.2) & (distance < 0.3))}, {1.0})
+        self.assertAlmostEqual(min(f for f in field if f != "rigid"), 0.01)
+
     def test_frames_go_on_from_the_surface_that_settled_last(self):
         obj = wavy()
         bpy.ops.lapwing.start()

@@ -99,6 +99,31 @@ TEST_F(CommandLine, MoveBeforeTheHandleBelongsToItAndASecondMoveIsRefused) {
                  {"--handle is required"});
 }
 
+TEST_F(CommandLine, PartsAreStiffOrRigid) {
+  Mesh mesh = cylinder(12, 20, 0.5, 3.0);
+  ExtraAttribute bone{"bone", "float", 1, {}};
+  for (const auto& p : mesh.positions) bone.values.push_back(p.z() > 1.5 ? kRigidStiffness : 0.5);
+  mesh.edit_attributes().vertex_extras = {bone};
+  write_mesh(mesh, file("bones.ply"));
+  const std::string lift =
+      "deform bones.ply --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.5,1,1,4 "
+      "--translate 0.5,0,0 --device cpu ";
+  succeed(lift +
+          "--stiffness rigid box:-1,-1,1,1,1,2 --stiffness 0.5 3,4 --save a.ply "
+          "--recipe a.recipe.json");
+  const std::string recipe = read("a.recipe.json");
+  EXPECT_THAT(recipe, HasSubstr(R"("factor": "rigid")"));
+  EXPECT_THAT(recipe, HasSubstr(R"({"region": {"vertices": [3, 4]}, "factor": 0.5})"));
+  expect_recipe_repeats("a.recipe.json", "a.ply");
+  succeed(lift + "--stiffness-field bone --save b.ply --recipe b.recipe.json");
+  EXPECT_THAT(read("b.recipe.json"), HasSubstr("\"field\": ["));
+  expect_recipe_repeats("b.recipe.json", "b.ply");
+  expect_refused(lift + "--stiffness 0 all --save c.ply", 3,
+                 {"/steps/0/stiffness/0/factor: expected a factor from 0.01 to 100"});
+  expect_refused(lift + "--stiffness-field bones --save c.ply", 3,
+                 {"--stiffness-field: bones.ply has no scalar vertex property \"bones\""});
+}
+
 TEST_F(CommandLine, AHandleIsPaintedInAPropertyOfTheMesh) {
   Mesh mesh = cylinder(12, 20, 0.5, 3.0);
   ExtraAttribute firm{"firm", "float", 1, {}};

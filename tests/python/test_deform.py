@@ -56,6 +56,27 @@ def test_targets_are_rows_a_dict_or_landmarks(tube, ends):
     assert by_rows.certificate.target_error < 0.3
 
 
+def test_stiffness_is_an_array_or_parts(tube, ends):
+    bone = np.ones(tube.vertex_count)
+    middle = np.abs(tube.vertices[:, 2] - tube.vertices[:, 2].mean()) < 0.5
+    bone[middle] = np.inf
+    move = turned(40.0)
+    edit = dict(belt=ends[0], handles=[(ends[1], move)])
+    by_array = lapwing.deform(tube, stiffness=bone, **edit)
+    by_parts = lapwing.deform(tube, stiffness=[{"region": middle, "factor": np.inf}], **edit)
+    assert (by_array.vertices == by_parts.vertices).all()
+    rest = tube.vertices[middle] - tube.vertices[middle].mean(axis=0)
+    now = by_array.vertices[middle] - by_array.vertices[middle].mean(axis=0)
+    assert np.allclose(rest @ rest.T, now @ now.T, atol=1e-3), "the part has moved as one body"
+    edit_once = lapwing.Deformer(tube, belt=ends[0], handles=[ends[1]], stiffness=bone)
+    assert (edit_once.solve([move]).vertices == by_array.vertices).all()
+    with pytest.raises(lapwing.InputError, match="expected a factor for each of the"):
+        lapwing.deform(tube, stiffness=bone[1:], **edit)
+    bone[3] = 0.0
+    with pytest.raises(lapwing.InputError, match="expected a factor from 0.01 to 100"):
+        lapwing.deform(tube, stiffness=bone, **edit)
+
+
 def test_a_landmarks_weight_of_a_tenth_averages_noise(scan):
     # These are the numbers in tools/python/README.md for a noise of 0.5% of the diagonal.
     move = {"translate": [-5, 13, 2], "rotate": {"axis": [0, 0, 1], "degrees": 35}}

@@ -268,6 +268,23 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Number", with_mirror("3"), ": /steps/0/mirror: expected an object, got 3"}),
     kName);
 
+std::string with_stiffness(const std::string& factor) {
+  return with_option(R"("stiffness": [{"region": {"all": true}, "factor": )" + factor + "}]");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stiffness, RecipeMistake,
+    ::testing::Values(
+        Mistake{"TooStiff", with_stiffness("101"),
+                ": /steps/0/stiffness/0/factor: expected a factor from 0.01 to 100, or \"rigid\", "
+                "got 101"},
+        Mistake{"UnknownWord", with_stiffness("\"hard\""),
+                ": /steps/0/stiffness/0/factor: unknown factor \"hard\"; Known here: \"rigid\""},
+        Mistake{"InAField", with_stiffness(R"({"field": [1, 0]})"),
+                ": /steps/0/stiffness/0/factor/field/1: expected a factor from 0.01 to 100, or "
+                "\"rigid\", got 0"}),
+    kName);
+
 INSTANTIATE_TEST_SUITE_P(
     Falloff, RecipeMistake,
     ::testing::Values(

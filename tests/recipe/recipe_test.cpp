@@ -169,6 +169,21 @@ TEST(Recipe, ReadsHowFirmlyAHandleHolds) {
             (Falloff{{}, {}, {0.0, 0.5, 1.0}}));
 }
 
+TEST(Recipe, ReadsHowStiffAPartIs) {
+  const auto stiffness = first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [
+      {"op": "deform", "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}],
+       "stiffness": [{"region": {"vertices": [1]}, "factor": 3},
+                     {"region": {"vertices": [2]}, "factor": "rigid"},
+                     {"region": {"all": true}, "factor": {"field": [0.01, "rigid", 1]}}]}]})"))
+                             .stiffness;
+  const std::vector<StiffnessSpec> expected{
+      {{ListedVertices{{1}}}, 3.0},
+      {{ListedVertices{{2}}}, kRigidStiffness},
+      {{AllVertices{}}, kRigidStiffness, {0.01, kRigidStiffness, 1.0}}};
+  EXPECT_EQ(stiffness, expected);
+  EXPECT_EQ(stiffness[1].region.where, "bend.json: /steps/0/stiffness/1/region");
+}
+
 TEST(Recipe, RegionsKnowWhereTheyWereWritten) {
   const Recipe recipe = parse(
       with_regions(R"({"union": [{"all": true}, {"vertices": [2]}]})", R"({"fraction": 0.2})"));
@@ -216,6 +231,8 @@ Recipe full_recipe() {
   step.handles[0].falloff = {0.1, Transition{1.0 / 3.0}};
   step.handles[1].falloff = {2.5, Transition{2.0, Transition::Profile::linear}};
   step.handles[2].falloff.field = {0.0, 1.0 / 3.0, 1.0};
+  step.stiffness = {
+      {box, 0.1}, {loop}, {disk, kRigidStiffness, {kRigidStiffness, 1.0 / 3.0, 100.0}}};
   step.mirror = MirrorSpec{MirrorPlane{{0.1, 1e-300, 3}, {1.0 / 3.0, 0, -2}}};
   step.parameters.weights = LaplacianWeights::cotangent;
   step.parameters.constraint_weight = 10.0;

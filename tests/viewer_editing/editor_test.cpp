@@ -367,6 +367,30 @@ TEST_F(AnEditor, AStrokeElsewhereBeginsANewEditOnceTheLastHasMoved) {
   EXPECT_EQ(editor_->state().selection.handles.size(), 1U);
 }
 
+TEST_F(AnEditor, PaintedStiffnessIsShownAndSettlesTheEditAgain) {
+  turn_and_settle(60.0);
+  const Positions usual = on_screen();
+  ASSERT_TRUE(editor_->take(Action::take_stiffness));
+  editor_->stiffness_tool().brush().through = true;
+  EXPECT_FALSE(editor_->chooses_parts());
+  const Vector2d middle = 0.5 * kWindow;
+  drag_mouse(middle - Vector2d(40.0, 0.0), middle + Vector2d(40.0, 0.0));
+  wait_until_ready();
+  const std::vector<StiffnessSpec>& stiffness = editor_->state().selection.stiffness;
+  ASSERT_EQ(stiffness.size(), 1U);
+  EXPECT_EQ(stiffness[0].factor, kRigidStiffness);
+  const VertexSet painted = resolve(stiffness[0].region, *editor_->state().rest);
+  const std::vector<VertexClass> classes = stiffness_classes(editor_->state(), stiffness);
+  for (const Index v : painted) {
+    EXPECT_EQ(classes[v], drawn_by_handle(VertexClass::roi, 1.0));
+  }
+  EXPECT_GT(largest_distance(on_screen(), usual), 1e-3);
+  editor_->undo();
+  wait_until_ready();
+  EXPECT_TRUE(editor_->state().selection.stiffness.empty());
+  EXPECT_LT(largest_distance(on_screen(), usual), kVisible);
+}
+
 TEST_F(AnEditor, ANewEditBeginsOnceTheDragHasSettled) {
   expects_notes_ = true;
   begin_drag(kRight);

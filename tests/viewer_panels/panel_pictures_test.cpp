@@ -90,6 +90,10 @@ TEST_P(Panels, OfADeformAreWhole) {
   check("tooltip");
   viewer_->click("Brush");
   check("deform-brush");
+  viewer_->key('P', {.shift = true});
+  viewer_->click("Rigid");
+  ASSERT_TRUE(viewer_->shows("10")) << "the factor";
+  check("deform-stiffness");
   for (const char* tab : {"Deform", "Coat", "Mix", "Transplant", "Mesh", "Display"}) {
     EXPECT_TRUE(viewer_->shows(tab)) << tab;
   }

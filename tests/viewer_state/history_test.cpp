@@ -148,7 +148,7 @@ TEST(History, AGestureOfTwoCommandsIsOneStep) {
 
 TEST(History, APulledGrabIsNamedAGrab) {
   History history(chosen_tube());
-  const Mesh& mesh = *history.state().rest;
+  const Mesh mesh = *history.state().rest;
   history.perform(Grab{choose(box(0.6, 4.0), mesh), box(3.0, 4.0), {}});
   history.perform(MoveHandle{0, bent()}, Joining::with_last);
   history.perform(Settle{handles_alone(history.state())});

@@ -56,6 +56,16 @@ class AJournal : public ::testing::Test {
   std::filesystem::path cache_ = folder_ / "cache";
 };
 
+TEST_F(AJournal, KeepsPaintedStiffness) {
+  History history(chosen_tube());
+  history.perform(
+      SetStiffness{{{{ListedVertices{{1, 2, 3}}}, kRigidStiffness}, {{ListedVertices{{5}}}, 0.1}}});
+  Journal(cache_, stamp()).record(history.state());
+  ASSERT_EQ(interrupted().size(), 1U);
+  EXPECT_EQ(interrupted()[0].draft.open.stiffness, history.state().selection.stiffness);
+  EXPECT_EQ(interrupted()[0].draft.open.stiffness.size(), 2U);
+}
+
 TEST_F(AJournal, LeftBehindHoldsTheEdit) {
   History history(chosen_tube());
   {

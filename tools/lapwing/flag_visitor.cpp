@@ -200,6 +200,35 @@ void FlagVisitor::targets(const StepKey& key, TargetSpec&) {
   });
 }
 
+void FlagVisitor::stiffness(const StepKey& key, std::vector<StiffnessSpec>&) {
+  auto parts = std::make_shared<std::vector<std::pair<std::string, std::string>>>();
+  auto field = std::make_shared<std::string>();
+  command_
+      .add_option(
+          flag(key), *parts,
+          "FACTOR REGION, repeated for each; a factor from 0.01 to 100, or rigid: " + help_of(key))
+      ->type_name("FACTOR REGION");
+  command_.add_option(flag(key) + "-field", *field,
+                      "vertex property of MESH with the factor of each vertex; inf is rigid");
+  set_at_end(key, [parts, field, name = flag(key)](const Json&, const StepFiles& files) {
+    Json list;
+    if (!field->empty()) {
+      Json factors = Json::array();
+      for (const double factor : vertex_property(name + "-field", files.mesh, *field)) {
+        factors.push_back(factor == kRigidStiffness ? Json("rigid") : Json(factor));
+      }
+      list.push_back({{"region", {{"all", true}}}, {"factor", {{"field", std::move(factors)}}}});
+    }
+    for (const auto& [factor, region] : *parts) {
+      double number = 0.0;
+      const bool is_number = CLI::detail::lexical_cast(factor, number);
+      list.push_back({{"region", region_json(name, region)},
+                      {"factor", is_number ? Json(number) : Json(factor)}});
+    }
+    return list;
+  });
+}
+
 void FlagVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
   const std::string name = flag(key);
   const auto set = [set = setter(key), name](const std::string& text) {

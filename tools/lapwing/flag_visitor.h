@@ -54,6 +54,7 @@ class FlagVisitor final : public KeyVisitor {
   void belt(const StepKey& key, BeltSpec& value) override;
   void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form) override;
   void targets(const StepKey& key, TargetSpec& value) override;
+  void stiffness(const StepKey& key, std::vector<StiffnessSpec>& value) override;
   void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override;
   void carry(const StepKey& key, std::vector<CarrySpec>& value) override;
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override;

@@ -1,5 +1,7 @@
 #include "editing/edit_surface.h"
 
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace lapwing::viewer {
@@ -68,6 +70,22 @@ bool EditSurface::drag(const Preparation& preparation, std::span<const Eigen::Af
 bool EditSurface::drags_by(const Preparation& preparation) const {
   return drag_ && drag_->pose() == pose_ &&
          drag_->response() == preparation.drag_response().response;
+}
+
+std::vector<VertexClass> stiffness_classes(const AppState& state,
+                                           std::span<const StiffnessSpec> stiffness) {
+  const std::size_t count = state.rest->vertex_count();
+  std::vector<VertexClass> classes(count, VertexClass::outside);
+  for (const Index v : state.selection.roi.vertices) classes[v] = VertexClass::roi;
+  VertexSet all(count);
+  std::iota(all.begin(), all.end(), Index{0});
+  for (const auto& [v, factor] : resolve_stiffness(stiffness, all, *state.rest)) {
+    // Stiff factors have lighter colours than rigid ones.
+    const double share = 0.25 + 0.5 * std::log(factor) / std::log(kStiffest);
+    classes[v] = factor < 1.0 ? VertexClass::belt
+                              : drawn_by_handle(classes[v], factor > kStiffest ? 1.0 : share);
+  }
+  return classes;
 }
 
 std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,

@@ -74,4 +74,9 @@ class EditSurface {
 std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,
                                        const VertexSet& live, bool erase);
 
+/// Returns a colour for the stiffness of each vertex: softer vertices are coloured like the belt,
+/// stiffer ones like a handle. `stiffness` are factors as in AppState.
+std::vector<VertexClass> stiffness_classes(const AppState& state,
+                                           std::span<const StiffnessSpec> stiffness);
+
 }  // namespace lapwing::viewer

@@ -358,6 +358,7 @@ void Editor::take(const ToolRow& row) {
   tool_ = &row.take(tools_);
   row_ = &row;
   tools_.loop.reset();
+  classes_are_old_ = true;  // one of the tools colours the surface by its stiffness
 }
 
 bool Editor::take(Action action) {

@@ -128,6 +128,7 @@ class Editor {
 
   GrabTool& grab_tool() { return tools_.grab; }
   PaintTool& paint_tool() { return tools_.paint; }
+  StiffnessPaint& stiffness_tool() { return tools_.stiffness; }
   const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
   const RulerTool& ruler_tool() const { return tools_.ruler; }
   bool has_gizmo() const { return has_in_hand(tools_.gizmo) && handle_ < handle_count(); }

@@ -214,6 +214,9 @@ void Editor::settle_live() {
 
 void Editor::show_classes() {
   if (!std::exchange(classes_are_old_, false) && !shown_.needs_classes()) return;
+  if (has_in_hand(tools_.stiffness)) {
+    return shown_.set_classes(stiffness_classes(state(), tools_.stiffness.live_stiffness(state())));
+  }
   shown_.set_classes(
       shown_classes(state(), part_, tool_->live(), tool_->is_dragging() && tool_->erases()));
 }

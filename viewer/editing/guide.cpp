@@ -93,7 +93,8 @@ Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplan
   if (layers.is_open()) return guide_of_layers(layers, editor);
   // These tools take no part in the steps.
   const Action tool = editor.row() != nullptr ? editor.row()->action : Action::take_move;
-  if (tool == Action::take_grab || tool == Action::take_ruler || editor.picks_pivot()) {
+  if (tool == Action::take_grab || tool == Action::take_ruler || tool == Action::take_stiffness ||
+      editor.picks_pivot()) {
     return {.count = 0, .what = editor.hint()};
   }
   const bool moves = editor.has_in_hand(editor.gizmo_tool());

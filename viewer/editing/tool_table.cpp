@@ -21,6 +21,8 @@ constexpr std::array kRows{
     ToolRow{"Lasso", Action::take_lasso, take_paint<Shape::lasso>},
     ToolRow{"Box", Action::take_box, take_paint<Shape::box>},
     ToolRow{"Pin", Action::take_pin, [](Tools& tools) -> SceneTool& { return tools.pin; }},
+    ToolRow{"Stiffness", Action::take_stiffness,
+            [](Tools& tools) -> SceneTool& { return tools.stiffness; }},
     ToolRow{"Move", Action::take_move, [](Tools& tools) -> SceneTool& { return tools.gizmo; }},
     ToolRow{"Measure", Action::take_ruler, [](Tools& tools) -> SceneTool& { return tools.ruler; }}};
 

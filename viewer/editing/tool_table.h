@@ -10,6 +10,7 @@
 #include "tools/paint_tool.h"
 #include "tools/pin_tool.h"
 #include "tools/ruler_tool.h"
+#include "tools/stiffness_paint.h"
 
 namespace lapwing::viewer {
 
@@ -20,6 +21,7 @@ struct Tools {
   LoopTool loop;
   PaintTool paint;
   PinTool pin;
+  StiffnessPaint stiffness;
   GizmoTool gizmo;
   RulerTool ruler;
 };
@@ -36,7 +38,8 @@ struct ToolRow {
 std::span<const ToolRow> tool_rows();
 /// Returns whether the tool chooses vertices, so that a new mesh may begin with it.
 inline bool chooses(const ToolRow& row) {
-  return row.action != Action::take_move && row.action != Action::take_ruler;
+  return row.action != Action::take_move && row.action != Action::take_ruler &&
+         row.action != Action::take_stiffness;
 }
 
 }  // namespace lapwing::viewer

@@ -49,6 +49,7 @@ enum class Action {
   take_lasso,
   take_box,
   take_pin,
+  take_stiffness,
   take_ruler,
   next_gizmo_axes,
   toggle_sticking,

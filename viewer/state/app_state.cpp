@@ -306,6 +306,7 @@ DeformRequest open_step(const AppState& state) {
     step.handles.push_back({spec, to.move, falloff, to.orientation, to.path});
   }
   step.parameters = state.parameters;
+  step.stiffness = state.selection.stiffness;
   if (state.selection.mirror) step.mirror = MirrorSpec{*state.selection.mirror, "mirror"};
   step.carry = carry_specs(state.carried);
   return step;

@@ -46,6 +46,7 @@ Change::Change(const AppState& before, const AppState& after)
       falloffs_(both(falloffs_of(before), falloffs_of(after))),
       mirror_(both(before.selection.mirror, after.selection.mirror)),
       mirrored_(both(before.mirrored, after.mirrored)),
+      stiffness_(both(before.selection.stiffness, after.selection.stiffness)),
       belt_fraction_(both(before.selection.belt_fraction, after.selection.belt_fraction)),
       parameters_(both(before.parameters, after.parameters)),
       moves_(both(before.moves, after.moves)),
@@ -82,8 +83,8 @@ bool Change::is_nothing() const {
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
          std::ranges::all_of(handles_, same) && !falloffs_ && !mirror_ && !mirrored_ &&
-         !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !carried_ && !rest_ &&
-         !triangles_ && steps_[0].empty() && steps_[1].empty();
+         !stiffness_ && !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !carried_ &&
+         !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
 bool Change::concerns_surface() const {
@@ -115,6 +116,7 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
   }
   if (mirror_) selection.mirror = (*mirror_)[to];
   if (mirrored_) state.mirrored = (*mirrored_)[to];
+  if (stiffness_) selection.stiffness = (*stiffness_)[to];
   if (belt_fraction_) selection.belt_fraction = (*belt_fraction_)[to];
   if (parameters_) state.parameters = (*parameters_)[to];
   if (moves_) state.moves = (*moves_)[to];

@@ -52,6 +52,7 @@ class Change {
   Both<std::vector<Falloff>> falloffs_;  // one per handle
   Both<std::optional<MirrorPlane>> mirror_;
   Both<std::shared_ptr<const MirroredEdit>> mirrored_;
+  Both<std::vector<StiffnessSpec>> stiffness_;
   Both<std::optional<double>> belt_fraction_;
   Both<EditParameters> parameters_;
   Both<std::vector<HandleMove>> moves_;

@@ -258,6 +258,12 @@ struct Applier {
     state.selection.mirror = command.plane;
     state.settled = nullptr;
   }
+  void operator()(const SetStiffness& command) const {
+    if (state.selection.stiffness == command.parts) return;
+    resolve_stiffness(command.parts, {}, *state.rest);  // throws if a part is invalid
+    state.selection.stiffness = command.parts;
+    state.settled = nullptr;
+  }
   void operator()(const MoveHandle& command) const {
     require_handle(state, command.handle);
     HandleMove& now = state.moves[command.handle];
@@ -306,6 +312,7 @@ struct Applier {
     commit(state);
     EditSelection cleared;
     cleared.mirror = state.selection.mirror;
+    cleared.stiffness = state.selection.stiffness;
     if (state.selection.belt_fraction) cleared.belt_fraction = state.selection.belt_fraction;
     state.selection = std::move(cleared);
     state.moves.clear();
@@ -437,6 +444,9 @@ struct CommandDescriber {
   }
   std::string operator()(const SetMirror& command) const {
     return command.plane ? "Mirror on" : "Mirror off";
+  }
+  std::string operator()(const SetStiffness& command) const {
+    return command.parts.empty() ? "Remove stiffness" : "Paint stiffness";
   }
   std::string operator()(const MoveHandle& command) const {
     const double degrees = turn_of(command.to.move).degrees;

@@ -64,6 +64,11 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
+/// Sets how stiff parts of the surface are.
+struct SetStiffness {
+  std::vector<StiffnessSpec> parts;
+};
+
 /// Sets the handle's move from its rest position. `to.path` contains the waypoints since the
 /// handle's last move; they are added to the path in the state (`extend_path`).
 struct MoveHandle {
@@ -118,9 +123,10 @@ struct Revise {
 };
 
 /// One action of a user, a test or a recipe.
-using Command = std::variant<Choose, Paint, EnlargeRoi, Grab, SetFalloff, RemoveHandle,
-                             SetBeltWidth, SetMirror, MoveHandle, MoveHandles, Settle, Commit,
-                             NewEdit, SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
+using Command =
+    std::variant<Choose, Paint, EnlargeRoi, Grab, SetFalloff, RemoveHandle, SetBeltWidth, SetMirror,
+                 SetStiffness, MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
+                 CarryAlong, StopCarrying, Apply, Revise>;
 
 template <class... Kinds>
 bool is_one_of(const Command& command) {
@@ -130,9 +136,9 @@ bool is_one_of(const Command& command) {
 /// Returns the state after `command`. Choose, Paint, RemoveHandle, NewEdit and Apply commit first,
 /// so that regions are chosen on the visible surface. If the ROI changes, vertices outside it are
 /// removed from the handles and from a belt that the user has chosen. EnlargeRoi and changes of
-/// moves, falloffs, parameters, mirror, belt width or carried files keep the rest shape and discard
-/// the result. Throws the errors of `resolve`. Throws InputError if the state does not allow the
-/// command, for example a choice while the result of a drag is not yet computed.
+/// moves, falloffs, parameters, mirror, stiffness, belt width or carried files keep the rest shape
+/// and discard the result. Throws the errors of `resolve`. Throws InputError if the state does not
+/// allow the command, for example a choice while the result of a drag is not yet computed.
 AppState apply(AppState state, const Command& command);
 
 /// Returns the command's name for the history panel: "ROI: disk", "move handle 1", "settle".

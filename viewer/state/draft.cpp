@@ -157,6 +157,9 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
     choose_belt(history, step.belt);
   }
   grade_handles(history, step);
+  if (history.state().selection.stiffness != step.stiffness) {
+    history.perform(SetStiffness{step.stiffness});
+  }
   history.perform(SetMirror{mirror});
   const auto is_plain = [](const MovedHandle& handle) {
     return handle.path.empty() && handle.orientation == HandleOrientation::kept;

@@ -88,6 +88,36 @@ void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface*
   selection.belt = painted(std::move(belt));
 }
 
+std::vector<StiffnessSpec> painted_stiffness(std::vector<StiffnessSpec> stiffness,
+                                             const VertexSet& vertices, double factor) {
+  const auto list_of = [](StiffnessSpec& spec) {
+    return spec.field.empty() ? std::get_if<ListedVertices>(&spec.region.form) : nullptr;
+  };
+  // Lists without common vertices can be in any order. A list counts only if no region or field
+  // that contains the same vertices follows.
+  bool only_lists = true;
+  ListedVertices* same = nullptr;
+  std::erase_if(stiffness, [&](StiffnessSpec& spec) {
+    ListedVertices* list = list_of(spec);
+    only_lists = only_lists && list != nullptr;
+    if (list == nullptr) return false;
+    list->vertices = subtract(make_vertex_set(std::move(list->vertices)), vertices);
+    return list->vertices.empty();
+  });
+  for (std::size_t k = stiffness.size(); k-- > 0 && same == nullptr;) {
+    ListedVertices* list = list_of(stiffness[k]);
+    if (list == nullptr) break;
+    if (stiffness[k].factor == factor) same = list;
+  }
+  if (vertices.empty() || (factor == 1.0 && only_lists)) return stiffness;
+  if (same == nullptr) {
+    stiffness.push_back({listed(vertices, "stiffness"), factor});
+  } else {
+    same->vertices = unite(same->vertices, vertices);
+  }
+  return stiffness;
+}
+
 BeltSpec belt_spec(const EditSelection& selection) {
   if (selection.belt_fraction) return BoundaryAnchors{*selection.belt_fraction, "belt"};
   return spec_of(selection.belt, "belt");

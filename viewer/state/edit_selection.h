@@ -10,6 +10,7 @@
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/falloff.h"
 #include "lapwing/region/region_spec.h"
+#include "lapwing/region/stiffness.h"
 
 namespace lapwing::viewer {
 
@@ -61,6 +62,8 @@ struct EditSelection {
   ChosenRegion belt;
   /// If set, the edit is applied to both sides of this plane.
   std::optional<MirrorPlane> mirror;
+  /// DeformRequest::stiffness. The next edit keeps it.
+  std::vector<StiffnessSpec> stiffness;
 
   bool operator==(const EditSelection&) const = default;
 };
@@ -72,6 +75,11 @@ void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface*
 /// Returns the vertices that handles hold with less than full weight. The result is that of
 /// `resolve_edit_region` without hard targets.
 std::vector<FalloffVertex> falloff_vertices(const EditSelection& selection, const Mesh& mesh);
+
+/// Returns `stiffness` with the factor of `vertices` set to `factor`. Painted vertices are lists,
+/// one for each factor.
+std::vector<StiffnessSpec> painted_stiffness(std::vector<StiffnessSpec> stiffness,
+                                             const VertexSet& vertices, double factor);
 
 BeltSpec belt_spec(const EditSelection& selection);
 std::vector<HandleSpec> handle_specs(const EditSelection& selection);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <imgui.h>
 #include <utility>
@@ -58,18 +59,35 @@ void draw_parts(Editor& editor) {
   draw_handles(editor);
 }
 
-void draw_paint_options(Editor& editor) {
-  PaintTool::Options& options = editor.paint_tool().options();
+void draw_paint_options(PaintTool::Options& options) {
   ImGui::Checkbox("Select through", &options.through);
   explain("Also paints vertices that the surface hides.");
   ImGui::SameLine();
   ImGui::Checkbox("Erase", &options.erase);
-  explain("Removes vertices from the selection.", "Shortcut: Ctrl while painting");
+  explain("Erases instead of painting.", "Shortcut: Ctrl while painting");
   if (options.shape != PaintTool::Shape::brush) return;
   float radius = static_cast<float>(options.radius_pt);
   label_field("Brush radius");
   if (ImGui::SliderFloat("##brush", &radius, 1.0F, 200.0F, "%.0f pt")) options.radius_pt = radius;
   explain("Radius of the brush.", "Shortcut: [ and ], Ctrl + wheel");
+}
+
+void draw_stiffness_options(Editor& editor) {
+  StiffnessPaint& paint = editor.stiffness_tool();
+  ImGui::Checkbox("Rigid", &paint.is_rigid);
+  explain("Each connected rigid part moves as one body, such as a bone or a tooth.");
+  if (!paint.is_rigid) {
+    float factor = static_cast<float>(paint.factor);
+    label_field("Stiffness");
+    if (ImGui::SliderFloat("##stiffness", &factor, 0.01F, 100.0F, "%.3g",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
+      paint.factor = std::clamp(static_cast<double>(factor), kSoftest, kStiffest);
+    }
+    explain("How many times stiffer than the rest. Below 1: softer.");
+  }
+  draw_paint_options(paint.brush());
+  if (editor.state().selection.stiffness.empty()) return;
+  if (ImGui::Button("Remove stiffness")) editor.perform(SetStiffness{});
 }
 
 // A whole drag of the slider is one step of the history.
@@ -201,7 +219,8 @@ void draw_buttons(Editor& editor) {
 
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   draw_parts(editor);
-  if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
+  if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor.paint_tool().options());
+  if (editor.has_in_hand(editor.stiffness_tool())) draw_stiffness_options(editor);
   draw_buttons(editor);
   draw_belt_width(editor, drafts);
   draw_falloff(editor, drafts, unit);

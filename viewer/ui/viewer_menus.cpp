@@ -115,6 +115,7 @@ void ViewerApp::draw_edit_menu() {
                               Item{"Shrink", Action::shrink},
                               Item{"Invert", Action::invert},
                               kDivider,
+                              Item{"Paint stiffness", Action::take_stiffness},
                               Item{"Measure", Action::take_ruler},
                               kDivider,
                               Item{"Coat...", Action::begin_coat},

@@ -35,6 +35,9 @@ EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
     graded.vertex = own[graded.vertex];
     if (graded.vertex != kNoIndex) coarse.graded.push_back(graded);
   }
+  for (const auto& [vertex, factor] : region.stiffness) {
+    if (own[vertex] != kNoIndex) coarse.stiffness.push_back({own[vertex], factor});
+  }
   for (Target target : region.targets) {
     for (Index& corner : target.corners) corner = own[corner];
     coarse.targets.push_back(target);

@@ -243,8 +243,10 @@ EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh) {
   for (const MovedHandle& handle : request.handles) {
     handles.push_back({handle.region, handle.falloff});
   }
-  return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose,
-                             request.targets);
+  EditRegion region = resolve_edit_region(request.roi, request.belt, handles, mesh,
+                                          request.parameters.loose, request.targets);
+  region.stiffness = resolve_stiffness(request.stiffness, region.roi, mesh);
+  return region;
 }
 
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,

@@ -58,6 +58,8 @@ struct DeformRequest {
   BeltSpec belt = BoundaryAnchors{};
   std::vector<MovedHandle> handles = {};
   TargetSpec targets = {};  ///< required if there are no handles
+  /// Parts that are stiffer or softer than the rest. The last one that contains a vertex counts.
+  std::vector<StiffnessSpec> stiffness = {};
   DeformParameters parameters = {};
   /// Applies the edit on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};
@@ -67,8 +69,8 @@ struct DeformRequest {
   std::string where = "deform";  ///< as in RegionSpec; ignored by ==
   bool operator==(const DeformRequest& other) const {
     return roi == other.roi && belt == other.belt && handles == other.handles &&
-           targets == other.targets && parameters == other.parameters && mirror == other.mirror &&
-           carry == other.carry;
+           targets == other.targets && stiffness == other.stiffness &&
+           parameters == other.parameters && mirror == other.mirror && carry == other.carry;
   }
 };
 

@@ -11,6 +11,7 @@
 #include "lapwing/deform/deform_solver_state.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/linear_response.h"
+#include "lapwing/deform/modifiers/rigid_parts.h"
 #include "lapwing/deform/motion_target.h"
 #include "lapwing/deform/predictor.h"
 
@@ -191,6 +192,14 @@ DeformSolver::DeformSolver(std::shared_ptr<const EditSystem> edit, Kernels& kern
   }
   state->timings.add("shares", watch.elapsed_ms());
   report_progress(progress, "shares", 1.0);
+  const EditSystem& system = *state->edit;
+  if (system.options.settle) {
+    if (auto rigid =
+            with_rigid_handles(system.region, system.topology, system.options.constraint_weight)) {
+      state->with_rigid_parts = std::make_unique<const DeformSolver>(
+          *system.rest, system.topology, std::move(*rigid), system.options, kernels, progress);
+    }
+  }
   state_ = std::move(state);
 }
 
@@ -250,6 +259,15 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
     certificate.settle_last_step = settled.last_step;
     certificate.lacks_hessian = settled.lacks_hessian;
     certificate.relative_gradient = settled.relative_gradient;
+    if (const DeformSolver* rigid = state_->with_rigid_parts.get()) {
+      const DragState bent{
+          with_rigid_motions(target.motions, rigid->region(), *edit.rest, u), u, {}};
+      result = rigid->solve_from(bent, bent.motions, progress);
+      certificate.settle_iterations += settled.iterations;
+      certificate.settled = certificate.settled && settled.settled;
+      result.motions = std::move(target.motions);
+      return result;
+    }
   }
   const std::vector<Vector3d>& prescribed = target.prescribed;
   std::vector<Eigen::Matrix3d>& stretch = target.stretch.of_vertices;

@@ -24,7 +24,7 @@ constexpr std::size_t kBytesToSettle = 3100;
 // Drags of regions with fewer vertices need no coarse surface.
 constexpr std::size_t kSmallRegion = 6500;
 
-void check(const DeformOptions& options) {
+void check(const DeformOptions& options, const EditRegion& region) {
   std::ostringstream text;
   if (!(options.detail_length >= kLeastDetailLength &&
         options.detail_length <= kMostDetailLength)) {
@@ -36,6 +36,11 @@ void check(const DeformOptions& options) {
     text << "the constraint weight must be " << kWeightWords << ", not "
          << *options.constraint_weight;
     throw InputError(text.str());
+  }
+  if (!region.stiffness.empty() && !options.settle && options.response == LinearResponse::rsi) {
+    throw InputError(
+        "the paper's linear system has no stiffness. Remove \"stiffness\", turn on \"settle\", or "
+        "set \"response\" to \"tangent\"");
   }
 }
 
@@ -90,7 +95,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
                        EditRegion edit_region, const DeformOptions& deform_options,
                        const Progress& progress, bool is_previewed)
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
-  check(options);
+  check(options, region);
   const ProgressScope scope(progress);
   size = extent_of(region.roi, topology, rest_positions);
   Stopwatch watch;
@@ -167,7 +172,10 @@ void EditSystem::make_springs() {
 }
 
 SystemTerms EditSystem::terms() const {
-  return {rest, {options.weights, options.detail_length}, region.turns_freely, springs};
+  return {rest,
+          {options.weights, options.detail_length, region.stiffness},
+          region.turns_freely,
+          springs};
 }
 
 std::shared_ptr<const BlockRows> EditSystem::tangent_rows(Kernels& kernels) const {

@@ -53,7 +53,8 @@ void FactorCache::LaplacianBuild::assemble() {
   if (before.rest == terms_.rest && before.energy == terms_.energy) {
     system_->assemble(rest, system_->shared_weights(), springs);
   } else if (before.rest == terms_.rest &&
-             before.energy.detail_length == terms_.energy.detail_length) {
+             before.energy.detail_length == terms_.energy.detail_length &&
+             before.energy.stiffness == terms_.energy.stiffness) {
     system_->assemble(rest,
                       std::make_shared<const EnergyWeights>(
                           with_laplacian(*system_->shared_weights(), cache_.topology_, rest,

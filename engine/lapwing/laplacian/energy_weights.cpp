@@ -1,6 +1,7 @@
 #include "lapwing/laplacian/energy_weights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -96,6 +97,28 @@ Numbers row_weights(const Topology& topology, std::span<const Index> roi,
   return rows;
 }
 
+// The factor of rigid vertices. With a larger one, minimizations take more iterations (ENERGY.md
+// section 8).
+constexpr double kRigidFactor = 1e4;
+
+void multiply_by_stiffness(const Adjacency& rings, std::span<const Index> roi,
+                           std::span<const VertexStiffness> stiffness, EnergyWeights& weights) {
+  if (stiffness.empty()) return;
+  std::vector<double>& factors = weights.factors;
+  factors.assign(rings.row_count(), 0.0);
+  for (const Index i : roi) factors[i] = 1.0;
+  for (const auto& [v, factor] : stiffness) factors[v] = std::min(factor, kRigidFactor);
+  for (const Index i : roi) {
+    weights.rows[i] *= factors[i];
+    for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+      // A neighbour outside the region has no factor of its own, so that a constant factor
+      // multiplies the whole energy.
+      const double other = factors[rings.values[e]];
+      weights.stiffness[e] *= std::sqrt(factors[i] * (other > 0.0 ? other : factors[i]));
+    }
+  }
+}
+
 }  // namespace
 
 EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d> rest,
@@ -121,6 +144,7 @@ EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d>
       k = mu / (2.0 * kRegularSum) * weight;
     }
   }
+  multiply_by_stiffness(topology.rings, roi, terms.stiffness, weights);
   return weights;
 }
 

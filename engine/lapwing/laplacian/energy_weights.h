@@ -5,6 +5,7 @@
 
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/region/stiffness.h"
 
 namespace lapwing {
 
@@ -16,6 +17,9 @@ struct EnergyTerms {
   /// much larger than l bend and stretch elastically. If the value is 0, the energy consists only
   /// of the Laplacian terms, with equal weights as in equation 5.
   double detail_length = 0.0;
+  /// Stiffness factors of vertices of the region, ascending; the factor of all other vertices is 1.
+  /// They have no effect if the detail length is 0.
+  std::vector<VertexStiffness> stiffness = {};
 
   bool operator==(const EnergyTerms&) const = default;
 };
@@ -31,6 +35,8 @@ struct EnergyWeights {
   Numbers rows;       ///< om_i, per vertex of the mesh; empty: all 1
   /// k_ij = k_ji, per entry of the mesh's rings; empty: all 0.
   Numbers stiffness;
+  /// Stiffness factors, per vertex of the mesh, 0 outside the region; empty: all 1.
+  std::vector<double> factors;
 };
 
 /// Returns the weights of the region `roi`, which must not be empty. Entries of other vertices are
@@ -41,8 +47,9 @@ struct EnergyWeights {
 /// value for a strip that is 100 times longer than wide. c_ij is half the value of cotangent_sums,
 /// but at least kSmallestCotangentShare / sqrt(3). In a regular triangulation, every c_ij is 1 /
 /// sqrt(3), and the six c_ij around a vertex sum to 2 sqrt(3). om_i depends also on the areas of
-/// the neighbours, because the large weight of a single tiny ring would fold its triangles. Takes
-/// linear time.
+/// the neighbours, because the large weight of a single tiny ring would fold its triangles.
+/// Stiffness factors f multiply om_i by f_i and k_ij by sqrt(f_i f_j); kRigidStiffness counts as
+/// 1e4. Takes linear time.
 EnergyWeights energy_weights(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms);
 

@@ -109,12 +109,27 @@ void LaplacianSystem::factorize(std::span<const double> W) {
 std::vector<double> LaplacianSystem::finite_weights(std::span<const double> W) const {
   std::vector<double> finite(W.begin(), W.end());
   const std::span<const double> diagonal = factor_.unconstrained_diagonal();
-  const double mean = std::reduce(diagonal.begin(), diagonal.end()) /
-                      static_cast<double>(std::max<std::size_t>(1, diagonal.size()));
+  const double mean = mean_diagonal();
   for (std::size_t u = 0; u < finite.size(); ++u) {
     if (finite[u] == kStiff) finite[u] = kHeldStiffness * std::max(mean, diagonal[u]);
   }
   return finite;
+}
+
+// Rigid parts must not make the constraints stiffer, because the rotation of a free handle is then
+// lost in rounding errors. With stiffness factors, the mean is therefore that of the softest part.
+double LaplacianSystem::mean_diagonal() const {
+  const std::span<const double> diagonal = factor_.unconstrained_diagonal();
+  std::vector<double> softened(diagonal.begin(), diagonal.end());
+  double softest = weights_->factors.empty() ? 1.0 : kRigidStiffness;
+  for (std::size_t u = 0; u < diagonal.size() && !weights_->factors.empty(); ++u) {
+    const double factor = weights_->factors[constraints_.unknowns.vertices[u]];
+    softened[u] /= factor;
+    softest = std::min(softest, factor);
+  }
+  if (softened.empty()) return 0.0;
+  return softest * std::reduce(softened.begin(), softened.end()) /
+         static_cast<double>(softened.size());
 }
 
 std::shared_ptr<const RegionRings> LaplacianSystem::shared_rings() const {

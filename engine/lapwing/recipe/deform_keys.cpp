@@ -180,10 +180,16 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                "follow",
        .absent = "none"},
       step.targets);
+  visitor.stiffness(
+      {.name = "stiffness",
+       .help = "parts that are stiffer or softer than the rest, such as bones, teeth or armour; "
+               "the last part that contains a vertex counts",
+       .absent = "none"},
+      step.stiffness);
   visitor.mirror({.name = "mirror",
-                  .help = "apply ROI, belt, handles and targets on both sides of a plane: the "
-                          "plane of symmetry found from the shape, a coordinate plane (x = 0), or "
-                          "any plane",
+                  .help = "apply ROI, belt, handles, targets and stiffness on both sides of a "
+                          "plane: the plane of symmetry found from the shape, a coordinate plane "
+                          "(x = 0), or any plane",
                   .absent = "none"},
                  step.mirror);
   visitor.carry({.name = "carry",

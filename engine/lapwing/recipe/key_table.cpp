@@ -44,6 +44,11 @@ class KeyTable final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec&) override {
     add(key, "rows, or `{\"rows\" or \"file\", \"hard\"}`");
   }
+  void stiffness(const StepKey& key, std::vector<StiffnessSpec>&) override {
+    add(key,
+        "a list of `{\"region\": REGION, \"factor\": FACTOR}`, where FACTOR is a number from "
+        "0.01 to 100, `\"rigid\"`, or `{\"field\": [...]}` with one of these for each vertex");
+  }
   void mirror(const StepKey& key, std::optional<MirrorSpec>&) override {
     add(key, "`\"auto\"`, `{\"plane\": \"x\"}` or `{\"point\", \"normal\"}`");
   }

@@ -111,6 +111,7 @@ class KeyVisitor {
   virtual void belt(const StepKey& key, BeltSpec&) { other(key); }
   virtual void handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm) { other(key); }
   virtual void targets(const StepKey& key, TargetSpec&) { other(key); }
+  virtual void stiffness(const StepKey& key, std::vector<StiffnessSpec>&) { other(key); }
   virtual void mirror(const StepKey& key, std::optional<MirrorSpec>&) { other(key); }
   virtual void carry(const StepKey& key, std::vector<CarrySpec>&) { other(key); }
   virtual void pairs(const StepKey& key, std::vector<VertexPair>&) { other(key); }

@@ -78,6 +78,11 @@ class KeyReader final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec& value) override {
     if (const auto found = find(key)) value = read_targets(*found);
   }
+  void stiffness(const StepKey& key, std::vector<StiffnessSpec>& value) override {
+    const auto found = find(key);
+    if (!found) return;
+    for (const JsonNode& part : found->elements()) value.push_back(read_stiffness(part));
+  }
   void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override {
     if (const auto found = find(key)) value = read_mirror(*found);
   }

@@ -157,6 +157,16 @@ Falloff read_falloff(const JsonNode& handle) {
   return falloff;
 }
 
+double read_factor(const JsonNode& node) {
+  if (node.is_string()) {
+    node.one_of("factor", {"rigid"});
+    return kRigidStiffness;
+  }
+  const std::optional<double> factor = node.if_number();
+  if (!factor || !is_stiffness(*factor)) node.fail_expecting(std::string(kStiffnessWords));
+  return *factor;
+}
+
 LoopFit read_fit(const JsonNode& node) {
   node.require_keys({"rotate_degrees", "scale", "keep_size"});
   LoopFit fit;
@@ -249,6 +259,21 @@ TargetSpec read_targets(const JsonNode& node) {
   }
   if (const auto hard = node.find("hard")) targets.hard = hard->boolean();
   return targets;
+}
+
+StiffnessSpec read_stiffness(const JsonNode& node) {
+  node.require_keys({"region", "factor"});
+  StiffnessSpec spec{read_region(node.at("region"))};
+  const JsonNode factor = node.at("factor");
+  if (!factor.is_object()) {
+    spec.factor = read_factor(factor);
+    return spec;
+  }
+  factor.require_keys({"field"});
+  for (const JsonNode& element : factor.at("field").elements()) {
+    spec.field.push_back(read_factor(element));
+  }
+  return spec;
 }
 
 MirrorSpec read_mirror(const JsonNode& node) {

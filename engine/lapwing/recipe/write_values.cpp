@@ -85,6 +85,10 @@ Json json_of(const Transition& transition) {
   return keys;
 }
 
+Json factor_json(double factor) {
+  return factor == kRigidStiffness ? Json("rigid") : Json(factor);
+}
+
 Json json_of(const LoopFit& fit) {
   Json keys{{"rotate_degrees", fit.rotate_degrees}};
   if (fit.scale != 1.0) keys["scale"] = fit.scale;
@@ -147,6 +151,19 @@ Json json_of(const TargetSpec& targets) {
   }
   if (targets.hard) json["hard"] = true;
   return json;
+}
+Json json_of(const std::vector<StiffnessSpec>& stiffness) {
+  Json list = Json::array();
+  for (const StiffnessSpec& spec : stiffness) {
+    Json factor = factor_json(spec.factor);
+    if (!spec.field.empty()) {
+      Json field = Json::array();
+      for (const double each : spec.field) field.push_back(factor_json(each));
+      factor = {{"field", std::move(field)}};
+    }
+    list.push_back({{"region", json_of(spec.region)}, {"factor", std::move(factor)}});
+  }
+  return list;
 }
 Json json_of(const MirrorSpec& mirror) {
   const auto* plane = std::get_if<MirrorPlane>(&mirror.plane);

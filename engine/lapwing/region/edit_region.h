@@ -7,6 +7,7 @@
 
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/falloff.h"
+#include "lapwing/region/stiffness.h"
 #include "lapwing/region/targets.h"
 
 namespace lapwing {
@@ -43,6 +44,8 @@ struct EditRegion {
   /// Falloff::weight per handle; may be empty.
   std::vector<std::optional<double>> handle_weights = {};
   std::vector<FalloffVertex> graded = {};  ///< ascending; free vertices without hard targets
+  /// In the ROI, ascending. The factor of all other vertices is 1.
+  std::vector<VertexStiffness> stiffness = {};
   std::vector<Target> targets = {};        ///< in the ROI, none at a vertex of belt or handles
   bool hard_targets = false;               ///< whether targets are reached exactly
   std::vector<LoosePart> loose = {};     ///< parts that follow the surface; disjoint from all above

@@ -42,6 +42,30 @@ struct Leading {
   }
 };
 
+// Sets the value of each leader to the largest one among itself and its followers.
+void lead_by_largest(std::vector<double>& field, const JoinedSurface& joined) {
+  if (field.size() != joined.leaders.size()) return;  // empty or invalid
+  for (const Index v : joined.followers) {
+    double& of_leader = field[joined.leaders[v]];
+    of_leader = std::max(of_leader, field[v]);
+  }
+}
+
+// Adds an entry for each follower of a vertex in `entries`, which are ascending.
+template <typename Entry>
+void expand_entries(std::vector<Entry>& entries, const JoinedSurface& joined) {
+  std::vector<Entry> all = entries;
+  for (const Index v : joined.followers) {
+    const Index leader = joined.leaders[v];
+    const auto found = std::ranges::lower_bound(entries, leader, {}, &Entry::vertex);
+    if (found == entries.end() || found->vertex != leader) continue;
+    all.push_back(*found);
+    all.back().vertex = v;
+  }
+  std::ranges::sort(all, {}, &Entry::vertex);
+  entries = std::move(all);
+}
+
 RegionSpec led_spec(const RegionSpec& spec, const JoinedSurface& joined) {
   RegionSpec leading;
   leading.where = spec.where;
@@ -76,13 +100,14 @@ TargetSpec led(TargetSpec targets, const JoinedSurface& joined) {
 }
 
 Falloff led(Falloff falloff, const JoinedSurface& joined) {
-  std::vector<double>& field = falloff.field;
-  if (field.size() != joined.leaders.size()) return falloff;  // empty or invalid
-  for (const Index v : joined.followers) {
-    double& of_leader = field[joined.leaders[v]];
-    of_leader = std::max(of_leader, field[v]);
-  }
+  lead_by_largest(falloff.field, joined);
   return falloff;
+}
+
+StiffnessSpec led(StiffnessSpec spec, const JoinedSurface& joined) {
+  spec.region = led(spec.region, joined);
+  lead_by_largest(spec.field, joined);
+  return spec;
 }
 
 VertexSet with_followers(const VertexSet& leaders, const JoinedSurface& joined) {
@@ -99,17 +124,8 @@ EditRegion with_followers(EditRegion region, const JoinedSurface& joined) {
   expand(region.roi);
   expand(region.belt);
   for (VertexSet& handle : region.handles) expand(handle);
-  std::vector<FalloffVertex> graded = region.graded;
-  for (const Index v : joined.followers) {
-    const Index leader = joined.leaders[v];
-    const auto found =
-        std::lower_bound(region.graded.begin(), region.graded.end(), leader,
-                         [](const FalloffVertex& g, Index vertex) { return g.vertex < vertex; });
-    if (found == region.graded.end() || found->vertex != leader) continue;
-    graded.push_back({v, found->handle, found->weight});
-  }
-  std::ranges::sort(graded, {}, &FalloffVertex::vertex);
-  region.graded = std::move(graded);
+  expand_entries(region.graded, joined);
+  expand_entries(region.stiffness, joined);
   for (LoosePart& part : region.loose) expand(part.vertices);
   for (VertexSet& part : region.left_out) expand(part);
   return region;

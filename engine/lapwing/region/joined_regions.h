@@ -22,6 +22,9 @@ TargetSpec led(TargetSpec targets, const JoinedSurface& joined);
 /// Returns `falloff` on the joined surface. In a painted field, a leader gets the largest weight
 /// among itself and its followers.
 Falloff led(Falloff falloff, const JoinedSurface& joined);
+/// Returns `spec` on the joined surface. In a painted field, a leader gets the largest factor among
+/// itself and its followers.
+StiffnessSpec led(StiffnessSpec spec, const JoinedSurface& joined);
 
 VertexSet with_followers(const VertexSet& leaders, const JoinedSurface& joined);
 /// Adds followers to every vertex set of an edit. Targets remain at leaders.

@@ -122,6 +122,8 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         wanted["belt"] = group_index(obj, settings.belt, "The belt")
     if settings.pins:
         wanted["pins"] = group_index(obj, settings.pins, "The pins")
+    if settings.stiffness:
+        wanted["stiffness"] = group_index(obj, settings.stiffness, "The stiffness")
     for k, handle in enumerate(settings.handles):
         _empty_of(handle)
         wanted[f"handle {k}"] = group_index(obj, handle.group, f"Handle '{handle.name}'")
@@ -157,6 +159,9 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         frames.append(HandleFrame(mesh.vertices[of_handle > 0.0], size))
     if "pins" in held and (pinned := np.flatnonzero((held["pins"] > 0.0) & in_roi)).size:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
+    if "stiffness" in held:
+        factors = _factors(held["stiffness"])
+        step["stiffness"] = [{"region": {"all": True}, "factor": {"field": factors}}]
     if obj.data.use_mirror_x:
         step["mirror"] = mirror_plane(obj, matrix)
     # Handles with hard constraints cannot have a free orientation.
@@ -174,6 +179,14 @@ def _belt(settings: Any, held: Dict[str, np.ndarray], in_roi: np.ndarray) -> Dic
             "region; assign some, or clear the belt to take the outer part of the region"
         )
     return {"vertices": vertices.tolist()}
+
+
+def _factors(weights: np.ndarray) -> List[Any]:
+    """Returns the stiffness factors of painted weights: from 0.01 at 0 over 1 at 0.5 to almost 100
+    below 1, which is rigid. Vertices outside the group, whose weight is -1, have the factor 1."""
+    painted = np.clip(weights.astype(np.float64), 0.0, 1.0)
+    factors = np.where(weights < 0.0, 1.0, np.clip(100.0 ** (2.0 * painted - 1.0), 0.01, 100.0))
+    return ["rigid" if w >= 1.0 else f for w, f in zip(weights, factors.tolist())]
 
 
 def _handle(handle: Any, weights: np.ndarray, in_roi: np.ndarray) -> Dict[str, Any]:

@@ -63,6 +63,7 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
         if not settings.belt:
             column.prop(settings, "belt_fraction", text="Outer Share", slider=True)
         _draw_region(column, obj, settings, "pins", "Pins")
+        column.prop_search(settings, "stiffness", obj, "vertex_groups", text="Stiffness")
 
         layout.label(text="Handles")
         row = layout.row()

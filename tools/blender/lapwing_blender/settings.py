@@ -77,6 +77,11 @@ class LapwingSettings(bpy.types.PropertyGroup):
     pins: StringProperty(
         name="Pins", description="A vertex group that stays where it is, also inside the region",
     )
+    stiffness: StringProperty(
+        name="Stiffness",
+        description="The vertex group that paints stiffness: 1 is rigid, 0.5 as stiff as the rest, "
+        "0 soft. Other vertices are as stiff as usual",
+    )
     handles: CollectionProperty(type=LapwingHandle)
     active_handle: IntProperty()
     detail_length: FloatProperty(

@@ -211,6 +211,8 @@ def plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str) 
         return handles_of(value, vertex_count, where)
     if key == "targets":
         return targets_of(value, vertex_count, where)
+    if key == "stiffness":
+        return stiffness_of(value, vertex_count, where)
     if isinstance(value, Mapping):
         return plain(value, vertex_count, where)
     if key in _REGION_KEYS:
@@ -243,6 +245,38 @@ def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
             for key, place in targets.items()
         ]
     return plain(targets, vertex_count, where)
+
+
+def stiffness_of(stiffness: Any, vertex_count: Optional[int], where: str) -> Any:
+    """Converts an array with the factor of each vertex, or dicts, to a recipe's stiffness."""
+    if isinstance(stiffness, (list, tuple)) and any(isinstance(s, Mapping) for s in stiffness):
+        return [_stiff_part(s, vertex_count, f"{where}[{k}]") for k, s in enumerate(stiffness)]
+    return [{"region": {"all": True}, "factor": _factors_of(stiffness, vertex_count, where)}]
+
+
+def _stiff_part(part: Any, vertex_count: Optional[int], where: str) -> Any:
+    written = dict(part)
+    if written.get("factor") == math.inf:
+        written["factor"] = "rigid"
+    return plain(written, vertex_count, where)
+
+
+def _factors_of(factors: Any, vertex_count: Optional[int], where: str) -> Any:
+    numbers_of = np.asarray(factors)
+    if numbers_of.dtype.kind not in "iuf" or numbers_of.ndim != 1:
+        raise _core.InputError(
+            f"{where}: expected an array with the factor of each vertex, or a list of dicts, got "
+            f"an array of type {numbers_of.dtype} and shape {numbers_of.shape}"
+        )
+    if vertex_count is not None and numbers_of.size != vertex_count:
+        raise _core.InputError(
+            f"{where}: expected a factor for each of the {vertex_count} vertices, "
+            f"got {numbers_of.size}"
+        )
+    if np.isnan(numbers_of).any():
+        place = int(np.flatnonzero(np.isnan(numbers_of))[0])
+        raise _core.InputError(f"{where}[{place}]: the number is not finite", [place])
+    return {"field": ["rigid" if f == math.inf else f for f in numbers_of.tolist()]}
 
 
 def landmarks_of(landmarks: Any, where: str) -> Array:

@@ -67,9 +67,9 @@ class Deformer:
         many = d.solve_many(matrices)           # shape (k, handles, 4, 4), on all threads
 
     `handles` are regions, or dicts with "region" and "weight" or "falloff". All other arguments
-    (`roi`, `belt`, `targets`, `landmarks`, `mirror`, `hard`, `detail_length`, `constraint_weight`,
-    `settle`, `weights`, `response`, `loose`, `seams`, `progress`) are as in `lapwing.deform`, and the results have the same bits. Preparing takes tens of
-    milliseconds for ten thousand vertices, and about 8 kB of memory per vertex. Threads can share
+    (`roi`, `belt`, `targets`, `landmarks`, `stiffness`, `mirror`, `hard`, `detail_length`,
+    `constraint_weight`, `settle`, `weights`, `response`, `loose`, `seams`, `progress`) are as in
+    `lapwing.deform`, and the results have the same bits. Preparing takes tens of milliseconds for ten thousand vertices, and about 8 kB of memory per vertex. Threads can share
     a Deformer; their calls take turns. A pickled Deformer prepares itself again when it is
     unpickled, for example on a worker of a cluster.
     """
@@ -84,6 +84,7 @@ class Deformer:
         *,
         targets: Any = None,
         landmarks: Optional[Landmarks] = None,
+        stiffness: Any = None,
         mirror: Union[str, Mapping[str, Any], None] = None,
         hard: Optional[bool] = None,
         detail_length: Optional[float] = None,
@@ -98,6 +99,7 @@ class Deformer:
         chosen = mesh_of(mesh, faces, "Deformer: mesh")
         keys = dict(
             roi=roi, belt=belt, targets=targets_and(landmarks, targets, "Deformer"), mirror=mirror, hard=hard,
+            stiffness=stiffness,
             detail_length=detail_length, constraint_weight=constraint_weight, settle=settle,
             weights=weights, response=response, loose=loose, seams=seams,
             handles=[_at_rest(handle) for handle in handles],

@@ -68,6 +68,7 @@ def deform(
     handles: Sequence[Handle] = (),
     targets: Any = None,
     landmarks: Optional[Landmarks] = None,
+    stiffness: Any = None,
     mirror: Union[str, Mapping[str, Any], None] = None,
     hard: Optional[bool] = None,
     detail_length: Optional[float] = None,
@@ -108,6 +109,10 @@ def deform(
         closely, a smaller one averages over neighbouring targets and leaves out their noise.
     landmarks
         Targets as a pair (vertex numbers, positions of shape (k, 3)).
+    stiffness
+        How stiff the surface is: an array of n factors, 1 for no change, from 0.01 (soft) to 100
+        (stiff), and inf for rigid. Connected rigid vertices, such as bones, teeth or armour, move
+        as one body. Or a list of dicts {"region": REGION, "factor": FACTOR or "rigid"}.
     mirror
         "auto", {"plane": "x"} or {"point", "normal"}: makes the edit on both sides of that plane.
     hard
@@ -153,7 +158,7 @@ def deform(
     """
     chosen = mesh_of(mesh, faces, "deform: mesh")
     keys = dict(
-        roi=roi, belt=belt, handles=handles, mirror=mirror, hard=hard,
+        roi=roi, belt=belt, handles=handles, stiffness=stiffness, mirror=mirror, hard=hard,
         targets=targets_and(landmarks, targets, "deform"),
         detail_length=detail_length, constraint_weight=constraint_weight, settle=settle,
         weights=weights, response=response, commit_every=commit_every, loose=loose, seams=seams,

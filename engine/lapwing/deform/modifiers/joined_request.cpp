@@ -36,6 +36,7 @@ DeformRequest joined_request(DeformRequest request, const JoinedSurface& joined)
     handle.falloff = led(std::move(handle.falloff), joined);
   }
   request.targets = led(std::move(request.targets), joined);
+  for (StiffnessSpec& spec : request.stiffness) spec = led(std::move(spec), joined);
   return request;
 }
 

@@ -49,6 +49,7 @@ class Mirroring {
     if (const auto* belt = std::get_if<RegionSpec>(&request_.belt)) both.belt = with_image(*belt);
     result.handle_images = add_handles(both);
     add_targets(both);
+    for (StiffnessSpec& spec : both.stiffness) spec = with_image(std::move(spec));
     make_regions_symmetric(both, result.handle_images);
     return result;
   }
@@ -57,6 +58,21 @@ class Mirroring {
   RegionSpec with_image(const RegionSpec& spec) const {
     const VertexSet set = resolve(spec, mesh_);
     return listed(unite(set, mirrored(set, images_)), spec);
+  }
+
+  // A painted factor counts on the side of its vertex. Where both a vertex and its image are
+  // painted, the larger factor counts.
+  StiffnessSpec with_image(StiffnessSpec spec) const {
+    const std::vector<char> painted = vertex_mask(images_.size(), resolve(spec.region, mesh_));
+    const std::vector<double> field = spec.field;
+    // A wrong size is reported elsewhere.
+    for (std::size_t v = 0; v < field.size() && field.size() == images_.size(); ++v) {
+      const Index image = images_[v];
+      if (painted[image] == 0) continue;
+      spec.field[v] = painted[v] == 0 ? field[image] : std::max(field[v], field[image]);
+    }
+    spec.region = with_image(spec.region);
+    return spec;
   }
 
   std::vector<double> mirrored_field(const std::vector<double>& field) const {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "tools/paint_tool.h"
+
+namespace lapwing::viewer {
+
+/// Paints how stiff the surface is. The brush sets the stiffness factor of the vertices that it
+/// touches, or back to 1 with Ctrl.
+class StiffnessPaint final : public SceneTool {
+ public:
+  StiffnessPaint();
+
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
+  bool is_dragging() const override { return paint_.is_dragging(); }
+  const char* hint(const AppState&, const Part&) const override {
+    return "Paint what stays rigid, stiff or soft. Ctrl erases.";
+  }
+  ToolMarks marks() const override { return paint_.marks(); }
+  bool follows_cursor() const override { return true; }
+
+  /// The factor that the brush paints.
+  double painted_factor() const { return is_rigid ? kRigidStiffness : factor; }
+  /// Returns the stiffness as it would be if the stroke ended here.
+  std::vector<StiffnessSpec> live_stiffness(const AppState& state) const;
+
+  bool is_rigid = true;
+  double factor = 10.0;
+  PaintTool::Options& brush() { return paint_.options(); }
+
+ private:
+  PaintTool paint_;
+};
+
+}  // namespace lapwing::viewer
