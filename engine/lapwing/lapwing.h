@@ -13,3 +13,4 @@
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/remesh/remesh.h"
 #include "lapwing/transplant/transplant.h"
+#include "lapwing/wrap/wrap.h"

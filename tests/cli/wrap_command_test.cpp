@@ -1,0 +1,55 @@
+// Tests `lapwing wrap`.
+#include <fstream>
+
+#include "cli/command_line.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class WrapCommand : public CommandLine {
+ protected:
+  void SetUp() override {
+    write_mesh(icosphere(2), file("ball.obj"));
+    Mesh egg = icosphere(3);
+    for (Eigen::Vector3d& p : egg.positions) p = p.cwiseProduct(Eigen::Vector3d(1.0, 1.2, 1.5));
+    write_mesh(egg, file("egg.ply"));
+  }
+};
+
+TEST_F(WrapCommand, WritesTheTemplateOnTheScanAndReportsDistances) {
+  EXPECT_THAT(succeed("wrap ball.obj egg.ply --aligned -o wrapped.ply"),
+              AllOf(HasSubstr("result to scan"), HasSubstr("scan to result"),
+                    HasSubstr("100.0% of the template"), HasSubstr("flipped triangles 0")));
+  const Mesh wrapped = read_mesh(file("wrapped.ply"));
+  EXPECT_EQ(wrapped.face_count(), icosphere(2).face_count());
+  EXPECT_NEAR(bounds_of(wrapped.positions).max.z(), 1.5, 0.02);
+  EXPECT_EQ(succeed("wrap ball.obj egg.ply --aligned -o quiet.ply --quiet"), "");
+}
+
+TEST_F(WrapCommand, ReadsLandmarksFromATable) {
+  std::ofstream(file("landmarks.csv")) << "vertex,x,y,z\n0,0,0,1.5\n5,1,0,0\n9,0,1.2,0\n";
+  EXPECT_THAT(
+      succeed("wrap ball.obj egg.ply --landmarks landmarks.csv -o wrapped.ply"),
+      AllOf(HasSubstr("aligned by the landmarks"), HasSubstr("largest error of a landmark")));
+  std::ofstream(file("wrong.csv")) << "0,0,0,1.5\n4000,1,0,0\n";
+  expect_refused("wrap ball.obj egg.ply --landmarks wrong.csv -o x.ply", 3, {"wrong.csv", "4000"});
+}
+
+TEST_F(WrapCommand, AFailedWrapIsAnErrorIfStrict) {
+  // Inside out, no normal of the scan agrees.
+  Mesh inverted = icosphere(3);
+  for (Eigen::Vector3d& p : inverted.positions) p.x() = -p.x();
+  write_mesh(inverted, file("inverted.ply"));
+  const std::string command = "wrap ball.obj inverted.ply --aligned -o wrapped.ply ";
+  EXPECT_EQ(lapwing(command).exit_code, 0);
+  const auto strict = lapwing(command + "--strict");
+  EXPECT_EQ(strict.exit_code, 4);
+  EXPECT_THAT(strict.output, HasSubstr("Only 0% of the template has a counterpart"));
+}
+
+}  // namespace
+}  // namespace lapwing
