@@ -112,6 +112,23 @@ def test_a_grab_needs_a_vertex_and_a_radius(sheet):
             lapwing.grab_region(sheet, vertex, radius)
 
 
+def test_a_template_is_wrapped_onto_a_scan():
+    template = lapwing.shape("sphere")
+    V = np.array(template.vertices)
+    scan = lapwing.subdivide(template).mesh
+    placed = np.array(scan.vertices) * [1.0, 1.2, 1.5]
+    wrapped = lapwing.wrap(template, placed, scan_faces=scan.faces, aligned=True)
+    assert wrapped.mesh.vertex_count == len(V) and not wrapped.trouble
+    assert wrapped.to_scan.mean < 0.01 and wrapped.coverage > 0.99
+    corners = [int(np.argmax(V @ axis)) for axis in ([1, 0, 0], [0, 1, 0], [0, 0, 1])]
+    by_landmarks = lapwing.wrap(
+        template, placed, {c: V[c] * [1.0, 1.2, 1.5] for c in corners}, scan_faces=scan.faces
+    )
+    assert by_landmarks.landmark_error < 0.01
+    with pytest.raises(lapwing.InputError, match="wrap: landmarks"):
+        lapwing.wrap(template, placed, [[10**6, 0, 0, 0]], scan_faces=scan.faces)
+
+
 def test_check_and_fix():
     corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0], [5, 5, 5]]
     found = lapwing.check(corners, [[0, 1, 2], [3, 4, 5]])

@@ -8,12 +8,14 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/doctor/fix.h"
 #include "lapwing/fill/fill_holes.h"
+#include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/decimate_mesh.h"
 #include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/recipe/read_values.h"
 #include "lapwing/region/grab_region.h"
 #include "lapwing/remesh/remesh.h"
+#include "lapwing/wrap/wrap.h"
 #include "messages.h"
 #include "module.h"
 
@@ -84,15 +86,36 @@ py::dict parameterize_mesh(const Mesh& mesh, const std::string& region, const st
 }
 
 py::dict grab_region_of(const Mesh& mesh, Index vertex, double radius, double factor) {
-  VertexSet vertices;
   const GrabRegion grab = Interruptible(py::none()).call([&](const Progress&) {
-    GrabRegion found = grab_region(mesh.topology(), mesh.positions, vertex, radius, factor);
-    const RegionSpec disk{GeodesicDisk{vertex, found.radius}, "grab_region"};
-    vertices = unite(resolve(disk, mesh), found.cut_off);
-    return found;
+    return grab_region(mesh.topology(), mesh.positions, vertex, radius, factor);
   });
-  return py::dict("vertices"_a = array_of(vertices), "radius"_a = grab.radius,
+  return py::dict("vertices"_a = array_of(grab.vertices), "radius"_a = grab.radius,
                   "is_limb"_a = grab.is_limb);
+}
+
+py::dict dict_of(const SurfaceDistance& distance) {
+  return py::dict("mean"_a = distance.mean, "percentile_95"_a = distance.percentile_95,
+                  "max"_a = distance.max);
+}
+
+py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& landmarks, bool aligned,
+                   const py::object& heard) {
+  WrapRequest request{.aligned = aligned};
+  request.landmarks = read_targets(JsonNode::parse(landmarks, "wrap: landmarks"));
+  request.landmarks.where = "wrap: landmarks";
+  const Wrapped result = Interruptible(heard).call([&](const Progress& progress) {
+    CpuKernels kernels;
+    return wrap(mesh, scan, request, kernels, progress);
+  });
+  Mesh wrapped = mesh;
+  wrapped.positions = result.positions;
+  const WrapReport& report = result.report;
+  return py::dict("mesh"_a = std::move(wrapped), "coverage"_a = report.coverage,
+                  "to_scan"_a = dict_of(report.to_scan),
+                  "to_template"_a = dict_of(report.to_template),
+                  "landmark_error"_a = report.landmark_error, "scale"_a = report.alignment.scale,
+                  "flipped_triangles"_a = report.flipped_triangles, "steps"_a = report.steps,
+                  "trouble"_a = why_failed(report, mesh.topology().triangles.size()));
 }
 
 const char* word_of(Severity severity) {
@@ -202,6 +225,7 @@ void add_mesh_operations(py::module_& module) {
   module.def("remesh", &remesh_mesh, "mesh"_a, "region"_a, "length"_a, "scale"_a, "iterations"_a,
              "feature_degrees"_a, "progress"_a);
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
+  module.def("wrap", &wrap_mesh, "mesh"_a, "scan"_a, "landmarks"_a, "aligned"_a, "progress"_a);
   module.def("grab_region", &grab_region_of, "mesh"_a, "vertex"_a, "radius"_a, "factor"_a);
   module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
   module.def("fix", &fix_mesh, "mesh"_a);

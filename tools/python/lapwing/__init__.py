@@ -31,6 +31,7 @@ from ._reports import (
     Check,
     Decimated,
     Defect,
+    Distance,
     Filled,
     Fixed,
     GrabRegion,
@@ -39,6 +40,7 @@ from ._reports import (
     Peeled,
     Remeshed,
     Subdivided,
+    Wrapped,
     check,
     decimate,
     fill_holes,
@@ -48,12 +50,14 @@ from ._reports import (
     peel,
     remesh,
     subdivide,
+    wrap,
 )
 
 __all__ = [
-    "Certificate", "Check", "Decimated", "Defect", "Deformer", "DeviceError", "Error", "FileError",
-    "Filled", "Fixed", "GrabRegion", "Hole", "InputError", "Many", "Mesh", "Parameterized",
-    "Peeled", "Remeshed", "Response", "Result", "SolverError", "Subdivided", "check", "coat",
-    "decimate", "deform", "fill_holes", "fix", "grab_region", "keys", "mix", "parameterize", "peel",
-    "read", "remesh", "render", "run", "shape", "shape_names", "subdivide", "transplant", "write",
+    "Certificate", "Check", "Decimated", "Defect", "Deformer", "DeviceError", "Distance", "Error",
+    "FileError", "Filled", "Fixed", "GrabRegion", "Hole", "InputError", "Many", "Mesh",
+    "Parameterized", "Peeled", "Remeshed", "Response", "Result", "SolverError", "Subdivided",
+    "Wrapped", "check", "coat", "decimate", "deform", "fill_holes", "fix", "grab_region", "keys",
+    "mix", "parameterize", "peel", "read", "remesh", "render", "run", "shape", "shape_names",
+    "subdivide", "transplant", "wrap", "write",
 ]

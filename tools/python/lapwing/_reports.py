@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
 
 from . import _core
-from ._arguments import mesh_of, region_of, vertices_of
+from ._arguments import mesh_of, region_of, targets_of, vertices_of
 from ._types import (
     Array,
     Domain,
@@ -149,6 +149,30 @@ class GrabRegion:
     is_limb: bool  #: whether the shape bounds the region, not the brush
 
 
+@dataclass(frozen=True)
+class Distance:
+    """Distances from the vertices of one surface to another, in the unit of the scan."""
+
+    mean: float
+    percentile_95: float
+    max: float
+
+
+@dataclass(frozen=True)
+class Wrapped:
+    """Result of `wrap`."""
+
+    mesh: _core.Mesh  #: the template with its vertices on the scan
+    to_scan: Distance  #: from the vertices of the result
+    to_template: Distance  #: from the vertices of the scan
+    coverage: float  #: share of the template's area with a counterpart on the scan
+    landmark_error: float  #: the largest
+    scale: float  #: of the similarity that aligned the template
+    flipped_triangles: int
+    steps: int  #: number of minimizations
+    trouble: str  #: why the result is not usable, and what to try; empty if it is usable
+
+
 def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
     return json.dumps(region_of(region, mesh.vertex_count, where))
 
@@ -288,6 +312,36 @@ def parameterize(
             vertices_of(pins, "parameterize: pins"),
         )
     )
+
+
+def wrap(
+    template: MeshOrVertices,
+    scan: MeshOrVertices,
+    landmarks: Any = (),
+    *,
+    faces: Optional[FacesLike] = None,
+    scan_faces: Optional[FacesLike] = None,
+    aligned: bool = False,
+    progress: Optional[Progress] = None,
+) -> Wrapped:
+    """Deforms a template so that it covers a scan, which has other vertices and triangles.
+
+    The result keeps the triangles of the template. `landmarks` are places on the scan, in the
+    forms of `targets` of `deform`: a dict from vertices of the template to positions, or rows.
+    Three landmarks align the template. Without them, the shapes of both surfaces align it, which
+    can fail for symmetric surfaces. If `aligned`, the template is already in place. Both meshes
+    must face outward.
+
+        wrapped = lapwing.wrap(template, scan, {12: [0, 1, 0], 801: [4, 0, 0], 77: [0, 0, 2]})
+        assert not wrapped.trouble, wrapped.trouble
+    """
+    chosen = mesh_of(template, faces, "wrap: template")
+    covered = mesh_of(scan, scan_faces, "wrap: scan")
+    rows = targets_of(landmarks, chosen.vertex_count, "wrap: landmarks")
+    found = _core.wrap(chosen, covered, json.dumps(rows), aligned, progress)
+    for name in ("to_scan", "to_template"):
+        found[name] = Distance(**found[name])
+    return Wrapped(**found)
 
 
 def grab_region(
