@@ -108,7 +108,7 @@ int run(CLI::App& parser, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace lapwing::viewer;
-  CLI::App parser("Shows a mesh, or what a recipe makes of one, in a window.", "lapwing-viewer");
+  CLI::App parser("Shows a mesh, or the result of a recipe, in a window.", "lapwing-viewer");
   parser.set_version_flag("--version", LAPWING_VERSION);
   parser.footer(
       "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver, 5 display or device, 6 file.");
@@ -118,8 +118,8 @@ int main(int argc, char** argv) {
       parser.add_option("FILE", arguments.file, "OBJ, OFF, PLY, STL, glTF or a recipe (.json)");
   parser
       .add_option("--carry", arguments.carry,
-                  "FILE, again for each: another file that follows the surface, a mesh, a point "
-                  "cloud or a table of points")
+                  "FILE: a mesh, point cloud or table of points that follows the surface; repeat "
+                  "the option for more files")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->needs(file);

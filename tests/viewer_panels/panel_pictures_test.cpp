@@ -92,6 +92,7 @@ TEST_P(Panels, OfADeformAreWhole) {
   check("deform-brush");
   viewer_->key('P', {.shift = true});
   viewer_->click("Rigid");
+  viewer_->scroll_to("10");
   ASSERT_TRUE(viewer_->shows("10")) << "the factor";
   check("deform-stiffness");
   for (const char* tab : {"Deform", "Coat", "Mix", "Transplant", "Mesh", "Display"}) {

@@ -37,7 +37,8 @@ TEST(DoctorWords, TellWhatKeepsAnEditOffFromWhatDoesNot) {
   EXPECT_THAT(hindrance_in_words(check(bow_tie())), HasSubstr("can edit the mesh"));
   Mesh mesh = icosphere(1);
   mesh.positions[3].x() = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(hindrance_in_words(check(mesh)), HasSubstr("cannot include non-finite vertices"));
+  EXPECT_THAT(hindrance_in_words(check(mesh)),
+              HasSubstr("cannot include vertices without a valid position"));
 }
 
 TEST(DoctorWords, SayWhatWasRepaired) {

@@ -72,7 +72,8 @@ constexpr std::array kExamples{
   lapwing shape tube -o template.ply
   lapwing deform template.ply --handle near:0,0,6,1 --translate 1,0,0 --save bent.ply
   lapwing remesh bent.ply --scale 0.8 -o scan.ply
-  lapwing wrap template.ply scan.ply -o wrapped.ply)"},
+  lapwing wrap template.ply scan.ply -o wrapped.ply
+  lapwing wrap template.ply scan.ply --aligned --strict -o placed.ply)"},
     Examples{"lapwing decimate", R"(
   lapwing shape bumpy-plane -o bumps.ply
   lapwing decimate bumps.ply --share 0.2 --save coarse.ply

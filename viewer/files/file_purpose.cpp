@@ -42,7 +42,7 @@ constexpr std::array<PathWords, 12> kWords{{
     {"Open", "A mesh, or a recipe to run.", "Open", Wants::file, kOpened},
     {"Save mesh", kFormats, "Save", Wants::new_file, kMeshes},
     {"Save repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
-    {"Save recipe", "The steps as a file that `lapwing run` runs without a window.", "Save",
+    {"Save recipe", "The steps, stored in a file that can be replayed on another mesh.", "Save",
      Wants::new_file, kRecipes},
     {"Replay recipe", "Runs its steps on the open mesh.", "Replay", Wants::file, kRecipes},
     {"Open source mesh", "Select a patch of it in the view beside the open mesh.", "Open",

@@ -94,7 +94,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'N', kShift, Action::take_up_part, "Pick up the last transplant again"},
      {'C', kPlain, Action::toggle_before, "Toggle the original mesh, to compare"},
      {'C', kShift, Action::toggle_slider,
-      "Toggle a line to drag, with the original mesh at its left"},
+      "Toggle a dividing line that you can drag, with the original mesh on its left"},
      {'K', kControl, Action::begin_coat, "Coat the region with the detail of another patch"},
      {'M', kShift, Action::toggle_mirror, "Toggle mirroring in the symmetry plane of the shape"},
      {'M', kControl, Action::begin_mix, "Mix the detail of two patches on the region"},
@@ -157,7 +157,7 @@ std::vector<ControlLine> gizmo_controls() {
           {"0 to 9, ., - and e while moving", "Type the value"},
           {"Ctrl while moving", "Snap to increments"},
           {"Enter or click, Escape or right click", "Confirm, cancel"},
-          {"W, E, Q", "Gizmo to move, rotate, scale"}};
+          {"W, E, Q", "Switch the gizmo to move, rotate or scale"}};
 }
 
 // Returns the keys of PlaceTool.

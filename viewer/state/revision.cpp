@@ -26,8 +26,8 @@ DeformRequest as_open(const Step& step) {
   const auto* deform = std::get_if<DeformRequest>(&step);
   if (deform != nullptr && is_selection(*deform)) return *deform;
   throw InputError(
-      "A deform step can only be replaced by another deform step without targets. Undo it, then "
-      "apply the new step.");
+      "A deform step can only be replaced by a deform step that gives no target positions. Undo "
+      "it, then apply the new step.");
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   move.translate = readable(move.translate, editor.bounds().diagonal());
   move.rotate.axis = readable(move.rotate.axis, 1.0);
   bool let_go = false;
-  bool changed = draw_vector("Move", "move", move.translate, with_unit("%.4g", unit), let_go);
+  bool changed =
+      draw_vector("Translation", "move", move.translate, with_unit("%.4g", unit), let_go);
   changed |= draw_number("Rotation", move.rotate.degrees, "%.5g°", let_go);
   explain("Angle of the rotation. Its axis is below.");
   changed |= draw_vector("", "axis", move.rotate.axis, "%.4g", let_go);

@@ -200,8 +200,8 @@ void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   draw_form<PaintedWeight>("Painted", desk, editor);
   MixWeight& weight = desk.draft().weight;
   if (auto* ramp = std::get_if<DomainRamp>(&weight.form)) {
-    draw_slider("From v", ramp->from, 0.0, 1.0);
-    draw_slider("To v", ramp->to, 0.0, 1.0);
+    draw_slider("Start (v)", ramp->from, 0.0, 1.0);
+    draw_slider("End (v)", ramp->to, 0.0, 1.0);
   } else if (auto* around = std::get_if<DistanceRamp>(&weight.form)) {
     draw_distance(*around, editor);
   } else {

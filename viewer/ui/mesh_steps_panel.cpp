@@ -36,7 +36,7 @@ void draw_result_of(const MeshStepTool& tool, const Editor& editor) {
     ImGui::TextWrapped("%s faces, before %s", grouped(mesh->face_count()).c_str(),
                        grouped(before.face_count()).c_str());
   } else if (preview.result() != nullptr) {
-    ImGui::TextWrapped("The command changes nothing.");
+    ImGui::TextWrapped("The step changes nothing. Change its settings.");
   } else {
     ImGui::TextDisabled("Waiting for the last edit.");
   }

@@ -33,7 +33,7 @@ void ViewerApp::offer_interrupted() {
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
-  give_up_turntable("The device was lost");
+  give_up_turntable("The graphics device stopped responding");
   part_pictures_.release();
   if (document_) {
     document_->mesh_steps.release_device();
@@ -49,7 +49,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->mesh_steps.use_device(context_);
     document_->transplant.use_device(context_);
   }
-  say("The device failed and was opened again: " + context_->description().name);
+  say("The graphics device failed and was restarted: " + context_->description().name);
 }
 
 void ViewerApp::open(const std::filesystem::path& file,

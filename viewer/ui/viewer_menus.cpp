@@ -18,6 +18,9 @@ constexpr Item kDivider{nullptr, Action::quit};
 
 // Begins a menu that Escape closes. If it returns true, draw items and call ImGui::EndMenu.
 bool begin_menu(const char* label) {
+  // In a low window, a long menu scrolls. Otherwise it would cover the menu bar.
+  const float below_bar = ImGui::GetIO().DisplaySize.y - 1.5F * ImGui::GetFrameHeight();
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {ImGui::GetIO().DisplaySize.x, below_bar});
   if (!ImGui::BeginMenu(label)) return false;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
   return true;

@@ -109,7 +109,8 @@ const char* label_of(Remedy remedy) {
 const char* explanation_of(Remedy remedy) {
   switch (remedy) {
     case Remedy::enlarge_region:
-      return "Adds a margin of half as many vertices to the region. The handles keep their moves.";
+      return "Adds a margin around the region, with half as many vertices as the region has. The "
+             "handles keep their moves.";
     case Remedy::select_region:
       return "Selects another region.";
     case Remedy::raise_iterations:

@@ -37,7 +37,7 @@ std::string problems_in_words(const CheckReport& report) {
 std::string hindrance_in_words(const CheckReport& report) {
   if (report.find(DefectKind::no_faces) != nullptr) return "There is nothing to edit.";
   if (report.find(DefectKind::non_finite_vertex) != nullptr) {
-    return "A region cannot include non-finite vertices or their neighbours.";
+    return "A region cannot include vertices without a valid position, or their neighbours.";
   }
   return "You can edit the mesh, but shading and weights may be wrong in these places.";
 }
@@ -61,8 +61,7 @@ std::string emptiness_in_words(const std::string& name, const MeshStatistics& st
            "open a mesh and attach the points (File > Attach object).";
   }
   return name + " has " + vertices + " and " + counted(statistics.faces, "faces") +
-         ", none of which has three different corners at finite positions. Export it again, or "
-         "open another file.";
+         ", but none of them is a valid face. Export the mesh again, or open another file.";
 }
 
 }  // namespace lapwing::viewer

@@ -20,8 +20,8 @@ constexpr std::array kKeyWords{
              "Details smaller than this keep their shape. Larger forms bend and stretch like an "
              "elastic sheet. A fraction of the radius of the region."},
     KeyWords{"response", "", "Linear response",
-             "Linear response that starts a drag: from the energy (Tangent), or from rotation- and "
-             "scale-invariant coordinates (RSI)."},
+             "Method of the linear response at the start of a drag. Tangent: from the energy. RSI: "
+             "from coordinates that do not depend on rotation and scale."},
     KeyWords{"constraint_weight", "", "Constraint weight",
              "Holds the fixed border and the handles softly, with this weight. Off: they reach "
              "their targets."},
@@ -33,8 +33,8 @@ constexpr std::array kKeyWords{
              "Splits a larger rotation into equal steps of at most this many degrees. Each step "
              "starts from the result of the last."},
     KeyWords{"loose", "", "Loose parts",
-             "Components that no handle, fixed border or vertex outside the region holds: they "
-             "move along with the nearest surface, stay, or stop the edit."},
+             "Components that nothing holds in place: they move along with the nearest surface, "
+             "stay, or stop the edit."},
     KeyWords{"seams", "", "Seams",
              "Boundary edges that coincide, as along texture seams: edit them as one surface, or "
              "let them move apart."},
@@ -48,22 +48,21 @@ constexpr std::array kKeyWords{
              "Height of the detail. 0 adds none, a negative value engraves it."},
     KeyWords{"domain", "", "Domain", "The shape that both patches are mapped to."},
     KeyWords{"sampling", "", "Sampling",
-             "How the detail is sampled: at each target vertex with its ring, or interpolated "
-             "linearly, which hides the triangles of the source on a finer target."},
+             "How the detail is sampled: at each target vertex and its neighbours, or by linear "
+             "interpolation. Interpolation hides the triangles of the source on a finer target."},
     KeyWords{"scale", "scale", "Scale",
              "Edge length of the new triangles, in mean edge lengths of the surface or region."},
     KeyWords{"length", "", "Edge length", "Edge length of the new triangles. Off: Scale is used."},
     KeyWords{"iterations", "", "Iterations", "Number of passes over the surface."},
     KeyWords{"feature_degrees", "", "Feature angle",
              "Edges whose faces meet at more than this angle, in degrees, are kept."},
-    KeyWords{"share", "", "Vertices to keep", "Share of the vertices that is kept, about."},
-    KeyWords{"times", "", "Times", "How often each triangle is cut into four."},
+    KeyWords{"share", "", "Vertices to keep", "Approximate share of the vertices that is kept."},
+    KeyWords{"times", "", "Levels", "Number of times each triangle is split into four."},
     KeyWords{"smooth", "", "Smooth",
-             "Makes the shape smooth by Loop's scheme. Off: the shape stays."},
-    KeyWords{
-        "shape", "", "Shape",
-        "Flat: triangles between the vertices of the rim. Smooth: adds vertices, and continues "
-        "the surface around."},
+             "Smooths the shape by Loop subdivision. Off: the shape does not change."},
+    KeyWords{"shape", "", "Shape",
+             "Flat: triangles between the vertices of the rim. Smooth: adds vertices, and "
+             "continues the surrounding surface."},
     KeyWords{"largest", "", "Largest",
              "Holes with more rim vertices than this stay open. 0 for no limit."},
     KeyWords{"borders", "", "Fill borders",
