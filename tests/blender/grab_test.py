@@ -8,7 +8,7 @@ from mathutils import Matrix
 import scene
 from scene import CLI, SceneTest, coordinates, diagonal, export, in_world, make_active, run_recipe
 
-#: A loaded machine may need this long for work of a second.
+#: On a busy machine, one second of work may take this long.
 PATIENCE_SECONDS = 60
 PULL = (0.0, 0.0, 0.3)
 UNEVEN = Matrix.Translation((1, 2, 3)) @ Matrix.Diagonal((2, 1, 0.5, 1))

@@ -40,7 +40,7 @@ TEST_F(WrapCommand, ReadsLandmarksFromATable) {
 }
 
 TEST_F(WrapCommand, AFailedWrapIsAnErrorIfStrict) {
-  // Inside out, no normal of the scan agrees.
+  // The scan is inside out, so none of its normals agrees with the template.
   Mesh inverted = icosphere(3);
   for (Eigen::Vector3d& p : inverted.positions) p.x() = -p.x();
   write_mesh(inverted, file("inverted.ply"));

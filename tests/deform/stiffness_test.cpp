@@ -225,7 +225,7 @@ TEST_F(StiffCylinder, TheCoarseProxyHasTheSameFactors) {
 TEST_F(StiffCylinder, ThePapersSystemHasNoStiffness) {
   const EditRegion region = region_with(between(2, 3), 2.0);
   EXPECT_THAT(error_message<InputError>([&] { bent(region, test::rsi_options()); }),
-              HasSubstr("the paper's linear system has no stiffness"));
+              HasSubstr("the paper's linear system does not support stiffness"));
 }
 
 TEST(Stiffness, TheLastPartThatContainsAVertexCounts) {

@@ -355,7 +355,7 @@ TEST(FileColorsOfGltf, AreThoseOfItsMaterials) {
   EXPECT_THAT(colors.notes, IsEmpty());
 }
 
-// A mesh with an image in a data: URI, which two nodes and two instances of one of them show.
+// A mesh with an image in a data: URI. Two nodes show the mesh, and one of them has two instances.
 TEST(FileColorsOfGltf, InstancesHaveTheImageOfTheirMesh) {
   const TemporaryFolder folder;
   const std::string inside = encode_png(one_color(1, 1, 70));

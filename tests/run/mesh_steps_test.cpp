@@ -6,7 +6,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/run/run_step.h"
 
-// Steps that change the triangles of a mesh without a region to deform.
+// Steps that change the triangles of a mesh and deform no region.
 namespace lapwing {
 namespace {
 

@@ -73,7 +73,7 @@ class Guides : public ::testing::Test {
     viewer_->send({.kind = InputKind::move, .position = place});
     viewer_->look_at();
   }
-  // Into the field that has the keyboard.
+  // Types into the field that has the keyboard focus.
   void type_number(const std::string& number) {
     for (const char letter : number) {
       viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});

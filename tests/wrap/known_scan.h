@@ -19,7 +19,7 @@ struct KnownScan {
   Positions places;
 };
 
-/// Leans the mesh by 25 degrees, stretches it along the axes, remeshes it and moves it away.
+/// Bends the mesh by 25 degrees, stretches it along the axes, remeshes it and moves it away.
 inline KnownScan known_scan(const Mesh& mesh, double remesh_scale) {
   using Eigen::Vector3d;
   const double size = bounds_of(mesh.positions).diagonal();

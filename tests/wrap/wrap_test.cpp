@@ -86,7 +86,7 @@ TEST(Wrap, PartsWithoutACounterpartKeepTheirShape) {
 TEST(Wrap, ReachesItsLandmarks) {
   const Mesh mesh = icosphere(3);
   const std::vector<Index> vertices = test::spread_vertices(mesh.positions, 5);
-  // The sphere turns within itself, which only landmarks can tell.
+  // The sphere is rotated about its centre, which only landmarks can detect.
   Positions places = mesh.positions;
   const Eigen::AngleAxisd turn(0.5, Vector3d::UnitZ());
   for (Vector3d& p : places) p = turn * p;

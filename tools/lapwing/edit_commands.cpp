@@ -72,8 +72,8 @@ void add_run(CLI::App& app) {
 
 void add_steps(CLI::App& app) {
   for (const Operation& operation : operations()) {
-    // These have commands that also write or print other results: peel, remesh and subdivide, and
-    // check for `fill_holes`.
+    // These operations have their own commands, because the commands also write or print other
+    // results. The command of `fill_holes` is `check`.
     constexpr std::array<std::string_view, 4> kOthers{"peel", "remesh", "subdivide", "fill_holes"};
     if (std::ranges::find(kOthers, operation.name) == kOthers.end()) add_step(app, operation);
   }

@@ -206,7 +206,8 @@ void FlagVisitor::stiffness(const StepKey& key, std::vector<StiffnessSpec>&) {
   command_
       .add_option(
           flag(key), *parts,
-          "FACTOR REGION, repeated for each; a factor from 0.01 to 100, or rigid: " + help_of(key))
+          "FACTOR REGION, repeated for each part; FACTOR is a number from 0.01 to 100, or rigid: " +
+              help_of(key))
       ->type_name("FACTOR REGION");
   command_.add_option(flag(key) + "-field", *field,
                       "vertex property of MESH with the factor of each vertex; inf is rigid");

@@ -140,7 +140,8 @@ void add_check(CLI::App& app) {
                                                 {"smooth", FillShape::smooth}};
   auto* fill = command
                    ->add_option("--fill-holes", a->fill,
-                                "with --fix: fill holes flat, or smooth like the surface around")
+                                "with --fix: fill holes with flat triangles (flat), or continue "
+                                "the surrounding surface (smooth)")
                    ->transform(CLI::CheckedTransformer(shapes).description("flat|smooth"))
                    ->needs(fix);
   command

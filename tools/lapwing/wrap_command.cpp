@@ -47,7 +47,7 @@ void print_distance(const char* name, const SurfaceDistance& distance, double di
 void print_report(const WrapReport& report, double diagonal) {
   std::printf("  aligned %s, scaled by %.4g; %d steps\n", words_of(report.alignment.method),
               report.alignment.scale, report.steps);
-  std::printf("  distances, of the scan's diagonal:\n");
+  std::printf("  distances, in percent of the scan's diagonal:\n");
   print_distance("result to scan", report.to_scan, diagonal);
   print_distance("scan to result", report.to_template, diagonal);
   std::printf("  %.1f%% of the template has a counterpart on the scan\n", 100.0 * report.coverage);
@@ -91,7 +91,8 @@ void wrap_mesh(const WrapArguments& a) {
 
 void add_wrap(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "wrap", "deforms a template so that it covers a scan; the result keeps its triangles");
+      "wrap",
+      "deforms a template so that it covers a scan; the result keeps the template's triangles");
   auto a = std::make_shared<WrapArguments>();
   command->add_option("TEMPLATE", a->wrapped, kMeshHelp)->required();
   command->add_option("SCAN", a->scan, kMeshHelp)->required();

@@ -122,8 +122,8 @@ class Editor {
   void begin_choosing(const Part& part);
   /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
   void go_on();
-  /// Chooses all vertices of the part that the active tool chooses, by default of the ROI. Goes on
-  /// from the ROI to the handle.
+  /// Chooses all vertices for the part that the active tool chooses, by default for the ROI. After
+  /// the ROI, the user chooses the handle next.
   void choose_all();
 
   GrabTool& grab_tool() { return tools_.grab; }

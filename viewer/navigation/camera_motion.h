@@ -34,8 +34,8 @@ struct ZoomRange {
   double farthest = 0.0;
 };
 
-/// Returns the limits for a mesh whose bounds have this diagonal. The eye stays in front of the
-/// point to which it zooms by a thousandth of the diagonal.
+/// Returns the limits for a mesh whose bounds have this diagonal. The eye stays at least a
+/// thousandth of the diagonal in front of the point to which it zooms.
 ZoomRange zoom_range(double diagonal);
 
 /// Enlarges the image by `factor`. The point under the cursor at the target's depth stays under the

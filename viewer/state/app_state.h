@@ -130,8 +130,8 @@ std::shared_ptr<const Mesh> surface_of(const AppState& state);
 /// Computes `mirrored` from the selection. Takes up to a second.
 void renew_mirror(AppState& state);
 
-/// Returns true if nothing holds the surface against its only handle: no vertex beside the ROI, no
-/// belt and no mirror image of the handle. The surface then moves as a whole.
+/// Returns true if nothing holds the surface against its only handle: no neighbours outside the
+/// ROI, no belt and no mirror image of the handle. The surface then moves as a whole.
 bool moves_as_a_whole(const AppState& state);
 /// Returns whether a handle has moved from its rest position.
 bool is_moved(const AppState& state);

@@ -93,8 +93,8 @@ std::vector<StiffnessSpec> painted_stiffness(std::vector<StiffnessSpec> stiffnes
   const auto list_of = [](StiffnessSpec& spec) {
     return spec.field.empty() ? std::get_if<ListedVertices>(&spec.region.form) : nullptr;
   };
-  // Lists without common vertices can be in any order. A list counts only if no region or field
-  // that contains the same vertices follows.
+  // The order of lists without common vertices has no effect. A region or field after a list can
+  // override it, so only lists after the last region or field can be extended.
   bool only_lists = true;
   ListedVertices* same = nullptr;
   std::erase_if(stiffness, [&](StiffnessSpec& spec) {

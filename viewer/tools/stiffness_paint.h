@@ -5,7 +5,7 @@
 namespace lapwing::viewer {
 
 /// Paints how stiff the surface is. The brush sets the stiffness factor of the vertices that it
-/// touches, or back to 1 with Ctrl.
+/// touches. With Ctrl, it resets the factor to 1.
 class StiffnessPaint final : public SceneTool {
  public:
   StiffnessPaint();

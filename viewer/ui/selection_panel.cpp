@@ -75,7 +75,7 @@ void draw_paint_options(PaintTool::Options& options) {
 void draw_stiffness_options(Editor& editor) {
   StiffnessPaint& paint = editor.stiffness_tool();
   ImGui::Checkbox("Rigid", &paint.is_rigid);
-  explain("Each connected rigid part moves as one body, such as a bone or a tooth.");
+  explain("Each connected rigid part, such as a bone or a tooth, moves as one body.");
   if (!paint.is_rigid) {
     float factor = static_cast<float>(paint.factor);
     label_field("Stiffness");

@@ -50,8 +50,8 @@ struct Scene : SurfaceScene {
   std::optional<LeftScene> left;
   std::optional<SideScene> beside;
   Background background = Background::gradient;
-  /// Whether something moves. If so, the scene is drawn without antialiasing if that takes too
-  /// long.
+  /// Whether something moves. If so, and if a frame with antialiasing takes too long, the scene is
+  /// drawn without it.
   bool moving = false;
 };
 

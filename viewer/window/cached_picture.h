@@ -30,9 +30,9 @@ struct PictureNeed {
 };
 
 /// Returns whether to reuse the cached image or to render a new one, and in which quality. Changed
-/// contents are rendered in quick quality if a fine image is slow and something moves or only the
-/// camera has changed. Otherwise they are rendered in fine quality. If nothing has changed for a
-/// while, a fine image replaces a cached quick image.
+/// contents are rendered in quick quality if a fine image is slow, and either something moves or
+/// only the camera has changed. Otherwise they are rendered in fine quality. If nothing has changed
+/// for a while, a fine image replaces a cached quick image.
 PictureSource picture_way(const PictureNeed& need);
 
 /// Chooses the resolution of quick images. If frames take too long, lowers it by as much as their

@@ -39,7 +39,8 @@ void check(const DeformOptions& options, const EditRegion& region) {
   }
   if (!region.stiffness.empty() && !options.settle && options.response == LinearResponse::rsi) {
     throw InputError(
-        "the paper's linear system has no stiffness. Remove \"stiffness\", turn on \"settle\", or "
+        "the paper's linear system does not support stiffness. Remove \"stiffness\", turn on "
+        "\"settle\", or "
         "set \"response\" to \"tangent\"");
   }
 }

@@ -12,7 +12,8 @@ namespace lapwing {
 /// A boundary loop of the surface.
 struct Hole {
   /// The vertices in order, each once, starting at the smallest. The polygon with these corners has
-  /// the orientation of a face that closes the hole. Ascending instead if there is a `trouble`.
+  /// the orientation of a face that closes the hole. If there is a `trouble`, the vertices are in
+  /// ascending order instead.
   std::vector<Index> rim;
   double perimeter = 0.0;
   /// Whether the loop is the border of an open sheet instead of a hole. A part of the surface is a

@@ -34,7 +34,7 @@ void fair_patches(Mesh& surface, Index first) {
     for (const double weight : ring) rows.values.push_back(-scale * weight);
   }
 
-  // D'MD u = -D'MD x for the displacement u, because its right-hand side is small.
+  // Solve D'MD u = -D'MD x for the displacement u, because its right-hand side is small.
   const SystemPattern pattern(topology, row_vertices, unknowns);
   const auto solver = make_solver();
   solver->analyze(pattern.blocks(), 1, pattern.order());

@@ -24,7 +24,8 @@ using Eigen::Vector3d;
 // The first refinement is that of a flat fill, whose edges become too long when it becomes round.
 // The second corrects this. A third moves a sphere's cap by at most 1 % of its height.
 constexpr int kRounds = 2;
-// Points of the rim that define the edge lengths inside. More change nothing visible.
+// The largest number of rim points that define the edge lengths inside. More points make no visible
+// difference.
 constexpr std::size_t kMostSizes = 200;
 
 bool has_edge(const Topology& topology, Index a, Index b) {

@@ -41,14 +41,14 @@ struct FilledHoles {
 };
 
 /// Fills `holes`, which `find_holes(mesh)` returned. The vertices and faces of `mesh` stay. A flat
-/// fill of a plane rim is plane. A smooth fill is refined to the mean edge length at the rim, which
-/// is interpolated inside (Liepa, "Filling Holes in Meshes", 2003), and minimizes the thin-plate
-/// energy (fair_patches.h). It is a little flatter than a sphere: if the rim of a hole in a sphere
-/// is 20, 30 or 60 degrees from its pole, the fill is within 0.2, 0.8 or 12 % of the radius.
-/// Neither shape avoids intersections with other parts. New vertices and faces get attributes as in
-/// `append_patches`; they have no texture coordinates. If the mesh has an edge that is also a
-/// diagonal of the rim, the diagonal gets a new vertex. Filled holes close the mesh there, and a
-/// manifold mesh stays manifold.
+/// fill of a planar rim is planar. A smooth fill is refined to the mean edge length at the rim,
+/// which is interpolated inside (Liepa, "Filling Holes in Meshes", 2003), and minimizes the
+/// thin-plate energy (fair_patches.h). It is a little flatter than a sphere: if the rim of a hole
+/// in a sphere is 20, 30 or 60 degrees from its pole, the fill is within 0.2, 0.8 or 12 % of the
+/// radius. Neither shape avoids intersections with other parts. New vertices and faces get
+/// attributes as in `append_patches`; they have no texture coordinates. If the mesh has an edge
+/// that is also a diagonal of the rim, the diagonal gets a new vertex. Filled holes close the mesh
+/// there, and a manifold mesh stays manifold.
 ///
 /// Throws InputError, naming the hole, if it has a `trouble` or a size outside the limits of
 /// `require_extent`; InputError, naming a vertex, if a face of the mesh is not finite; InputError

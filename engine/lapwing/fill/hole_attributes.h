@@ -19,7 +19,8 @@ struct HolePatch {
 /// `point`. A rim point at `point` has all the weight.
 std::vector<double> rim_weights(std::span<const Eigen::Vector3d> rim, const Eigen::Vector3d& point);
 
-/// Returns the vertex of the mesh of each point: of the rim, then `first_new`, `first_new` + 1, ...
+/// Returns the mesh vertex of each point: first the vertices of the rim, then `first_new`,
+/// `first_new` + 1, ...
 std::vector<Index> patch_vertices(const Hole& hole, const HolePatch& patch, Index first_new);
 
 /// Appends the new vertices and the triangles of all patches, one per hole, to `mesh`, with

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Weight of the squared edge lengths relative to the area. It decides only between triangulations
-// of nearly equal area, such as those of a plane polygon.
+// of nearly equal area, such as those of a planar polygon.
 constexpr double kEdgeShare = 1e-4;
 
 double cost(const Vector3d& a, const Vector3d& b, const Vector3d& c) {

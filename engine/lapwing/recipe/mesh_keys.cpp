@@ -30,7 +30,7 @@ void describe(RemeshRequest& step, KeyVisitor& visitor) {
 void describe(DecimateRequest& step, KeyVisitor& visitor) {
   visitor.where(step.where);
   visitor.number(
-      {.name = "share", .help = "the share of the vertices that is kept, about"}, step.share,
+      {.name = "share", .help = "the approximate share of the vertices that is kept"}, step.share,
       {.least = 0.0, .most = 1.0, .takes_least = false, .slider_from = 0.01, .slider_to = 1.0});
 }
 
@@ -52,7 +52,7 @@ void describe(FillRequest& step, KeyVisitor& visitor) {
                  step.region);
   visitor.choice({.name = "shape",
                   .help = "`flat` adds triangles between the rim's vertices; `smooth` also adds "
-                          "vertices, and continues the surface around"},
+                          "vertices, and continues the surrounding surface"},
                  step.shape, {{FillShape::flat, "flat"}, {FillShape::smooth, "smooth"}});
   visitor.whole({.name = "largest",
                  .help = "holes with more rim vertices than this stay open; 0 for no limit"},

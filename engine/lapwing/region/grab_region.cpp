@@ -102,8 +102,8 @@ void visit_limbs(std::span<const double> lengths, const Visit& visit) {
   }
 }
 
-// Returns whether more circles may lengthen a limb or show where it ends: an interval that may be a
-// limb reaches the last brush radius that was measured.
+// Returns true if more circles must be measured to find the end of a limb: a possible limb ends
+// within one brush radius of the last circle.
 bool may_go_on(std::span<const double> lengths) {
   constexpr auto kRadius = static_cast<std::size_t>(1.0 / kStep);
   bool goes_on = false;
@@ -191,8 +191,8 @@ class Outside {
 };
 
 // Returns a radius of at most `radius`, the largest possible, whose disk covers at most half of the
-// area of the component of its centre. `front` has marched to `radius`. Visits no more of the rest
-// than the disk's area.
+// area of the component of its centre. `front` has marched to `radius`. Outside the disk, visits
+// vertices only up to an area equal to that of the disk.
 double limited_to_half(double radius, const GeodesicFront& front, const Topology& topology,
                        std::span<const Vector3d> positions) {
   Outside outside(front, topology, radius);
@@ -213,7 +213,8 @@ double limited_to_half(double radius, const GeodesicFront& front, const Topology
   double last = 0.0;
   for (const auto& [distance, of_vertex] : covered) {
     area += of_vertex;
-    // Halfway between two vertices, rounding errors do not decide which vertices the disk has.
+    // A radius halfway between the distances of two vertices makes the disk independent of rounding
+    // errors.
     if (area > 0.5 * (covered_area + area_outside)) return 0.5 * (last + distance);
     last = distance;
   }

@@ -28,10 +28,10 @@ struct GrabRegion {
 /// The disk may separate parts from the component's largest remaining part. Each part with less
 /// than half of that area belongs to the region.
 ///
-/// O(n log n) for the vertices that it visits: those up to the end of the limb or five brush radii,
-/// and a part of the rest that is as large. If the disk cuts off parts, also all others. Throws
-/// InputError if `center` is not a vertex of a triangle, or unless `brush` and `factor` are finite
-/// and positive.
+/// Takes O(n log n) time for the n vertices that it visits: those up to the end of the limb or up
+/// to five brush radii, and about as many of the others. If the disk cuts off parts, it visits all
+/// vertices of the component. Throws InputError if `center` is not a vertex of a triangle, or
+/// unless `brush` and `factor` are finite and positive.
 GrabRegion grab_region(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                        Index center, double brush, double factor = 1.0);
 

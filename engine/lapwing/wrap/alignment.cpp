@@ -104,8 +104,8 @@ struct Pair {
   double distance;
 };
 
-// Appends the pairs of the samples of one side with the other surface, without the farthest.
-// Returns their mean distance.
+// Appends a pair for each sample and its closest point on the other surface, except for the
+// farthest pairs. Returns their mean distance.
 template <class Find>
 double add_pairs(const Samples& samples, const Find& find, std::vector<Pair>& pairs) {
   std::vector<Pair> found;
@@ -178,7 +178,7 @@ class Registration {
         to.push_back(pair.to);
       }
       const Affine3d next = fit(from, to);
-      // Pairs in both directions can shrink a surface that does not fit until it has collapsed.
+      // If the surfaces do not fit, pairs in both directions can shrink the surface to a point.
       if (!(scale_of(next) > kSmallest * scale_of(map))) {
         return std::numeric_limits<double>::infinity();
       }

@@ -36,9 +36,10 @@ Alignment align_points(std::span<const Eigen::Vector3d> from, std::span<const Ei
 /// Returns a similarity that brings `surface` onto `scan`. Tries all 24 rotations that map
 /// principal axes to principal axes. From each, it iterates closest points (Besl and McKay 1992)
 /// with samples of both surfaces, and leaves out the farthest fifth. An affine map is then fitted
-/// in the same way, because a surface that leans or is stretched otherwise fits no better than one
-/// that faces another way. Returns the start with the smallest distance of the affine map. A
-/// symmetric surface may face the wrong way. Throws InputError if no start succeeds, and Cancelled.
+/// in the same way. With similarities alone, a bent or stretched surface can fit no better in the
+/// right orientation than in a wrong one. Returns the start with the smallest distance of the
+/// affine map. A symmetric surface may face the wrong way. Throws InputError if no start succeeds,
+/// and Cancelled.
 Alignment align_surfaces(const ScanSurface& surface, const ScanSurface& scan);
 
 }  // namespace lapwing

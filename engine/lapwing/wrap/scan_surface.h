@@ -18,7 +18,7 @@ struct Counterpart {
   bool agrees = false;  ///< the normals agree, and the point is not on the surface's boundary
 };
 
-/// A surface to which closest points are searched. Threads may share an object.
+/// A surface on which closest points are searched. Threads may share an object.
 class ScanSurface {
  public:
   /// Both arguments must outlive the object. O(n log n).

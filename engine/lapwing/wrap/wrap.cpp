@@ -36,7 +36,8 @@ constexpr double kTolerated = 0.5;
 // Landmarks have this multiple of the springs' last weight from the first step on.
 constexpr double kLandmarkWeight = 3.0 / (kLastReach * kLastReach);
 
-// The limits of a minimization, which only begins the next one.
+// The limits of each minimization. They are loose, because its result is only the start of the next
+// one.
 constexpr SettleOptions kStep{.tolerance = 1e-2, .max_iterations = 20};
 
 constexpr std::size_t kPointsPerTask = 512;
@@ -305,8 +306,8 @@ std::string why_failed(const WrapReport& report, std::size_t triangle_count) {
   std::ostringstream text;
   if (report.coverage < kLeastCoverage) {
     text << "Only " << std::lround(100.0 * report.coverage)
-         << "% of the template has a counterpart on the scan. Add landmarks, or check that both "
-            "meshes face outward";
+         << "% of the template has a counterpart on the scan. Add landmarks, or check that the "
+            "faces of both meshes are oriented outward";
   } else if (static_cast<double>(report.flipped_triangles) >
              kMostFlipped * static_cast<double>(triangle_count)) {
     text << report.flipped_triangles << " of " << triangle_count

@@ -60,9 +60,9 @@ struct Wrapped {
 /// prescribed from the first step on. All triangles of both meshes must be consistently oriented
 /// outward.
 ///
-/// About forty minimizations. Reports the stages "align" and "wrap". Throws InputError if a mesh
-/// has no surface, and the errors of `resolve_targets`, `align_points` and `align_surfaces`. Also
-/// throws SolverError, GpuError and Cancelled.
+/// Runs about forty minimizations. Reports the stages "align" and "wrap". Throws InputError if a
+/// mesh has no surface, and the errors of `resolve_targets`, `align_points` and `align_surfaces`.
+/// Also throws SolverError, GpuError and Cancelled.
 Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, Kernels& kernels,
              const Progress& progress = {});
 

@@ -182,8 +182,9 @@ def _belt(settings: Any, held: Dict[str, np.ndarray], in_roi: np.ndarray) -> Dic
 
 
 def _factors(weights: np.ndarray) -> List[Any]:
-    """Returns the stiffness factors of painted weights: from 0.01 at 0 over 1 at 0.5 to almost 100
-    below 1, which is rigid. Vertices outside the group, whose weight is -1, have the factor 1."""
+    """Returns the stiffness factors of painted weights. Weight 0 gives 0.01, weight 0.5 gives 1,
+    weights just below 1 give almost 100, and weight 1 is rigid. Vertices outside the group, whose
+    weight is -1, have the factor 1."""
     painted = np.clip(weights.astype(np.float64), 0.0, 1.0)
     factors = np.where(weights < 0.0, 1.0, np.clip(100.0 ** (2.0 * painted - 1.0), 0.01, 100.0))
     return ["rigid" if w >= 1.0 else f for w, f in zip(weights, factors.tolist())]

@@ -122,7 +122,7 @@ class PreparedGrab:
         return self._edit.settle([_shift(pull)], [True], progress)
 
     def start_from(self, pull: np.ndarray, world: np.ndarray) -> None:
-        """Makes `coordinates` start at the settled surface."""
+        """Makes the settled surface the pose from which `coordinates` continues."""
         self._response.set_pose([_shift(pull)], world)
 
     def step(self, pull: np.ndarray) -> Dict[str, Any]:
@@ -191,7 +191,7 @@ class Gesture:
         return bool(self.pull.any())
 
     def advance(self) -> bool:
-        """Takes the result of the thread and gives it the next work. Returns True once the surface
+        """Takes the result of the background job and starts the next. Returns True once the surface
         of a released grab has settled. Raises the errors of the engine."""
         if self._job is not None:
             if not self._job.is_done:

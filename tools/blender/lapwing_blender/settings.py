@@ -79,8 +79,8 @@ class LapwingSettings(bpy.types.PropertyGroup):
     )
     stiffness: StringProperty(
         name="Stiffness",
-        description="The vertex group that paints stiffness: 1 is rigid, 0.5 as stiff as the rest, "
-        "0 soft. Other vertices are as stiff as usual",
+        description="The vertex group whose weights define the stiffness: 1 is rigid, 0.5 is as stiff as "
+        "usual, and 0 is soft. Vertices outside the group are as stiff as usual",
     )
     handles: CollectionProperty(type=LapwingHandle)
     active_handle: IntProperty()

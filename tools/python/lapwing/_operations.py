@@ -112,7 +112,8 @@ def deform(
     stiffness
         How stiff the surface is: an array of n factors, 1 for no change, from 0.01 (soft) to 100
         (stiff), and inf for rigid. Connected rigid vertices, such as bones, teeth or armour, move
-        as one body. Or a list of dicts {"region": REGION, "factor": FACTOR or "rigid"}.
+        as one body. Alternatively, a list of dicts {"region": REGION, "factor": FACTOR or "rigid"}
+        gives the factors of regions.
     mirror
         "auto", {"plane": "x"} or {"point", "normal"}: makes the edit on both sides of that plane.
     hard

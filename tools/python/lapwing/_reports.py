@@ -329,8 +329,8 @@ def wrap(
     The result keeps the triangles of the template. `landmarks` are places on the scan, in the
     forms of `targets` of `deform`: a dict from vertices of the template to positions, or rows.
     Three landmarks align the template. Without them, the shapes of both surfaces align it, which
-    can fail for symmetric surfaces. If `aligned`, the template is already in place. Both meshes
-    must face outward.
+    can fail for symmetric surfaces. If `aligned`, the template is already in place. The faces of
+    both meshes must be oriented outward.
 
         wrapped = lapwing.wrap(template, scan, {12: [0, 1, 0], 801: [4, 0, 0], 77: [0, 0, 2]})
         assert not wrapped.trouble, wrapped.trouble

@@ -60,8 +60,8 @@ class Mirroring {
     return listed(unite(set, mirrored(set, images_)), spec);
   }
 
-  // A painted factor counts on the side of its vertex. Where both a vertex and its image are
-  // painted, the larger factor counts.
+  // Copies painted factors to the mirror images of their vertices. If both a vertex and its image
+  // are painted, both get the larger factor.
   StiffnessSpec with_image(StiffnessSpec spec) const {
     const std::vector<char> painted = vertex_mask(images_.size(), resolve(spec.region, mesh_));
     const std::vector<double> field = spec.field;
