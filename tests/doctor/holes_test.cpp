@@ -27,7 +27,7 @@ TEST(FindHoles, TheRimHasTheOrientationOfAFaceThatClosesIt) {
   Mesh mesh = icosphere(1);
   const auto face = mesh.face(7);
   std::vector<Index> corners(face.begin(), face.end());
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   KeepMask keep(mesh.face_count(), 1);
   keep[7] = 0;
   keep_faces(mesh, keep);

@@ -122,7 +122,7 @@ class LoopFinder {
     }
     // The faces of the surface traverse the rim in the opposite direction.
     std::ranges::reverse(hole.rim);
-    std::ranges::rotate(hole.rim, std::ranges::min_element(hole.rim));
+    std::rotate(hole.rim.begin(), std::ranges::min_element(hole.rim), hole.rim.end());
     return hole;
   }
 

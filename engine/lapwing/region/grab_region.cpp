@@ -158,9 +158,7 @@ class Outside {
         if (is_visited_[w] == 0) rim.push_back(w);
       }
     }
-    std::ranges::sort(rim);
-    rim.erase(std::ranges::unique(rim).begin(), rim.end());
-    return rim;
+    return make_vertex_set(std::move(rim));
   }
 
   // Visits all vertices that are connected with `starts` by vertices of `among` and were not
