@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "coating/coating_scenes.h"
 #include "lapwing/lapwing.h"
@@ -192,11 +191,7 @@ namespace {
 // Returns the largest distance between `surface` and a vertex of `mesh`. Ignores isolated vertices.
 double distance_from(const Mesh& surface, const Mesh& mesh) {
   const Topology& topology = surface.topology();
-  Adjacency all;
-  all.starts = {0, static_cast<Index>(topology.triangles.size())};
-  all.values.resize(topology.triangles.size());
-  std::iota(all.values.begin(), all.values.end(), Index{0});
-  const ClosestPoint closest(topology.triangles, surface.positions, all);
+  const ClosestPoint closest(topology.triangles, surface.positions);
   double largest = 0.0;
   for (const Index v : mesh.face_vertices()) {
     const Eigen::Vector3d& p = mesh.positions[v];

@@ -23,10 +23,7 @@ using Eigen::Vector3d;
 // From each of `points` to the surface.
 std::vector<double> distances(std::span<const Vector3d> points, std::span<const Vector3d> surface,
                               const Topology& topology) {
-  Adjacency all;
-  for (Index t = 0; t < topology.triangles.size(); ++t) all.values.push_back(t);
-  all.starts.push_back(static_cast<Index>(all.values.size()));
-  const ClosestPoint closest(topology.triangles, surface, all);
+  const ClosestPoint closest(topology.triangles, surface);
   std::vector<double> distances;
   for (const Vector3d& p : points) distances.push_back((closest.find(0, p).position - p).norm());
   return distances;

@@ -66,8 +66,10 @@ void wrap_mesh(const WrapArguments& a) {
   Mesh mesh = read_with_notes(a.wrapped);
   const Mesh scan = read_with_notes(a.scan);
   WrapRequest request{.aligned = a.aligned};
-  if (!a.landmarks.empty()) request.landmarks.rows = read_target_rows(a.landmarks);
-  if (!a.landmarks.empty()) request.landmarks.where = a.landmarks;
+  if (!a.landmarks.empty()) {
+    request.landmarks.rows = read_target_rows(a.landmarks);
+    request.landmarks.where = a.landmarks;
+  }
   Wrapped wrapped;
   {
     ProgressDisplay display(a.quiet);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/paint_tool.h"
+#include "tools/surface_brush.h"
 
 namespace lapwing::viewer {
 
@@ -8,14 +8,12 @@ namespace lapwing::viewer {
 /// touches. With Ctrl, it resets the factor to 1.
 class StiffnessPaint final : public SceneTool {
  public:
-  StiffnessPaint();
-
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
-  bool is_dragging() const override { return paint_.is_dragging(); }
+  bool is_dragging() const override { return brush_.tool().is_dragging(); }
   const char* hint(const AppState&, const Part&) const override {
     return "Paint what stays rigid, stiff or soft. Ctrl erases.";
   }
-  ToolMarks marks() const override { return paint_.marks(); }
+  ToolMarks marks() const override { return brush_.tool().marks(); }
   bool follows_cursor() const override { return true; }
 
   /// The factor that the brush paints.
@@ -25,10 +23,10 @@ class StiffnessPaint final : public SceneTool {
 
   bool is_rigid = true;
   double factor = 10.0;
-  PaintTool::Options& brush() { return paint_.options(); }
+  PaintTool::Options& brush() { return brush_.options(); }
 
  private:
-  PaintTool paint_;
+  SurfaceBrush brush_;
 };
 
 }  // namespace lapwing::viewer

@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "tools/paint_tool.h"
-#include "tools/scene_tool.h"
+#include "tools/surface_brush.h"
 
 namespace lapwing::viewer {
 
@@ -11,14 +10,12 @@ namespace lapwing::viewer {
 /// it touches to `strength`, or to 0 with Ctrl.
 class WeightPaint final : public SceneTool {
  public:
-  WeightPaint();
-
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
-  bool is_dragging() const override { return paint_.is_dragging(); }
+  bool is_dragging() const override { return brush_.tool().is_dragging(); }
   const char* hint(const AppState&, const Part&) const override {
     return "Paint where the second source appears. Ctrl erases.";
   }
-  ToolMarks marks() const override { return paint_.marks(); }
+  ToolMarks marks() const override { return brush_.tool().marks(); }
 
   /// One number per vertex. `handle` resizes it to one entry per vertex of the scene; new entries
   /// are 0.
@@ -30,10 +27,10 @@ class WeightPaint final : public SceneTool {
   void soften(const Topology& topology);
 
   double strength = 1.0;
-  PaintTool::Options& brush() { return paint_.options(); }
+  PaintTool::Options& brush() { return brush_.options(); }
 
  private:
-  PaintTool paint_;
+  SurfaceBrush brush_;
   std::vector<double> field_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "lapwing/base/cancellation.h"
 
@@ -10,14 +9,6 @@ namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
-
-Adjacency all_in_one(std::size_t count) {
-  Adjacency groups;
-  groups.values.resize(count);
-  std::iota(groups.values.begin(), groups.values.end(), 0U);
-  groups.starts.push_back(static_cast<Index>(count));
-  return groups;
-}
 
 // Calls `add` for the edges of each triangle, twice for an inner edge.
 template <class Add>
@@ -110,7 +101,7 @@ SizingField::SizingField(const Coating& coating, const Patch& target,
   too_coarse_ =
       static_cast<double>(coarse) > kCoarseShare * static_cast<double>(target.vertices.size());
   if (!too_coarse_) return;
-  closest_.emplace(triangles_, positions, all_in_one(triangles_.size()));
+  closest_.emplace(triangles_, positions);
   constexpr int kSpreads = 3;
   for (int i = 0; i < kSpreads; ++i) spread(triangles_, lengths_);
 

@@ -82,8 +82,7 @@ class LoopFinder {
   std::string trouble_of(const std::vector<Index>& sides) const {
     if (is_single_face(sides)) {
       return "the part is a single face, which the fill would repeat; remove or extrude the face "
-             "in "
-             "a modelling tool";
+             "in a modelling tool";
     }
     for (const Index side : sides) {
       for (const Index corner : {side, edges_.next_corner[side]}) {

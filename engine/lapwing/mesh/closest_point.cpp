@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -54,6 +55,14 @@ struct Ray {
     return begin <= end;
   }
 };
+
+Adjacency one_group(std::size_t count) {
+  Adjacency groups;
+  groups.values.resize(count);
+  std::iota(groups.values.begin(), groups.values.end(), Index{0});
+  groups.starts.push_back(static_cast<Index>(count));
+  return groups;
+}
 
 }  // namespace
 
@@ -107,6 +116,9 @@ ClosestPoint::ClosestPoint(std::span<const Triangle> triangles, std::span<const 
     roots_.push_back(build(begin, static_cast<Index>(items_.size())));
   }
 }
+
+ClosestPoint::ClosestPoint(std::span<const Triangle> triangles, std::span<const Vector3d> positions)
+    : ClosestPoint(triangles, positions, one_group(triangles.size())) {}
 
 // Splits at the median along the longest side of the centroids' box.
 Index ClosestPoint::build(Index begin, Index end) {

@@ -44,6 +44,8 @@ class ClosestPoint {
   /// `groups[g]` lists the triangles of group g and is not empty. O(n log n).
   ClosestPoint(std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions,
                const Adjacency& groups);
+  /// All triangles form group 0.
+  ClosestPoint(std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions);
 
   /// Returns the closest point to `point` on group `group`. Skips triangles that face against
   /// `direction` unless all do: on a thin sheet the other side may be closer. Mostly O(log n), less

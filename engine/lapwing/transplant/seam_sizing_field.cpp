@@ -121,11 +121,7 @@ SeamSizingField::SeamSizingField(std::span<const Vector3d> positions, const Topo
     if (in_zone[t[0]] != 0 && in_zone[t[1]] != 0 && in_zone[t[2]] != 0) triangles_.push_back(t);
   }
   if (triangles_.empty()) return;
-  Adjacency group;
-  group.values.resize(triangles_.size());
-  std::iota(group.values.begin(), group.values.end(), Index{0});
-  group.starts.push_back(static_cast<Index>(triangles_.size()));
-  closest_.emplace(triangles_, positions, group);
+  closest_.emplace(triangles_, positions);
 }
 
 bool SeamSizingField::asks_for_remeshing() const {

@@ -1,7 +1,6 @@
 #include "lapwing/wrap/scan_surface.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -18,14 +17,6 @@ constexpr double kAgree = 0.5;
 Vector3d area_vector(const Triangle& t, std::span<const Vector3d> positions) {
   const Vector3d edge = positions[t[1]] - positions[t[0]];
   return 0.5 * edge.cross(positions[t[2]] - positions[t[0]]);
-}
-
-Adjacency one_group(std::size_t count) {
-  Adjacency groups;
-  groups.values.resize(count);
-  std::iota(groups.values.begin(), groups.values.end(), Index{0});
-  groups.starts.push_back(static_cast<Index>(count));
-  return groups;
 }
 
 }  // namespace
@@ -47,7 +38,7 @@ ScanSurface::ScanSurface(const Topology& topology, std::span<const Vector3d> pos
   for (Index v = 0; v < positions.size(); ++v) {
     on_boundary_[v] = on_mesh_boundary(v, topology) ? 1 : 0;
   }
-  closest_.emplace(topology.triangles, positions, one_group(topology.triangles.size()));
+  closest_.emplace(topology.triangles, positions);
 }
 
 // Returns whether the point is on an edge or at a vertex of the boundary.

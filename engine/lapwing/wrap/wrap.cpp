@@ -42,16 +42,6 @@ constexpr SettleOptions kStep{.tolerance = 1e-2, .max_iterations = 20};
 
 constexpr std::size_t kPointsPerTask = 512;
 
-double mean_edge_length(const Topology& topology, std::span<const Vector3d> positions) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (Index v = 0; v < topology.vertex_count(); ++v) {
-    for (const Index w : topology.rings[v]) sum += (positions[w] - positions[v]).norm();
-    count += topology.rings.size(v);
-  }
-  return sum / static_cast<double>(std::max<std::size_t>(count, 1));
-}
-
 VertexSet surface_vertices(const Topology& topology) {
   VertexSet vertices;
   for (Index v = 0; v < topology.vertex_count(); ++v) {
@@ -139,7 +129,7 @@ class Wrapping {
         landmarks_(std::move(landmarks)),
         kernels_(kernels),
         prepared_(topology),
-        edge_(mean_edge_length(topology, rest_)) {
+        edge_(mean_edge_length(topology.rings, rest_)) {
     region_.roi = surface_vertices(topology);
     is_landmark_.resize(topology.vertex_count(), 0);
     for (const Target& landmark : landmarks_) {

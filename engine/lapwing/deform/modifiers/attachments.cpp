@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
 #include <utility>
 
 #include "lapwing/base/errors.h"
@@ -18,16 +17,12 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kPointsPerTask = 64;
 
-Adjacency one_group(const Topology& topology) {
+const std::vector<Triangle>& triangles_of(const Topology& topology) {
   if (topology.triangles.empty()) {
     throw InputError(
         "a surface without triangles cannot carry attachments; use a mesh with triangles");
   }
-  Adjacency group;
-  group.values.resize(topology.triangles.size());
-  std::iota(group.values.begin(), group.values.end(), Index{0});
-  group.starts.push_back(static_cast<Index>(group.values.size()));
-  return group;
+  return topology.triangles;
 }
 
 // Returns the ROI and the loose parts, which follow the surface but are not unknowns.
@@ -60,7 +55,7 @@ SurfaceContacts::SurfaceContacts(std::span<const Vector3d> rest, const Topology&
     : rest_(rest),
       topology_(topology),
       widest_band_(kWidestCarryBand * bounds_of(surface_positions(rest, topology)).diagonal()),
-      surface_(topology.triangles, rest, one_group(topology)) {
+      surface_(triangles_of(topology), rest) {
   for (const auto& [a, b, c] : topology_.triangles) {
     areas_.push_back((rest[b] - rest[a]).cross(rest[c] - rest[a]).norm());
   }
