@@ -105,7 +105,7 @@ float bend(vec3 normal) {
 float square(float x) { return x * x; }
 float fourth(float x) { return square(square(x)); }
 
-// Returns the light of the matcaps. `albedo` is the colour of the surface.
+// These functions return the light of each matcap. `albedo` is the colour of the surface.
 vec3 clay_matcap(vec3 albedo, vec3 normal, vec3 eye) {
   // Light that also reaches behind the horizon of the surface makes shadows soft and warm.
   const float light = dot(normal, normalize(vec3(-0.45, 0.70, 0.55))) * 0.5 + 0.5;
@@ -115,7 +115,7 @@ vec3 clay_matcap(vec3 albedo, vec3 normal, vec3 eye) {
 }
 
 vec3 metal_matcap(vec3 albedo, vec3 normal, vec3 eye) {
-  // Reflects a bright sky, a dark horizon and a lit floor, and two long lamps.
+  // The metal reflects a bright sky, a dark horizon, a lit floor and two long lamps.
   const vec3 mirrored = reflect(-eye, normal);
   const float sky = smoothstep(-0.05, 0.9, mirrored.y);
   const float ground = smoothstep(0.0, 0.8, -mirrored.y);
@@ -131,7 +131,7 @@ vec3 pearl_matcap(vec3 albedo, vec3 normal, vec3 eye) {
   const vec3 key = normalize(vec3(-0.45, 0.65, 0.62));
   const float light = dot(normal, key) * 0.5 + 0.5;
   const float facing = max(dot(normal, eye), 0.0);
-  // Thin layers reflect another colour at each angle.
+  // Thin layers reflect a different colour at each angle.
   const vec3 phase = 6.2831853 * (1.3 * facing + vec3(0.0, 0.33, 0.67));
   const vec3 sheen = 0.5 + 0.5 * cos(phase);
   const float half_way = max(dot(normal, normalize(key + eye)), 0.0);

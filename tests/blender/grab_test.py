@@ -23,7 +23,8 @@ def middle_of(obj):
     return int(np.argmin(np.hypot(place[:, 0], place[:, 1])))
 
 
-#: No vertex lies at the border of the region, where rounding would decide.
+#: With this radius, no vertex lies exactly at the border of the region, where rounding would
+#: decide whether it moves.
 RADIUS = 0.21
 
 
@@ -100,7 +101,7 @@ class Grab(SceneTest):
 
 
 class Gesture(SceneTest):
-    """The steps of the mouse, without a window."""
+    """Tests the gesture as the mouse drives it, without a window."""
 
     def begin(self, obj, vertex, radius=RADIUS, reach=1.0):
         from lapwing_blender import grab

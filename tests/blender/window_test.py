@@ -1,5 +1,5 @@
-"""Edits in a window by mouse and keys: the surface follows a drag or grab, settles and is undone; Esc
-cancels."""
+"""Edits in a window by mouse and keys: the surface follows a drag or grab and settles; undo
+reverts the edit, and Esc cancels it."""
 
 import json
 import os
@@ -115,7 +115,7 @@ def story():
 
 
 def grab_story(window):
-    """The mouse grabs a mesh in the middle of the view, and undo takes it back in one step."""
+    """The mouse grabs a mesh in the middle of the view, and undo reverts the grab in one step."""
     with window.context():
         for obj in list(bpy.data.objects):
             obj.hide_set(True)
@@ -153,7 +153,7 @@ def grab_story(window):
     pull = np.array(handle["move"]["matrix"]).reshape(4, 4)[:3, 3]
     assert abs(pull[2]) < 1e-3 * np.linalg.norm(pull), "it moves in the plane of the view"
     window.press("Z", ctrl=True)
-    yield from until("undo takes the grab back in one step", lambda: len(moved()) == 0)
+    yield from until("undo reverts the grab in one step", lambda: len(moved()) == 0)
     assert "lapwing_edits" not in sheet()
 
     yield from drag()

@@ -302,7 +302,7 @@ TEST_F(CommandLine, CheckFillsHoles) {
 }
 
 TEST_F(CommandLine, APartThatIsInsideOutIsTurnedWhenItIsFilled) {
-  // A tetrahedron without its lower face, with normals inward.
+  // A tetrahedron without its lower face, whose normals point inward.
   write("turned.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 3\n3 1 0 3\n3 2 1 3\n3 0 2 3\n");
   EXPECT_THAT(succeed("check turned.off --fix a.off --fill-holes flat"),
               AllOf(HasSubstr("1 hole filled"), HasSubstr("1 inside-out part turned")));

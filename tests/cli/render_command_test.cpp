@@ -49,7 +49,7 @@ TEST_F(CommandLine, RenderDrawsMatcapsAndXrays) {
   for (const std::string style :
        {"", "--xray", "--wireframe", "--matcap clay", "--matcap metal", "--matcap pearl"}) {
     succeed("render tube.obj -o a.png --size 160x120 " + style);
-    EXPECT_TRUE(pictures.insert(read("a.png")).second) << style << " looks like another one";
+    EXPECT_TRUE(pictures.insert(read("a.png")).second) << style << " looks like another style";
   }
   EXPECT_EQ(lapwing("render tube.obj -o a.png --matcap gold").exit_code, 2);
 }

@@ -89,7 +89,8 @@ int main() {
          "a sheet gets finer triangles");
 
   const Mesh tube = cylinder(12, 5, 1.0, 4.0);
-  expect(find_holes(fill_holes(tube, find_holes(tube)).mesh).empty(), "a tube gets ends");
+  expect(find_holes(fill_holes(tube, find_holes(tube)).mesh).empty(),
+         "the holes of a tube are filled");
   expect(decimate(tube, {.share = 0.5}).mesh.vertex_count() < tube.vertex_count(),
          "a tube has fewer vertices");
   expect(subdivide(tube, {.times = 1}).face_count() == 4 * tube.face_count(),

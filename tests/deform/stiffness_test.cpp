@@ -144,7 +144,8 @@ TEST_F(StiffCylinder, ARigidPartMovesAsOneBody) {
   EXPECT_EQ(result.motions.maps.size(), 1U);
   EXPECT_LT(deformation(low, result.positions), 1e-3);
   EXPECT_LT(deformation(high, result.positions), 1e-3);
-  EXPECT_GT(deformation(unite(low, high), result.positions), 1.0) << "each is a body by itself";
+  EXPECT_GT(deformation(unite(low, high), result.positions), 1.0)
+      << "each part moves as a separate body";
   EXPECT_GT(deformation(low, bent(test::ends_of_cylinder(mesh_)).positions), 0.1);
   // The details of the bodies are kept.
   const Topology& topology = mesh_.topology();

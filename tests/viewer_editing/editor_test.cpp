@@ -108,7 +108,7 @@ TEST_F(AnEditor, ChoosesAllOfThePartThatTheToolInHandChooses) {
   EXPECT_EQ(selection.handles.at(0).vertices, selection.roi.vertices);
   EXPECT_EQ(editor_->part(), kHandle);
   editor_->undo();
-  // The gizmo chooses nothing.
+  // The gizmo chooses no part, so all vertices are added to the ROI.
   editor_->take(Action::take_move);
   const VertexSet handle = selection.handles.at(0).vertices;
   EXPECT_TRUE(perform_on(*editor_, Action::select_all));

@@ -43,7 +43,7 @@ TEST_F(Display, ChoosesTheShadingByThePanelAndByKeys) {
   EXPECT_TRUE(style().xray);
   viewer_->key('Z', {.alt = true});
   EXPECT_FALSE(style().xray);
-  EXPECT_TRUE(style().wireframe) << "X-ray was only in front of it";
+  EXPECT_TRUE(style().wireframe) << "X-ray did not turn off the wireframe";
   viewer_->click("Solid");
   EXPECT_FALSE(style().wireframe);
   viewer_->key('Z', {.alt = true});
@@ -88,7 +88,7 @@ class ComparisonSlider : public ::testing::Test {
     viewer_->click("Plain");
   }
 
-  // Two pictures are compared in the columns from `left` to `right`, without texts and gizmo.
+  // Compares two pictures in the columns from `left` to `right`, without texts and gizmo.
   static bool agree(const Image& a, const Image& b, std::uint32_t left, std::uint32_t right) {
     for (std::uint32_t y = 160; y < 700; ++y) {
       for (std::uint32_t x = left; x < right; ++x) {
@@ -97,7 +97,7 @@ class ComparisonSlider : public ::testing::Test {
     }
     return true;
   }
-  // The line is in the middle of what the sidebar leaves free.
+  // The line is in the middle of the area that the sidebar does not cover.
   std::uint32_t line() {
     return static_cast<std::uint32_t>(viewer_->app().scene().left.value().width);
   }
@@ -133,7 +133,7 @@ TEST_F(ComparisonSlider, IsDraggedByItsLine) {
   EXPECT_EQ(line(), 1000U);
   EXPECT_EQ(viewer_->app().scene().camera, camera);
   viewer_->drag({1000.0, 500.0}, {5.0, 500.0});
-  EXPECT_NEAR(line(), 390.0, 20.0) << "the sidebar limits it";
+  EXPECT_NEAR(line(), 390.0, 20.0) << "the line stops at the sidebar";
   EXPECT_EQ(viewer_->app().document()->editor.session().history().done(), steps)
       << "no tool acts on the line";
 }

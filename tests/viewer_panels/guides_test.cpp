@@ -274,7 +274,8 @@ TEST_F(Guides, AScaleIsTypedForEachAxis) {
   drag_disk(20.0);
   viewer_->key('M');
   viewer_->click("Selection");
-  // The field is right of the last Z: rows of the move and the rotation's axis have one, too.
+  // The field is to the right of the last Z. The rows of the translation and of the rotation axis
+  // contain a Z, too.
   const auto axis = find_text(viewer_->look_at(), "Z");
   ASSERT_TRUE(axis);
   const Eigen::Vector2d field(axis->max.x + 30.0F, axis->middle().y);

@@ -241,7 +241,7 @@ TEST_P(Panels, TheCertificateMovesNothing) {
   const auto remember = [&] {
     places.clear();
     for (const char* label : {"Selection", "Grow", "Mirror", "Undo", "Save recipe"}) {
-      // A low window shows a part of the sidebar.
+      // A low window shows only part of the sidebar.
       if (const auto text = find_text(viewer_->look_at(), label)) places[label] = text->min;
     }
     ASSERT_TRUE(places.contains("Undo"));

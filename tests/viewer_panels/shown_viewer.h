@@ -64,7 +64,7 @@ class ShownViewer {
   /// Clicks on the text of a panel, which must be there.
   void click(const std::string& words);
   void point_at(const std::string& words);
-  /// Scrolls the panel of the task, which is low on a small window, until it shows the words.
+  /// Scrolls the task panel until it shows the words. In a small window, the panel is low.
   void scroll_to(const std::string& words);
   /// Drags the mouse in the viewport. Positions are in pixels.
   void drag(const Eigen::Vector2d& from, const Eigen::Vector2d& to);

@@ -108,7 +108,8 @@ class ATurntableOfTheViewer : public ::testing::Test {
     viewer_->key('P', {.shift = true, .control = true});
     ASSERT_TRUE(viewer_->shows("Save turntable"));
     viewer_->click("Save as...");
-    viewer_->wait_for([&] { return viewer_->says("an image sequence (png)"); }, "a file is asked");
+    viewer_->wait_for([&] { return viewer_->says("an image sequence (png)"); },
+                      "the window asks for a file");
     viewer_->click("Save");
   }
 
@@ -130,7 +131,7 @@ TEST_F(ATurntableOfTheViewer, IsSavedWhileTheWindowIsDrawn) {
 TEST_F(ATurntableOfTheViewer, IsCancelledByEscape) {
   const StandInFfmpeg ffmpeg(viewer_->folder());
   begin();
-  viewer_->wait_for([&] { return viewer_->says(" of 120 frames"); }, "some are written");
+  viewer_->wait_for([&] { return viewer_->says(" of 120 frames"); }, "some frames are written");
   viewer_->click("File");
   EXPECT_FALSE(viewer_->shows("Quit")) << "nothing else can be done beside it";
   viewer_->key(kEscape);

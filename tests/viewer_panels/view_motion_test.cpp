@@ -83,7 +83,7 @@ TEST_F(ViewMotion, TheWheelNeverTakesTheEyeThroughTheSurface) {
 
 TEST_F(ViewMotion, AClickOnTheAxisGizmoLooksAlongTheAxisAndADragOrbits) {
   lapwing::test::keep_picture(viewer_->picture(), "axis-gizmo");
-  // A panel also says X, but the gizmo is drawn first.
+  // A panel also contains the text "X", but the gizmo is drawn first.
   const std::vector<ShownText>& texts = viewer_->look_at();
   const auto x = std::find_if(texts.begin(), texts.end(),
                               [](const ShownText& text) { return text.words == "X"; });

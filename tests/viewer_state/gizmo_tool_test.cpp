@@ -59,7 +59,7 @@ TEST_F(AGizmoTool, DragOfAnArmMovesTheHandleAlongIt) {
 TEST_F(AGizmoTool, ClickBesideTheGizmoIsPassedOn) {
   EXPECT_FALSE(send(press({5, 5})).taken);
   EXPECT_FALSE(send(key('S', {.control = true})).taken) << "nor is Control with a letter its key";
-  EXPECT_FALSE(send(key('G', {.shift = true})).taken) << "that key is the Grab tool's";
+  EXPECT_FALSE(send(key('G', {.shift = true})).taken) << "this key belongs to the Grab tool";
   EXPECT_FALSE(tool_.is_dragging());
 }
 

@@ -35,7 +35,7 @@ struct SphereScene {
   void perform(const ToolAnswer& answer) {
     if (answer.command) state = apply(std::move(state), *answer.command);
   }
-  /// Presses on `pixel` with the tool in hand, and performs its answer.
+  /// Presses on `pixel` with `tool`, and performs the command that the tool returns.
   ToolAnswer press_with(SceneTool& tool, const Vector2d& pixel, const Modifiers& modifiers = {}) {
     InputEvent event = press(pixel);
     event.modifiers = modifiers;

@@ -51,11 +51,12 @@ TEST(MovingResolution, FollowsWhatFramesTake) {
     return resolution.pixels_per_pixel();
   };
   EXPECT_EQ(after(100, 49.0), 1.0);
-  EXPECT_EQ(after(1, 400.0), 1.0) << "one slow frame says nothing";
+  EXPECT_EQ(after(1, 400.0), 1.0) << "one slow frame does not lower the resolution";
   EXPECT_EQ(after(1, 10.0), 1.0);
   EXPECT_EQ(after(2, 60.0), 1.25) << "two thirds of the pixels take 40 ms";
   EXPECT_EQ(after(50, 400.0), MovingResolution::kCoarsest);
-  EXPECT_EQ(after(1000, 40.0), MovingResolution::kCoarsest) << "finer would take 52 ms";
+  EXPECT_EQ(after(1000, 40.0), MovingResolution::kCoarsest)
+      << "a finer resolution would take 52 ms";
   EXPECT_EQ(after(1000, 37.0), 1.75);
   EXPECT_EQ(after(1000, 5.0), 1.0);
 }

@@ -13,7 +13,7 @@
 
 namespace lapwing::test {
 
-/// A scan of a deformed mesh, with the place of each vertex of the mesh.
+/// A scan of a deformed mesh, with the position of each vertex of the mesh on it.
 struct KnownScan {
   Mesh scan;
   Positions places;

@@ -59,7 +59,7 @@ void PictureOptions::add_to(CLI::App& command) {
   command.add_flag("--orthographic", orthographic, "parallel projection")->group(group);
   command.add_flag("--wireframe", wireframe, "draw polygon edges")->group(group);
   command.add_flag("--xray", xray, "draw a transparent surface with its edges")->group(group);
-  command.add_option("--matcap", matcap, "the material, instead of lights")
+  command.add_option("--matcap", matcap, "shade the surface as this material, without lights")
       ->check(CLI::IsMember({"none", "clay", "metal", "pearl"}))
       ->group(group)
       ->capture_default_str();

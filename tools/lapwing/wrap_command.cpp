@@ -101,9 +101,9 @@ void add_wrap(CLI::App& app) {
   command->add_option("-o,--output", a->output, "the template on the scan")->required();
   command->add_option(
       "--landmarks", a->landmarks,
-      "a table (.csv, .txt, .npy, .fcsv) of places on the scan. Each row contains a vertex of the "
-      "template, counted from 0, and x, y, z of its place; or six numbers, a point of the template "
-      "and its place. A weight may follow");
+      "a table (.csv, .txt, .npy, .fcsv) of corresponding points. Each row contains the number of "
+      "a template vertex, counted from 0, and the x, y, z of its position on the scan; or six "
+      "numbers, a point of the template and its position on the scan. A weight may follow");
   command->add_flag("--aligned", a->aligned,
                     "the template is already in place; do not align it first");
   command->add_flag("--strict", a->strict, "exit code 4 if the wrap has failed");

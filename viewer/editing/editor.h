@@ -93,7 +93,7 @@ class Editor {
   /// Adds these vertices and some rings of neighbours to the ROI. If the handles are inside, adds a
   /// margin of half as many vertices as the ROI has. The handles keep their moves.
   void enlarge_roi();
-  /// Does what a warning advises.
+  /// Carries out the advice of a warning.
   void carry_out(Remedy remedy);
 
   const EditSession& session() const { return *session_; }
@@ -122,8 +122,8 @@ class Editor {
   void begin_choosing(const Part& part);
   /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
   void go_on();
-  /// Chooses all vertices for the part that the active tool chooses, by default for the ROI. After
-  /// the ROI, the user chooses the handle next.
+  /// Adds all vertices to the part that the active tool chooses. If the tool chooses no part, adds
+  /// them to the ROI. After the ROI, the user chooses the handle.
   void choose_all();
 
   GrabTool& grab_tool() { return tools_.grab; }

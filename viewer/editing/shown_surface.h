@@ -108,7 +108,7 @@ class ShownSurface {
   const Topology& topology() const { return *device_->topology; }
 
   /// Returns the opened mesh on the device, to draw it beside the edited surface. Uploads it unless
-  /// the device has it since the last `release_opened`.
+  /// it was already uploaded after the last `release_opened`.
   const EditSurface& opened_on_device();
   void release_opened() { opened_device_.reset(); }
 

@@ -50,7 +50,8 @@ class SourceView {
   ToolAnswer choose(const InputEvent& event);
   void move_camera(const InputEvent& event, const Keymap& keymap);
   void drag_to(const Eigen::Vector2d& pixel);
-  /// Focuses the camera on the surface at `pixel` and returns the point, or else the target.
+  /// Focuses the camera on the surface point at `pixel` and returns it. If no surface is there,
+  /// returns the camera's target.
   Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
 
   AppState state_;

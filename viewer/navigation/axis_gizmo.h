@@ -10,7 +10,8 @@
 namespace lapwing::viewer {
 
 /// The axis gizmo shows the directions of the world's axes in a corner of the 3D view. A click on
-/// an end of an axis looks at the mesh from there. Lengths are in points (tools/projection.h).
+/// an end of an axis shows the mesh from this direction. Lengths are in points
+/// (tools/projection.h).
 
 /// Distance of the ends from the centre of the gizmo, if the axis is parallel to the image.
 inline constexpr double kAxisPt = 34.0;
@@ -30,7 +31,8 @@ struct AxisEnd {
 /// Returns the six ends, the farthest from the eye first, which is the order to draw them in.
 std::array<AxisEnd, 6> axis_ends(const Camera& camera);
 
-/// Returns the nearest end to the eye that covers `offset_pt`, measured from the gizmo's centre.
+/// Of the ends that cover `offset_pt`, measured from the gizmo's centre, returns the one nearest to
+/// the eye.
 std::optional<AxisEnd> axis_end_at(const Camera& camera, const Eigen::Vector2d& offset_pt);
 
 /// Returns the view that looks at the mesh from this end.

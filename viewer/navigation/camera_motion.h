@@ -17,10 +17,10 @@ ViewAxes axes_of(const Camera& camera);
 /// camera. The image stays the same. Then `panned` and `zoomed` follow the surface there.
 Camera focused(const Camera& camera, const Eigen::Vector3d& point);
 
-/// Rotates the camera about `center` after the cursor moved by `pixels`; `center` keeps its place
-/// in the image. Horizontal motion rotates about the world's up direction `upward`. Vertical motion
-/// changes the angle between the line of sight and `upward`, from 0 to 180 degrees. The height of
-/// the image corresponds to 180 degrees.
+/// Rotates the camera about `center` after the cursor moved by `pixels`; `center` keeps its
+/// position in the image. Horizontal motion rotates about the world's up direction `upward`.
+/// Vertical motion changes the angle between the line of sight and `upward`, from 0 to 180 degrees.
+/// The height of the image corresponds to 180 degrees.
 Camera orbited(const Camera& camera, const Eigen::Vector2d& pixels, const Eigen::Vector2d& size,
                const Eigen::Vector3d& upward, const Eigen::Vector3d& center);
 

@@ -73,7 +73,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'V', kPlain, Action::take_pin,
       "Pin: press on a vertex to pin it and drag. Shift: only pin or select it"},
      {'P', kShift, Action::take_stiffness,
-      "Stiffness: paint what is rigid, stiff or soft. [ and ] resize the brush, Ctrl erases"},
+      "Stiffness: paint rigid, stiff or soft parts. [ and ] resize the brush, Ctrl erases"},
      {'U', kPlain, Action::take_ruler,
       "Measure: distance between two points, straight and along the surface. Escape removes it"},
      {'M', kPlain, Action::take_move,

@@ -40,7 +40,7 @@ AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
 }
 
 // Returns the open step with its vertices on `surface_of(state)`. Lists the vertices of the ROI,
-// because resolving its form again would compute geodesic distances.
+// because resolving the form of the ROI again could require computing geodesic distances.
 DeformRequest step_on_surface(const AppState& state) {
   const JoinedSurface* joined = joined_seams(state);
   DeformRequest step =

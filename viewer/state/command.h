@@ -64,7 +64,7 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
-/// Sets how stiff parts of the surface are.
+/// Sets the stiffness of parts of the surface.
 struct SetStiffness {
   std::vector<StiffnessSpec> parts;
 };

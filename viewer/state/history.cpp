@@ -17,7 +17,7 @@ void History::perform(const Command& command, Joining joining) {
   } else if (joining == Joining::own_step) {
     record(describe(command), state_, std::move(after));
   } else {
-    // The pull of a grab is part of the grab.
+    // The pull belongs to the step of the grab, which keeps its name.
     const std::string grab = describe(Grab{});
     const bool is_pull = joining == Joining::with_last && steps_[done_ - 1].name == grab;
     replace_last(is_pull ? grab : describe(command), std::move(after));

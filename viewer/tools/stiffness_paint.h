@@ -4,14 +4,14 @@
 
 namespace lapwing::viewer {
 
-/// Paints how stiff the surface is. The brush sets the stiffness factor of the vertices that it
+/// Paints the stiffness of the surface. The brush sets the stiffness factor of the vertices that it
 /// touches. With Ctrl, it resets the factor to 1.
 class StiffnessPaint final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return brush_.tool().is_dragging(); }
   const char* hint(const AppState&, const Part&) const override {
-    return "Paint what stays rigid, stiff or soft. Ctrl erases.";
+    return "Paint rigid, stiff or soft parts. Ctrl erases.";
   }
   ToolMarks marks() const override { return brush_.tool().marks(); }
   bool follows_cursor() const override { return true; }

@@ -14,7 +14,7 @@ bool draw_step_button(const char* label, Action action, const std::string* step)
   const bool pressed = ImGui::Button(label);
   if (step == nullptr) {
     explain(action);
-  } else if (ImGui::IsItemHovered()) {  // or else the words would be allocated in every frame
+  } else if (ImGui::IsItemHovered()) {  // avoids allocating the words in every frame
     explain(label + (": " + *step), "Shortcut: " + control_of(action).how);
   }
   return pressed;

@@ -20,7 +20,7 @@ std::string name_of(const Hole& hole) {
   return grouped(hole.rim.size()) + " rim vertices" + (hole.is_border ? ", border" : "");
 }
 
-// Draws the number of vertices and faces of the result, or why there is none.
+// Draws the numbers of vertices and faces of the result, or the reason why there is no result.
 void draw_result_of(const MeshStepTool& tool, const Editor& editor) {
   const StepPreview& preview = tool.result();
   const WorkStatus status = preview.status();
@@ -31,9 +31,9 @@ void draw_result_of(const MeshStepTool& tool, const Editor& editor) {
     draw_colored(Tone::error, in_window_words(preview.message()));
   } else if (const std::shared_ptr<const Mesh> mesh = preview.mesh()) {
     const Mesh& before = *editor.state().rest;
-    ImGui::TextWrapped("Preview: %s vertices, before %s", grouped(mesh->vertex_count()).c_str(),
+    ImGui::TextWrapped("Preview: %s vertices (before: %s)", grouped(mesh->vertex_count()).c_str(),
                        grouped(before.vertex_count()).c_str());
-    ImGui::TextWrapped("%s faces, before %s", grouped(mesh->face_count()).c_str(),
+    ImGui::TextWrapped("%s faces (before: %s)", grouped(mesh->face_count()).c_str(),
                        grouped(before.face_count()).c_str());
   } else if (preview.result() != nullptr) {
     ImGui::TextWrapped("The step changes nothing. Change its settings.");

@@ -53,8 +53,9 @@ float status_height();
 /// lengths if it is not empty.
 void draw_mesh_panel(const Document& document, const std::string& unit);
 
-/// Draws the holes of the surface, and the commands that change its triangles. `size` is the size
-/// of the surface. Returns the vertices of a hole that the user wants to see.
+/// Draws the holes of the surface, and the commands that change its triangles. `size` is the
+/// diagonal of the bounding box of the mesh. Returns the rim of the hole that the user wants to
+/// see.
 std::optional<std::vector<Index>> draw_mesh_steps(MeshStepTool& tool, Editor& editor, double size);
 
 /// Describes a rectangle of the window, in ImGui's units unless stated otherwise.
@@ -177,8 +178,8 @@ class EditMarks {
                        const PictureArea& area, double width);
   /// Draws the loops of a transplant's part and hole, and the part's gizmo.
   void draw_transplant(const TransplantTool& desk, const ViewFrame& view, double pixels_per_unit);
-  /// Draws the line between the original and the edited mesh, with their names below `top`. Both
-  /// places are in pixels.
+  /// Draws the line between the original and the edited mesh, with their names below `top`. `line`
+  /// and `top` are in pixels.
   void draw_slider(const ViewFrame& view, double pixels_per_unit, double line, double top);
 
  private:

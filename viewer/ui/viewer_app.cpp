@@ -208,7 +208,7 @@ SurfaceStyle ViewerApp::shown_style() const {
   return style;
 }
 
-// The grid of the mesh before all steps, so that an edit does not move it.
+// The grid is placed under the mesh as it was opened, so that an edit does not move it.
 std::optional<GroundGrid> ViewerApp::shown_grid() const {
   if (!display_.grid) return {};
   return ground_grid(document_->editor.shown().opened_bounds(), up_axis_);

@@ -139,16 +139,18 @@ class ViewerApp final : public App {
   void frame(std::span<const Index> vertices);
   void frame_points(std::span<const Eigen::Vector3d> points);
   void orbit_by(double right, double down, const Eigen::Vector3d& center);
-  /// Focuses the camera on the surface at `pixel` and returns the point, or else the target.
+  /// Focuses the camera on the surface point at `pixel` and returns it. If no surface is there,
+  /// returns the camera's target.
   Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
   /// Returns the centre of the axis gizmo in pixels; nullopt if it is hidden.
   std::optional<Eigen::Vector2d> axis_gizmo_center() const;
-  /// Returns the place of the line of the slider, in pixels from the left; nullopt if it is off.
+  /// Returns the position of the slider's line, in pixels from the left; nullopt if the slider is
+  /// off.
   std::optional<double> slider_line() const;
-  /// Handles a drag of this line. Returns whether the event belongs to one.
+  /// Handles a drag of the slider's line. Returns whether the event belongs to such a drag.
   bool handle_slider(const InputEvent& event);
   void toggle_slider();
-  /// Handles a press or release on the axis gizmo. Returns whether it was one.
+  /// Handles a press or release on the axis gizmo. Returns whether the gizmo has taken the event.
   bool handle_axis_gizmo(const InputEvent& event);
   bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
@@ -219,7 +221,8 @@ class ViewerApp final : public App {
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
   double pixels_per_point_ = 1.0;
   std::optional<Motion> motion_;  ///< camera motion under way
-  /// Place of the slider's line as a share of the width that the panels leave free.
+  /// Position of the slider's line in the area that the panels do not cover, from 0 at its left
+  /// edge to 1 at its right edge.
   std::optional<double> slider_;
   bool on_slider_ = false;      ///< its line is being dragged
   bool on_axis_gizmo_ = false;  ///< the motion began on the axis gizmo

@@ -22,7 +22,7 @@ constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
 // Points of a zooming drag that make things e times as large.
 constexpr double kZoomPt = 150.0;
-// Distance from the slider's line within which a press takes it.
+// Distance from the slider's line within which a press grabs it.
 constexpr double kSliderPt = 5.0;
 // Distance of the axis gizmo from the edges of the 3D view.
 constexpr double kAxisGapPt = 6.0;

@@ -48,7 +48,8 @@ double least_letters() {
   return std::ceil(static_cast<double>(width / ImGui::GetFontSize()));
 }
 
-// Returns the padding beside a tab's name. On a small window it is narrow, so that no name is cut.
+// Returns the padding beside a tab's name. In a small window it is narrow, so that no name is cut
+// off.
 float padding_of_tabs() {
   const float free = ImGui::GetContentRegionAvail().x - bare_width_of_tabs();
   const float share = std::floor(0.5F * free / static_cast<float>(std::size(kTabs)));
@@ -179,7 +180,7 @@ void ViewerApp::draw_task(Task task) {
 
 void ViewerApp::draw_mesh_commands() {
   if (document_->desk.is_open() || document_->transplant.is_open()) {
-    ImGui::TextDisabled("Apply or cancel the open operation to change the triangles.");
+    ImGui::TextDisabled("Apply or cancel the open operation before you change the triangles.");
     return;
   }
   const double size = document_->report.statistics.bounds.diagonal();

@@ -56,7 +56,8 @@ class MovingResolution {
  private:
   double pixels_ = 1.0;
   int slow_ = 0;  ///< number of consecutive frames that took too long
-  int fast_ = 0;  ///< number of consecutive frames that would be fast enough one step finer
+  int fast_ =
+      0;  ///< number of consecutive frames that would be fast enough at the next finer resolution
   /// The value of fast_ at which the resolution is raised. It doubles whenever the resolution is
   /// lowered. This prevents oscillation if the time depends mainly on the number of triangles.
   int patience_ = 4;

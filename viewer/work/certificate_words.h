@@ -7,7 +7,7 @@
 
 namespace lapwing::viewer {
 
-/// What the window can do about a problem, on one click.
+/// A remedy for a problem, which the window applies at one click.
 enum class Remedy { enlarge_region, select_region, raise_iterations, hold_exactly, undo };
 
 /// Returns the label of the button, such as "Enlarge region".
@@ -19,7 +19,7 @@ const char* explanation_of(Remedy remedy);
 struct CertificateWarning {
   std::string text;             ///< the problem and the next step, in one or two sentences
   std::vector<Index> vertices;  ///< vertices to show, ascending; empty for the whole edit
-  std::vector<Remedy> remedies;  ///< the first is the one to try first; at least one
+  std::vector<Remedy> remedies;  ///< at least one; the user should try the first one first
 };
 
 /// Returns the problems in the certificate, the most severe first. The thresholds for handles and

@@ -25,7 +25,7 @@ class StepPreview {
   bool update();
 
   WorkStatus status() const { return job_.status(); }
-  /// Returns null while it is not computed.
+  /// Returns the result, or null until it has been computed.
   const CarriedOut* result() const { return result_ ? &*result_ : nullptr; }
   /// Returns the new mesh, or null if there is no result or if it has the same triangles.
   std::shared_ptr<const Mesh> mesh() const;

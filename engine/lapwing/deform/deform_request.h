@@ -58,7 +58,8 @@ struct DeformRequest {
   BeltSpec belt = BoundaryAnchors{};
   std::vector<MovedHandle> handles = {};
   TargetSpec targets = {};  ///< required if there are no handles
-  /// Parts that are stiffer or softer than the rest. The last one that contains a vertex counts.
+  /// Parts that are stiffer or softer than the rest. If several parts contain a vertex, the last
+  /// one applies.
   std::vector<StiffnessSpec> stiffness = {};
   DeformParameters parameters = {};
   /// Applies the edit on both sides of a plane (`mirrored_request`).

@@ -32,7 +32,8 @@ struct DeformSolverState {
   StageTimings timings;
   std::unique_ptr<const HandleWeights> weights;    ///< null if the edit does not use rest stretch
   std::shared_ptr<const ResponseSystem> response;  ///< null if the edit settles
-  /// Solves the edit in which rigid parts are held (`with_rigid_handles`); null if there are none.
+  /// Solves the edit in which rigid parts are handles (`with_rigid_handles`); null if there are no
+  /// rigid parts.
   std::unique_ptr<const DeformSolver> with_rigid_parts;
 
   /// Returns the cached workspace, or a new one. Both functions are thread-safe.

@@ -87,7 +87,8 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
      "add a handle or a belt to each piece that an edit should move or hold", Severity::info,
      Element::component, false},
     {"hole", "holes",
-     "the surface is open there: a hole moves with its rim; the border of an open sheet is no hole",
+     "the surface is open there: a hole moves with its rim; the border of an open sheet is not a "
+     "hole",
      "fill them with `lapwing check MESH --fix OUT --fill-holes smooth`", Severity::info,
      Element::rim, false},
     {"self_intersection", "faces that cut through others",

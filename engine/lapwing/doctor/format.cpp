@@ -66,7 +66,7 @@ void write_places(std::ostream& out, const Defect& defect) {
   if (defect.first.size() / width < defect.count) out << ", ...";
 }
 
-// Writes "with 24, 8 and 3 rim vertices"; the holes are in the order of the defect's places.
+// Writes "with 24, 8 and 3 rim vertices". `holes` have the same order as `defect.first`.
 void write_rims(std::ostream& out, const Defect& defect, const std::vector<Hole>& holes) {
   const std::size_t listed = defect.first.size();
   for (std::size_t i = 0; i < listed; ++i) {

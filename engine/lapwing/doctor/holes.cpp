@@ -81,8 +81,8 @@ class LoopFinder {
 
   std::string trouble_of(const std::vector<Index>& sides) const {
     if (is_single_face(sides)) {
-      return "the part is a single face, which the fill would repeat; remove or extrude the face "
-             "in a modelling tool";
+      return "the part is a single face, which the fill would duplicate; remove or extrude the "
+             "face in a modelling tool";
     }
     for (const Index side : sides) {
       for (const Index corner : {side, edges_.next_corner[side]}) {
@@ -132,7 +132,8 @@ class LoopFinder {
     return vertices;
   }
 
-  // Appends the loop of `sides`, cut into several where it comes back to a point.
+  // Appends the loop of `sides`. Splits it into several loops at each point that it visits more
+  // than once.
   void append_holes(const std::vector<Index>& sides, std::vector<Hole>& holes) const {
     if (std::string trouble = trouble_of(sides); !trouble.empty()) {
       holes.push_back(refused(sides, std::move(trouble)));
@@ -145,7 +146,7 @@ class LoopFinder {
       points.push_back(mesh_.positions[start(side)]);
     }
     const std::vector<Index> first = first_at_same_position(points);
-    std::vector<std::size_t> open;  // places in `loop`
+    std::vector<std::size_t> open;  // indices into `loop`
     auto left = std::ssize(loop);
     for (std::size_t k = 0; k < loop.size(); ++k) {
       if (first[k] != k) {

@@ -24,13 +24,13 @@ struct Hole {
   std::string trouble;
 };
 
-/// Returns all boundary loops, those with the most vertices first. A loop that comes back to a
-/// point, such as a bow-tie vertex, is cut there into several holes. If different vertices are at
-/// the point, filling these holes creates unwelded seams, which `fix` welds. Loops that touch an
-/// edge of more than two faces, a vertex that is not finite, or faces of opposite orientation have
-/// a `trouble`, and so has the loop of a part that is a single face. Unwelded seams are joined
-/// (joined_surface), so they are no holes, and rims use the leaders of joined vertices.
-/// Near-linear.
+/// Returns all boundary loops, those with the most vertices first. A loop that visits a point more
+/// than once, such as a bow-tie vertex, is split there into several holes. If several vertices
+/// coincide at the point, filling these holes creates unwelded seams, which `fix` welds. Loops that
+/// touch an edge of more than two faces, a vertex that is not finite, or faces of opposite
+/// orientation have a `trouble`, and so has the loop of a part that is a single face. Unwelded
+/// seams are joined (joined_surface), so they are not holes, and rims use the leaders of joined
+/// vertices. Near-linear.
 std::vector<Hole> find_holes(const Mesh& mesh);
 /// The same for a mesh without unwelded seams, whose edges and fans are known.
 std::vector<Hole> find_holes(const Mesh& mesh, const Edges& edges, const Fans& fans);
@@ -41,7 +41,7 @@ std::string name_hole(const Hole& hole);
 /// Selects holes.
 struct HoleChoice {
   std::size_t most_rim_vertices = 0;  ///< larger holes are omitted; 0 for no limit
-  bool borders = false;               ///< whether the borders of open sheets are holes, too
+  bool borders = false;               ///< whether the borders of open sheets count as holes, too
 };
 /// Returns the holes that `choice` selects, in the same order, with or without a `trouble`.
 std::vector<Hole> chosen(const std::vector<Hole>& holes, const HoleChoice& choice);

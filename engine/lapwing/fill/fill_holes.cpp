@@ -21,8 +21,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The first refinement is that of a flat fill, whose edges become too long when it becomes round.
-// The second corrects this. A third moves a sphere's cap by at most 1 % of its height.
+// The first refinement starts from a flat fill, whose edges become too long when fairing makes the
+// fill round. The second refinement corrects this. A third would move the cap of a sphere by at
+// most 1 % of its height.
 constexpr int kRounds = 2;
 // The largest number of rim points that define the edge lengths inside. More points make no visible
 // difference.
@@ -78,7 +79,8 @@ HolePatch flat_patch(const Mesh& surface, const Hole& hole) {
   return patch;
 }
 
-// The edge length inside a hole: the mean edge lengths at the rim, interpolated.
+// Returns the edge length for a point inside a hole. It is interpolated from the mean edge lengths
+// at the vertices of the rim.
 class RimSizes {
  public:
   RimSizes(const Mesh& surface, const Hole& hole) {
@@ -109,10 +111,11 @@ void refine(HolePatch& patch, const Hole& hole, const Mesh& surface, const Progr
   for (const Triangle& t : patch.triangles) alone.add_face(t);
   std::vector<Index> all(patch.points.size());
   std::iota(all.begin(), all.end(), Index{0});
-  // The bends of a flat fill are no features.
+  // The bends of a flat fill are not features.
   const RemeshOptions options{.feature_angle_degrees = 180.0};
   const Mesh finer = remesh_isotropic(alone, all, RimSizes(surface, hole), options, progress).mesh;
-  // Points of the rim are on the border of `alone`, so they stay first.
+  // Points of the rim are on the border of `alone`, so remeshing keeps them at the start of the
+  // list.
   patch.points = finer.positions;
   patch.triangles = finer.topology().triangles;
   split_repeated_edges(patch, hole, surface.topology());

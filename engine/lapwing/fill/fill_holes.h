@@ -15,10 +15,11 @@ namespace lapwing {
 /// The shape of the surface that fills a hole.
 enum class FillShape {
   flat,    ///< the triangulation of the rim with the smallest area, without new vertices
-  smooth,  ///< triangles of the rim's size, whose tangent planes continue those of the surface
+  smooth,  ///< triangles of the same size as those at the rim; the tangent planes of the surface
+           ///< continue
 };
 
-/// A request to fill holes, without the mesh.
+/// Options for filling the holes of a mesh.
 struct FillRequest {
   RegionSpec region = {AllVertices{}};  ///< holes with no rim vertex in it stay open
   FillShape shape = FillShape::smooth;
@@ -44,11 +45,11 @@ struct FilledHoles {
 /// fill of a planar rim is planar. A smooth fill is refined to the mean edge length at the rim,
 /// which is interpolated inside (Liepa, "Filling Holes in Meshes", 2003), and minimizes the
 /// thin-plate energy (fair_patches.h). It is a little flatter than a sphere: if the rim of a hole
-/// in a sphere is 20, 30 or 60 degrees from its pole, the fill is within 0.2, 0.8 or 12 % of the
-/// radius. Neither shape avoids intersections with other parts. New vertices and faces get
-/// attributes as in `append_patches`; they have no texture coordinates. If the mesh has an edge
-/// that is also a diagonal of the rim, the diagonal gets a new vertex. Filled holes close the mesh
-/// there, and a manifold mesh stays manifold.
+/// in a sphere is 20, 30 or 60 degrees from the centre of the hole, the fill deviates from the
+/// sphere by at most 0.2, 0.8 or 12 % of the radius. Neither shape avoids intersections with other
+/// parts. New vertices and faces get attributes as in `append_patches`; they have no texture
+/// coordinates. If the mesh has an edge that is also a diagonal of the rim, the diagonal gets a new
+/// vertex. The mesh is closed where a hole was filled, and a manifold mesh stays manifold.
 ///
 /// Throws InputError, naming the hole, if it has a `trouble` or a size outside the limits of
 /// `require_extent`; InputError, naming a vertex, if a face of the mesh is not finite; InputError

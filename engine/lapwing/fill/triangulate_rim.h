@@ -8,11 +8,12 @@
 
 namespace lapwing {
 
-/// Triangulates the closed polygon `rim` with its orientation. Corners are positions in `rim`. If
-/// the polygon has at most kMostAreaVertices vertices, the result has the smallest area. Of several
-/// results with this area, it has short edges (Barequet and Sharir 1995; O(n^3)). A longer polygon
-/// is cut as by `triangulate_polygon`. `is_edge(a, b)` returns whether the mesh already has this
-/// edge. The triangulation avoids such diagonals if it can.
+/// Triangulates the closed polygon `rim`. The triangles have the orientation of the polygon, and
+/// their corners are indices into `rim`. If the polygon has at most kMostAreaVertices vertices, the
+/// result has the smallest area. If several triangulations have nearly this area, the one with
+/// shorter edges is preferred (Barequet and Sharir 1995; O(n^3)). Larger polygons are triangulated
+/// by `triangulate_polygon`. `is_edge(a, b)` returns whether the mesh already has this edge. The
+/// smallest-area triangulation avoids such diagonals if it can.
 std::vector<Triangle> triangulate_rim(std::span<const Eigen::Vector3d> rim,
                                       const std::function<bool(Index, Index)>& is_edge);
 

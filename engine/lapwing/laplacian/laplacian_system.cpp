@@ -116,8 +116,9 @@ std::vector<double> LaplacianSystem::finite_weights(std::span<const double> W) c
   return finite;
 }
 
-// Rigid parts must not make the constraints stiffer, because the rotation of a free handle is then
-// lost in rounding errors. With stiffness factors, the mean is therefore that of the softest part.
+// Rigid parts must not make the constraints stiffer, because the rotation of a free handle would
+// then be lost in rounding errors. With stiffness factors, the mean is therefore computed as if all
+// vertices had the smallest factor.
 double LaplacianSystem::mean_diagonal() const {
   const std::span<const double> diagonal = factor_.unconstrained_diagonal();
   std::vector<double> softened(diagonal.begin(), diagonal.end());

@@ -66,8 +66,8 @@ class LaplacianSystem {
   bool is_analyzed() const { return factor_.is_analyzed(); }
   /// Factorizes with the stiffness `W`, one number per unknown. Recomputes only the parts that have
   /// changed since the last factorization. Replaces kStiff by 1000 times the matrix's diagonal at
-  /// the vertex, or 1000 times the mean diagonal if that is larger; with stiffness
-  /// factors, the mean is that of the softest part. Throws SolverError as the
+  /// the vertex, or 1000 times the mean diagonal if that is larger; with stiffness factors, the
+  /// mean is computed as if all vertices had the smallest factor. Throws SolverError as the
   /// constructor does; only the factor is then lost.
   void factorize(std::span<const double> W);
   /// Returns true if the current factor is that of the matrix with stiffness `W`.

@@ -13,7 +13,8 @@
 namespace lapwing {
 namespace {
 
-// Returns the attributes of a corner that must not differ at a vertex that is merged.
+// Returns the attributes that must be the same at all corners of a vertex before the vertex may be
+// merged.
 std::array<Index, 3> kind_of_corner(const MeshAttributes& a, Index corner) {
   const Index face = corner / 3;
   return {a.corner_uvs.empty() ? 0 : a.corner_uvs[corner],

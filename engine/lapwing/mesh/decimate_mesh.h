@@ -8,9 +8,9 @@
 
 namespace lapwing {
 
-/// A request to reduce the number of vertices, without the mesh.
+/// Options for reducing the number of vertices of a mesh.
 struct DecimateRequest {
-  double share = 0.5;              ///< of the vertices to keep, above 0 and at most 1
+  double share = 0.5;              ///< fraction of the vertices to keep, above 0 and at most 1
   std::string where = "decimate";  ///< name in messages; ignored by ==
   bool operator==(const DecimateRequest& other) const { return share == other.share; }
 };
@@ -24,8 +24,8 @@ struct DecimatedMesh {
 /// (decimate.h). The remaining vertices do not move. Vertices on unwelded seams, on seams of
 /// texture coordinates, and between materials or groups are kept. Drops isolated vertices and
 /// stored normals; all other attributes stay. Throws InputError, naming `request.where`, if the
-/// share is out of its range; InputError if the mesh has no surface or a vertex that is not finite;
-/// and Cancelled. Stage "decimate".
+/// share is out of range; InputError if the mesh has no surface or a vertex that is not finite; and
+/// Cancelled. Stage "decimate".
 DecimatedMesh decimate(const Mesh& mesh, const DecimateRequest& request,
                        const Progress& progress = {});
 

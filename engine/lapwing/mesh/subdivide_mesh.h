@@ -7,10 +7,10 @@
 
 namespace lapwing {
 
-/// A request to refine a whole mesh, without the mesh.
+/// Options for refining a whole mesh.
 struct SubdivideRequest {
   int times = 1;                    ///< at least 1
-  bool smooth = false;              ///< Loop's scheme; otherwise the shape stays
+  bool smooth = false;  ///< whether to use Loop's scheme; otherwise the shape does not change
   std::string where = "subdivide";  ///< name in messages; ignored by ==
   bool operator==(const SubdivideRequest& other) const {
     return times == other.times && smooth == other.smooth;

@@ -180,12 +180,11 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                "follow",
        .absent = "none"},
       step.targets);
-  visitor.stiffness(
-      {.name = "stiffness",
-       .help = "parts that are stiffer or softer than the rest, such as bones, teeth or armour; "
-               "the last part that contains a vertex counts",
-       .absent = "none"},
-      step.stiffness);
+  visitor.stiffness({.name = "stiffness",
+                     .help = "parts that are stiffer or softer than the rest, such as bones, teeth "
+                             "or armour; if several parts contain a vertex, the last one applies",
+                     .absent = "none"},
+                    step.stiffness);
   visitor.mirror({.name = "mirror",
                   .help = "apply ROI, belt, handles, targets and stiffness on both sides of a "
                           "plane: the plane of symmetry found from the shape, a coordinate plane "

@@ -6,7 +6,7 @@ namespace lapwing {
 void describe(RemeshRequest& step, KeyVisitor& visitor) {
   visitor.where(step.where);
   visitor.region({.name = "region",
-                  .help = "the region whose triangles are replaced; its boundary stays",
+                  .help = "the region whose triangles are replaced; its boundary stays fixed",
                   .required = true,
                   .flag_default = "all"},
                  step.region);
@@ -30,17 +30,19 @@ void describe(RemeshRequest& step, KeyVisitor& visitor) {
 void describe(DecimateRequest& step, KeyVisitor& visitor) {
   visitor.where(step.where);
   visitor.number(
-      {.name = "share", .help = "the approximate share of the vertices that is kept"}, step.share,
+      {.name = "share", .help = "the approximate fraction of the vertices that are kept"},
+      step.share,
       {.least = 0.0, .most = 1.0, .takes_least = false, .slider_from = 0.01, .slider_to = 1.0});
 }
 
 void describe(SubdivideRequest& step, KeyVisitor& visitor) {
   visitor.where(step.where);
-  visitor.whole({.name = "times", .help = "how often each triangle is cut into four"}, step.times,
-                {.least = 1.0, .most = 8.0, .slider_to = 4.0});
-  visitor.boolean({.name = "smooth",
-                   .help = "make the shape smooth by Loop's scheme; otherwise the shape stays"},
-                  step.smooth);
+  visitor.whole({.name = "times", .help = "how many times each triangle is cut into four"},
+                step.times, {.least = 1.0, .most = 8.0, .slider_to = 4.0});
+  visitor.boolean(
+      {.name = "smooth",
+       .help = "smooth the shape by Loop's scheme; otherwise the shape does not change"},
+      step.smooth);
 }
 
 void describe(FillRequest& step, KeyVisitor& visitor) {

@@ -44,7 +44,8 @@ struct EditRegion {
   /// Falloff::weight per handle; may be empty.
   std::vector<std::optional<double>> handle_weights = {};
   std::vector<FalloffVertex> graded = {};  ///< ascending; free vertices without hard targets
-  /// In the ROI, ascending. The factor of all other vertices is 1.
+  /// Stiffness factors of vertices in the ROI, in ascending order of vertices. The factor of all
+  /// other vertices is 1.
   std::vector<VertexStiffness> stiffness = {};
   std::vector<Target> targets = {};        ///< in the ROI, none at a vertex of belt or handles
   bool hard_targets = false;               ///< whether targets are reached exactly

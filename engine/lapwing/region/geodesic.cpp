@@ -142,8 +142,8 @@ void GeodesicFront::update_triangle(const Triangle& triangle, Index v) {
   update_corner(v, w, u);
 }
 
-// Updates the distance of w by the paths along the edge vw and through the triangle from the edge
-// vu.
+// Lowers the distance of w if a path along the edge vw, or from the edge vu through the triangle,
+// is shorter.
 void GeodesicFront::update_corner(Index v, Index u, Index w) {
   if (!is_allowed(w)) return;
   // A front only advances, so it cannot decrease the distance of a vertex that it has passed.

@@ -34,8 +34,8 @@ std::vector<double> geodesic_distances(const Topology& topology,
                                        double max_distance = kNoLimit,
                                        std::span<const char> allowed = {});
 
-/// The computation of geodesic_distances with a limit that can be raised, for a search that does
-/// not know in advance how far it must go.
+/// Computes geodesic_distances up to a limit that can be raised. Use it for a search that does not
+/// know in advance how far it must go.
 class GeodesicFront {
  public:
   /// All arguments must outlive the object. Throws InputError if a source is not a vertex.
@@ -43,7 +43,7 @@ class GeodesicFront {
                 std::span<const Index> sources, std::span<const char> allowed = {});
 
   /// Computes the distances up to `max_distance`, which must not decrease from call to call. A
-  /// second call costs only the vertices that the first did not reach.
+  /// later call visits only the vertices that earlier calls did not reach.
   void march_to(double max_distance);
 
   /// Returns the distance of each vertex. Those beyond the limit are upper bounds, or infinite.

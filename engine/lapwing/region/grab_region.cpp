@@ -23,7 +23,7 @@ constexpr double kStep = 0.25;     // between the circles that are measured
 constexpr double kFirst = 0.5;     // radius of the first circle
 constexpr double kLargest = 10.0;  // radius of the last circle
 constexpr double kShortestLimb = 2.0;
-// Radius of a region that no limb bounds. A limb begins at most this far from the vertex.
+// Radius of a region that is not bounded by a limb. A limb begins at most this far from the vertex.
 constexpr double kWithoutLimb = 3.0;
 
 // On a limb, the lengths of the circles differ from their median by at most this fraction.
@@ -45,7 +45,7 @@ std::size_t circle_count(double largest) {
 }
 
 // Appends the lengths of the circles of radius `radius_of(k) * brush` for the next k, up to
-// `largest` brush radii. `front` has marched that far.
+// `largest` brush radii. `front` must have reached this distance.
 void measure_circles(std::vector<double>& lengths, const GeodesicFront& front,
                      const Topology& topology, std::span<const Vector3d> positions, double brush,
                      double largest) {
@@ -59,7 +59,7 @@ void measure_circles(std::vector<double>& lengths, const GeodesicFront& front,
     std::ranges::sort(corners);
     const auto [low, middle, high] =
         std::array{corners[0].second, corners[1].second, corners[2].second};
-    // Each triangle is measured from one of its corners.
+    // Each triangle is measured only once, from its farthest corner.
     if (high != highest || !std::isfinite(distances[high])) return;
     const auto crossing = [&](Index a, Index b, double radius) -> Vector3d {
       const double way = (radius - distances[a]) / (distances[b] - distances[a]);
@@ -137,7 +137,7 @@ double area_of(Index v, const Topology& topology, std::span<const Vector3d> posi
   return area;
 }
 
-// The connected vertices that are not in the disk, and the search for them.
+// Searches the vertices of the component that are outside the disk.
 class Outside {
  public:
   Outside(const GeodesicFront& front, const Topology& topology, double radius)
@@ -161,8 +161,9 @@ class Outside {
     return make_vertex_set(std::move(rim));
   }
 
-  // Visits all vertices that are connected with `starts` by vertices of `among` and were not
-  // visited before. An empty `among` stands for all. Stops if `visit(v)` returns false.
+  // Visits all vertices that are connected to `starts` through vertices of `among` and were not
+  // visited before. If `among` is empty, all vertices are allowed. Stops if `visit(v)` returns
+  // false.
   template <class Visit>
   void spread(std::span<const Index> starts, const Visit& visit,
               std::span<const Index> among = {}) {
@@ -188,8 +189,8 @@ class Outside {
   std::vector<Index> inside_;
 };
 
-// Returns a radius of at most `radius`, the largest possible, whose disk covers at most half of the
-// area of the component of its centre. `front` has marched to `radius`. Outside the disk, visits
+// Returns the largest radius up to `radius` whose disk covers at most half of the area of the
+// component that contains its centre. `front` must have reached `radius`. Outside the disk, visits
 // vertices only up to an area equal to that of the disk.
 double limited_to_half(double radius, const GeodesicFront& front, const Topology& topology,
                        std::span<const Vector3d> positions) {

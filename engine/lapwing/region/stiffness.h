@@ -10,7 +10,7 @@
 
 namespace lapwing {
 
-/// The stiffness factor of vertices that keep their shape: a connected part moves as one body.
+/// The stiffness factor of rigid vertices. Each connected part of such vertices moves as one body.
 inline constexpr double kRigidStiffness = std::numeric_limits<double>::infinity();
 /// Range of the other stiffness factors.
 inline constexpr double kSoftest = 0.01;

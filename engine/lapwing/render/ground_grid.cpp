@@ -29,7 +29,8 @@ GroundGrid ground_grid(const Bounds& bounds, UpAxis up) {
   grid.spacing = spacing_up_to(0.1 * size);
   grid.radius = 1.5 * size;
   grid.center = grid.spacing * (bounds.center() / grid.spacing).array().round().matrix();
-  // A little below, so that a flat base of the mesh does not have the same depth as the grid.
+  // The grid lies a little below the mesh, so that a flat base of the mesh does not have the same
+  // depth as the grid.
   const Eigen::Index axis = index_of(up);
   grid.center[axis] = bounds.min[axis] - 1e-4 * size;
   return grid;

@@ -7,8 +7,8 @@
 
 namespace lapwing {
 
-/// A square grid on the ground under a mesh. Its lines are at multiples of `spacing` in the world's
-/// coordinates, and the two axes of the ground have colours. It fades out towards its rim.
+/// A square grid on the ground under a mesh. Its lines are at multiples of `spacing` in world
+/// coordinates, and the two axes on the ground are coloured. The grid fades out towards its rim.
 struct GroundGrid {
   UpAxis up = UpAxis::y;
   double spacing = 1.0;

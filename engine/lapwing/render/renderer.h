@@ -31,8 +31,8 @@ enum class SurfaceColor {
   carried,  ///< the colour of carried drawings
 };
 
-/// A material whose light depends only on the direction of the normal in the image. It replaces the
-/// lights of the default shading.
+/// A material whose shading depends only on the direction of the normal relative to the view. It
+/// replaces the default shading with lights.
 enum class Matcap { none, clay, metal, pearl };
 
 /// Returns the matcap called `name`: "none", "clay", "metal" or "pearl". If there is none, throws
@@ -103,7 +103,8 @@ class Renderer {
   /// colour.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
             const Camera& camera, const SurfaceStyle& style) const;
-  /// Draws the grid behind and in front of what was drawn before.
+  /// Draws the grid with a depth test, so that surfaces drawn before can hide it and it can cover
+  /// them.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const GroundGrid& grid,
             const Camera& camera, float pixels_per_point) const;
 

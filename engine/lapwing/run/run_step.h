@@ -19,8 +19,8 @@
 
 namespace lapwing {
 
-/// Reads a table of landmarks: one `target_row` per row, in columns that are numbers. Throws the
-/// errors of `read_number_table`, `number_columns` and `target_row`.
+/// Reads a table of landmarks with numeric columns, and converts each row with `target_row`. Throws
+/// the errors of `read_number_table`, `number_columns` and `target_row`.
 std::vector<TargetRow> read_target_rows(const std::filesystem::path& path);
 
 /// State of a run after some of its steps.

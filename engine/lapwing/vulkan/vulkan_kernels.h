@@ -22,7 +22,8 @@ enum class Precision {
   float64,  ///< throws GpuError if the device does not support it
 };
 
-/// Compiles the shaders. On a software device, this takes some tenths of a second. Throws GpuError.
+/// Compiles the shaders. On a software device, this takes a few tenths of a second. Throws
+/// GpuError.
 std::shared_ptr<const VulkanPrograms> compile_kernels(std::shared_ptr<gpu::Context> context,
                                                       Precision precision);
 

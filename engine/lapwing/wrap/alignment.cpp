@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kSamples = 400;  // of each surface
 constexpr int kIterations = 30;
-constexpr double kKept = 0.8;  // share of the pairs that are not left out
+constexpr double kKept = 0.8;  // fraction of the pairs that are kept
 
 // A cloud of points with normals.
 struct Samples {

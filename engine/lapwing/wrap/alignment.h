@@ -15,7 +15,7 @@ enum class AlignmentMethod {
   surfaces,   ///< principal axes, then iterative closest points
 };
 
-/// A similarity that brings a surface to a scan.
+/// A similarity transformation that aligns a surface with a scan.
 struct Alignment {
   AlignmentMethod method = AlignmentMethod::none;
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
@@ -29,17 +29,17 @@ struct Alignment {
 };
 
 /// Returns the similarity that minimizes the squared distances of `to` from the mapped `from`. Its
-/// rotation is never a reflection. Throws InputError unless at least three points of each side are
-/// not on one line.
+/// rotation is never a reflection. Throws InputError unless each side contains three points that
+/// are not on one line.
 Alignment align_points(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to);
 
-/// Returns a similarity that brings `surface` onto `scan`. Tries all 24 rotations that map
-/// principal axes to principal axes. From each, it iterates closest points (Besl and McKay 1992)
-/// with samples of both surfaces, and leaves out the farthest fifth. An affine map is then fitted
-/// in the same way. With similarities alone, a bent or stretched surface can fit no better in the
-/// right orientation than in a wrong one. Returns the start with the smallest distance of the
-/// affine map. A symmetric surface may face the wrong way. Throws InputError if no start succeeds,
-/// and Cancelled.
+/// Returns a similarity transformation that aligns `surface` with `scan`. Tries all 24 rotations
+/// that map principal axes to principal axes. From each, it iterates closest points (Besl and McKay
+/// 1992) with samples of both surfaces, and leaves out the farthest fifth. An affine map is then
+/// fitted in the same way. With similarities alone, a bent or stretched surface can fit no better
+/// in the right orientation than in a wrong one. Returns the result from the start whose affine map
+/// has the smallest mean distance. A symmetric surface may be aligned in the wrong orientation.
+/// Throws InputError if no start succeeds, and Cancelled.
 Alignment align_surfaces(const ScanSurface& surface, const ScanSurface& scan);
 
 }  // namespace lapwing

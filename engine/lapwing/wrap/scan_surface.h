@@ -18,7 +18,7 @@ struct Counterpart {
   bool agrees = false;  ///< the normals agree, and the point is not on the surface's boundary
 };
 
-/// A surface on which closest points are searched. Threads may share an object.
+/// A surface that is searched for closest points. Threads may share an object.
 class ScanSurface {
  public:
   /// Both arguments must outlive the object. O(n log n).
@@ -32,7 +32,8 @@ class ScanSurface {
   std::span<const double> areas() const { return areas_; }
 
   /// Returns the closest point to `point`, preferably where the surface faces along `normal`.
-  /// `hint` is the triangle of a nearby answer or kNoIndex, and is replaced by that of this answer.
+  /// `hint` is the triangle of a nearby result, or kNoIndex. It is replaced by the triangle of this
+  /// result.
   Counterpart counterpart(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                           Index& hint) const;
 

@@ -28,12 +28,12 @@ constexpr int kStepsPerReach = 4;
 constexpr double kStill = 0.005;
 
 // The distance at which a pair pulls with a quarter of its weight: this multiple of the median
-// distance, and at least this fraction of the reach, so that a limb that does not fit yet is not
-// given up.
+// distance, and at least this fraction of the reach, so that a limb that does not fit yet is still
+// pulled.
 constexpr double kFar = 3.0;
 constexpr double kTolerated = 0.5;
 
-// Landmarks have this multiple of the springs' last weight from the first step on.
+// From the first step on, the weight of landmarks is this multiple of the springs' final weight.
 constexpr double kLandmarkWeight = 3.0 / (kLastReach * kLastReach);
 
 // The limits of each minimization. They are loose, because its result is only the start of the next

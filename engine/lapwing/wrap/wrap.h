@@ -14,7 +14,7 @@
 namespace lapwing {
 
 struct WrapRequest {
-  /// Points of the template and their places on the scan. `file` and `hard` have no effect.
+  /// Points of the template and their positions on the scan. `file` and `hard` have no effect.
   TargetSpec landmarks = {.where = "landmarks"};
   bool aligned = false;  ///< the template is already in place, so that it is only deformed
   bool operator==(const WrapRequest&) const = default;
@@ -31,7 +31,7 @@ struct WrapReport {
   Alignment alignment;
   SurfaceDistance to_scan;      ///< from the vertices of the result
   SurfaceDistance to_template;  ///< from the vertices of the scan
-  /// The share of the template's area that has a counterpart on the scan.
+  /// The fraction of the template's area that has a counterpart on the scan.
   double coverage = 0.0;
   double landmark_error = 0.0;  ///< the largest
   std::size_t flipped_triangles = 0;
@@ -49,12 +49,12 @@ struct Wrapped {
 /// Deforms a template so that it covers a scan (non-rigid registration).
 ///
 /// The template is aligned by a similarity: by its landmarks if there are three, otherwise by
-/// `align_surfaces`. Springs then pull its vertices to their
-/// closest points on the scan, and points of the scan pull the template, while the energy of
-/// ENERGY.md, section 3, preserves the shape of the template. The springs are soft at first, so
-/// that only long-wave deformations follow them, and become stiffer step by step, down to the
-/// length of an edge (Amberg, Romdhani, Vetter 2007). Pairs whose normals disagree, that end at a
-/// boundary of the scan, or that are far apart compared with the others pull little or nothing.
+/// `align_surfaces`. Springs then pull its vertices to their closest points on the scan, and points
+/// of the scan pull the template, while the energy of ENERGY.md, section 3, preserves the shape of
+/// the template. The springs are soft at first, so that they cause only deformations of long
+/// wavelength. They become stiffer step by step, until wavelengths of about an edge length follow
+/// them (Amberg, Romdhani, Vetter 2007). Pairs whose normals disagree, that end at a boundary of
+/// the scan, or that are far apart compared with the others pull little or nothing.
 ///
 /// Parts of the template without a counterpart keep their shape and follow the rest. Landmarks are
 /// prescribed from the first step on. All triangles of both meshes must be consistently oriented
@@ -66,8 +66,9 @@ struct Wrapped {
 Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, Kernels& kernels,
              const Progress& progress = {});
 
-/// Returns why a result is not usable, with what to try, or an empty string: less than half of the
-/// template has a counterpart, or more than a thousandth of its triangles are flipped.
+/// Returns an empty string if a result is usable, otherwise the reason why it is not and a
+/// suggestion. A result is not usable if less than half of the template has a counterpart or more
+/// than a thousandth of its triangles are flipped.
 std::string why_failed(const WrapReport& report, std::size_t triangle_count);
 
 }  // namespace lapwing

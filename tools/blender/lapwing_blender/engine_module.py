@@ -70,7 +70,7 @@ class ModuleEngine:
     def grab_region(
         self, mesh: MeshArrays, vertex: int, radius: float, reach: float, progress: Progress
     ) -> np.ndarray:
-        """Returns the vertices that move when a user pulls at `vertex`."""
+        """Returns the vertices that move when the user pulls on `vertex`."""
         with self.heard(progress):
             return self._module.grab_region(self._mesh(mesh), vertex, radius, factor=reach).vertices
 

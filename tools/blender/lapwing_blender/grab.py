@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A grab: the user presses on the surface and pulls. The engine chooses the region.
 
-A Gesture belongs to the main thread. It prepares and settles on threads, and shows the surface
-meanwhile. It does not depend on a window.
+A Gesture belongs to the main thread. It prepares and settles on background threads, and shows the
+surface meanwhile. It does not depend on a window.
 """
 
 from __future__ import annotations
@@ -26,9 +26,10 @@ from .response import HandleFrame, Response, moved_handles
 from .session import local_result
 from .settings import settings_of
 
-#: The inner part of the brush, which the handle holds with full weight.
+#: The fraction of the brush's radius within which the handle holds vertices with full weight.
 _FULL_PART = 0.5
-#: A smaller brush grabs a few vertices nevertheless.
+#: Even a smaller brush has a radius of this many mean edge lengths, so that it grabs a few
+#: vertices.
 _LEAST_EDGES = 2.0
 
 
@@ -36,7 +37,7 @@ _LEAST_EDGES = 2.0
 class GrabRequest:
     vertex: int
     radius: float  #: of the brush, along the surface in world units
-    reach: float  #: factor of the region's radius
+    reach: float  #: factor that scales the region's radius
     matrix: np.ndarray
     rest: np.ndarray
     mesh: MeshArrays
@@ -46,7 +47,8 @@ class GrabRequest:
 def picked(
     obj: bpy.types.Object, origin: Sequence[float], direction: Sequence[float]
 ) -> Optional[Tuple[int, np.ndarray]]:
-    """Returns the vertex nearest to where a ray in the world meets the surface, and this point."""
+    """Returns the vertex nearest to the point at which a world-space ray hits the surface, and
+    this point."""
     inverse = obj.matrix_world.inverted_safe()
     along = (inverse.to_3x3() @ Vector(direction)).normalized()
     is_hit, place, _normal, _face = obj.ray_cast(inverse @ Vector(origin), along)
@@ -60,7 +62,7 @@ def picked(
 def gather(
     obj: bpy.types.Object, vertex: int, radius: float, reach: float
 ) -> Generator[None, None, GrabRequest]:
-    """Yields while it reads. Its value is the request."""
+    """Reads the mesh in slices, with a yield after each slice. Returns the request."""
     check_object(obj)
     if settings_of(obj).is_live:
         raise Refusal(f"'{obj.name}' has a live edit; apply or cancel it before a grab")
@@ -114,7 +116,7 @@ class PreparedGrab:
         )
 
     def coordinates(self, pull: np.ndarray) -> np.ndarray:
-        """Returns the coordinates in the object's space for a translation in the world."""
+        """Returns the object-space coordinates for a world-space translation of the handle."""
         return self._response.coordinates([_shift(pull)])
 
     def settle(self, pull: np.ndarray, progress: Progress) -> Tuple[np.ndarray, List[str]]:

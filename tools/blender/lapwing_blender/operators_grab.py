@@ -20,7 +20,7 @@ from .settings import settings_of
 
 #: Interval between two checks of the threads.
 _TICK_SECONDS = 0.02
-#: Factor of the brush per notch of the wheel, and per bracket.
+#: The factor by which one notch of the wheel or one bracket key changes the size of the brush.
 _PER_NOTCH = 1.15
 _SIZES = {
     "WHEELUPMOUSE": _PER_NOTCH, "WHEELDOWNMOUSE": 1.0 / _PER_NOTCH,
@@ -31,7 +31,7 @@ _CIRCLE_COLOR = (1.0, 0.94, 0.78, 0.9)
 
 
 def reach_of(event: Any) -> float:
-    """Shift halves the region's radius, Ctrl doubles it."""
+    """Returns the factor of the region's radius: Shift halves the radius, Ctrl doubles it."""
     return 0.5 if event.shift else 2.0 if event.ctrl else 1.0
 
 
@@ -48,7 +48,7 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
     radius: FloatProperty(name="Radius", min=0.0, subtype="DISTANCE", options={"SKIP_SAVE"},
                           description="Radius of the brush along the surface")
     reach: FloatProperty(name="Reach", min=0.01, default=1.0, options={"SKIP_SAVE"},
-                         description="Factor of the region's radius")
+                         description="Factor that scales the region's radius")
     translation: FloatVectorProperty(name="Pull", subtype="TRANSLATION", options={"SKIP_SAVE"})
 
     @classmethod
@@ -58,7 +58,7 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
             and not settings_of(context.object).is_live
         )
 
-    # From a script, and again from the redo panel.
+    # These functions run when a script or the redo panel calls the operator.
 
     def prepare(self, context: bpy.types.Context) -> Generator[None, None, Work]:
         obj = check_object(context.object)
@@ -82,7 +82,7 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
         grab.keep(bpy.data.objects[self._name], prepared, pull, world)
         warn(self, warnings)
 
-    # With the mouse.
+    # These functions run when the user grabs with the mouse.
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> Set[str]:
         if bpy.app.background:
@@ -137,13 +137,13 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
             self._is_released = True
             self._gesture.release()
             if not self._gesture.is_pulled:
-                return self._give_up(context)  # a grab that moves nothing is no step
+                return self._give_up(context)  # a grab that moves nothing is not a step
         elif event.type == "TIMER" and self._gesture.advance():
             return self._keep(context)
         return {"RUNNING_MODAL"}
 
     def press(self, context: bpy.types.Context, event: Any) -> bool:
-        """Begins to grab. Returns False if the cursor is not on the surface."""
+        """Starts a grab. Returns False if the cursor is not on the surface."""
         obj = check_object(context.object)
         region, view, cursor = _view(context, event)
         found = grab.picked(
@@ -178,7 +178,8 @@ class LAPWING_OT_grab(EngineOperator, bpy.types.Operator):
             self._gesture.resize(self._request(self._gesture.obj))
 
     def _place(self, context: bpy.types.Context, event: Any) -> np.ndarray:
-        """Returns the cursor's place in the plane of the view through the grabbed point."""
+        """Returns the position of the cursor in the plane through the grabbed point that is
+        parallel to the image."""
         region, view, cursor = _view(context, event)
         return np.array(view3d_utils.region_2d_to_location_3d(region, view, cursor, self._hit))
 

@@ -110,10 +110,10 @@ def deform(
     landmarks
         Targets as a pair (vertex numbers, positions of shape (k, 3)).
     stiffness
-        How stiff the surface is: an array of n factors, 1 for no change, from 0.01 (soft) to 100
-        (stiff), and inf for rigid. Connected rigid vertices, such as bones, teeth or armour, move
-        as one body. Alternatively, a list of dicts {"region": REGION, "factor": FACTOR or "rigid"}
-        gives the factors of regions.
+        The stiffness of the surface: an array of n factors from 0.01 (soft) to 100 (stiff), where
+        1 means no change and inf means rigid. Connected rigid vertices, such as bones, teeth or
+        armour, move as one body. Alternatively, a list of dicts {"region": REGION, "factor":
+        FACTOR or "rigid"} gives the factors of regions.
     mirror
         "auto", {"plane": "x"} or {"point", "normal"}: makes the edit on both sides of that plane.
     hard

@@ -146,7 +146,7 @@ class GrabRegion:
 
     vertices: Array  #: vertices that move, ascending: an ROI for `deform`
     radius: float  #: geodesic radius of the disk around the grabbed vertex
-    is_limb: bool  #: whether the shape bounds the region, not the brush
+    is_limb: bool  #: whether the shape of a limb, rather than the brush, bounds the region
 
 
 @dataclass(frozen=True)
@@ -165,7 +165,7 @@ class Wrapped:
     mesh: _core.Mesh  #: the template with its vertices on the scan
     to_scan: Distance  #: from the vertices of the result
     to_template: Distance  #: from the vertices of the scan
-    coverage: float  #: share of the template's area with a counterpart on the scan
+    coverage: float  #: fraction of the template's area that has a counterpart on the scan
     landmark_error: float  #: the largest
     scale: float  #: of the similarity that aligned the template
     flipped_triangles: int
@@ -210,10 +210,10 @@ def fill_holes(
 ) -> Filled:
     """Fills the holes of a mesh. If `shape` is "flat", a fill consists of triangles between the
     vertices of the rim. If it is "smooth", the triangles have the size of those at the rim and
-    continue the tangent planes of the surface. Holes without a rim vertex in `region` stay open
-    and, if `largest` is not 0, holes with more rim vertices. The border of an open sheet is filled
-    only if `borders` is true. The new triangles have no texture coordinates. `progress` is as in
-    `deform`."""
+    continue the tangent planes of the surface. Holes without a rim vertex in `region` stay open.
+    If `largest` is not 0, holes with more rim vertices than this also stay open. The border of an
+    open sheet is filled only if `borders` is true. The new triangles have no texture coordinates.
+    `progress` is as in `deform`."""
     chosen = mesh_of(mesh, faces, "fill_holes: mesh")
     where = _region_json(region, chosen, "fill_holes: region")
     return Filled(**_core.fill_holes(chosen, where, shape, largest, borders, progress))
@@ -226,9 +226,9 @@ def decimate(
     share: float = 0.5,
     progress: Progress = None,
 ) -> Decimated:
-    """Keeps about `share` of the vertices, those that matter most for the shape, and triangulates
-    the mesh. Seams of texture coordinates and borders of materials stay. Stored normals are
-    dropped. `progress` is as in `deform`."""
+    """Triangulates the mesh and keeps about the fraction `share` of its vertices, those that
+    matter most for the shape. Seams of texture coordinates and borders of materials stay. Stored
+    normals are dropped. `progress` is as in `deform`."""
     return Decimated(**_core.decimate(mesh_of(mesh, faces, "decimate: mesh"), share, progress))
 
 
@@ -241,8 +241,8 @@ def subdivide(
     progress: Progress = None,
 ) -> Subdivided:
     """Triangulates the mesh and cuts each triangle into four, `times` times. If `smooth` is true,
-    the shape becomes smooth by Loop's scheme; otherwise it stays. Stored normals are dropped.
-    `progress` is as in `deform`."""
+    Loop's scheme smooths the shape; otherwise the shape does not change. Stored normals are
+    dropped. `progress` is as in `deform`."""
     chosen = mesh_of(mesh, faces, "subdivide: mesh")
     return Subdivided(**_core.subdivide(chosen, times, smooth, progress))
 
@@ -326,11 +326,12 @@ def wrap(
 ) -> Wrapped:
     """Deforms a template so that it covers a scan, which has other vertices and triangles.
 
-    The result keeps the triangles of the template. `landmarks` are places on the scan, in the
-    forms of `targets` of `deform`: a dict from vertices of the template to positions, or rows.
-    Three landmarks align the template. Without them, the shapes of both surfaces align it, which
-    can fail for symmetric surfaces. If `aligned`, the template is already in place. The faces of
-    both meshes must be oriented outward.
+    The result keeps the triangles of the template. `landmarks` are positions on the scan, in the
+    same form as `targets` of `deform`: a dict from vertices of the template to positions, or rows.
+    Three landmarks align the template. Without them, the template is aligned by comparing the
+    shapes of both surfaces, which can fail for symmetric surfaces. If `aligned` is true, the
+    template is already in place and is only deformed. The faces of both meshes must be oriented
+    outward.
 
         wrapped = lapwing.wrap(template, scan, {12: [0, 1, 0], 801: [4, 0, 0], 77: [0, 0, 2]})
         assert not wrapped.trouble, wrapped.trouble
@@ -352,7 +353,7 @@ def grab_region(
     faces: Optional[FacesLike] = None,
     factor: float = 1.0,
 ) -> GrabRegion:
-    """Chooses the region that moves when a user pulls at one place of a surface.
+    """Chooses the region that moves when the user pulls on the surface at one vertex.
 
     `radius` is the length of the brush along the surface. On a limb, such as an arm, the region
     ends where the limb joins the body. Elsewhere it is a disk of three brush radii. Parts that the

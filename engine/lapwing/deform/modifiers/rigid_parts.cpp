@@ -10,10 +10,11 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Matrix3Xd;
 
-// Smaller parts have no orientation.
+// Parts with fewer vertices have no unique orientation.
 constexpr std::size_t kSmallestPart = 3;
 
-// Weight of a rigid part as a handle, if the edit prescribes the weight of its constraints.
+// The constraint weight of a rigid part that becomes a handle, if the edit prescribes the weight of
+// its constraints.
 constexpr double kRigidWeight = 1e3;
 
 std::vector<VertexSet> rigid_parts(const EditRegion& region, const Topology& topology) {
