@@ -115,10 +115,92 @@ TEST(Wrap, IsTheSameAfterARotationOfTheScan) {
   EXPECT_LT(mean_error(back, result.positions), 1e-4);
 }
 
+// The template is so large that a decimated copy is wrapped first.
+TEST(Wrap, CoversAScanWithALargeTemplate) {
+  Mesh mesh = icosphere(5);
+  ASSERT_GT(mesh.vertex_count(), 6000U);
+  Mesh scan = icosphere(4);
+  for (Vector3d& p : scan.positions) {
+    p = Eigen::AngleAxisd(0.6 * p.z(), Vector3d::UnitX()) * p.cwiseProduct(Vector3d(1.2, 1.0, 1.6));
+  }
+  const Wrapped result = wrapped(mesh, scan, {.aligned = true});
+  EXPECT_LT(result.report.to_scan.mean, 1e-3 * bounds_of(scan.positions).diagonal());
+  EXPECT_LT(result.report.to_template.percentile_95, 2e-3 * bounds_of(scan.positions).diagonal());
+  EXPECT_EQ(result.report.flipped_triangles, 0U);
+}
+
+TEST(Wrap, FollowsAPointCloudWithNormals) {
+  const Mesh mesh = egg();
+  Mesh scan;
+  const Mesh surface = icosphere(4);
+  for (const Vector3d& p : surface.positions) {
+    scan.positions.push_back(p.cwiseProduct(Vector3d(1.1, 1.4, 1.7)));
+    scan.edit_attributes().normals.push_back(p.cwiseQuotient(Vector3d(1.1, 1.4, 1.7)));
+  }
+  const Wrapped result = wrapped(mesh, scan);
+  EXPECT_LT(result.report.to_scan.mean, 2e-3 * bounds_of(scan.positions).diagonal());
+  EXPECT_GT(result.report.coverage, 0.95);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const SurfacePoint& point = result.counterparts[v];
+    if (point.is_nowhere()) continue;
+    EXPECT_EQ(point.weights[0], 1.0);
+    ASSERT_LT(point.corners[0], scan.vertex_count());
+    EXPECT_LT((scan.positions[point.corners[0]] - result.positions[v]).norm(), 0.25) << v;
+  }
+}
+
+TEST(Wrap, RefusesAPointCloudWithoutNormals) {
+  Mesh scan;
+  scan.positions = icosphere(2).positions;
+  EXPECT_THAT(
+      error_message<InputError>([&] { wrapped(egg(), scan); }),
+      testing::AllOf(testing::HasSubstr("scan: it has 162 points"), testing::HasSubstr("normals")));
+  scan.positions.resize(4);
+  EXPECT_THAT(error_message<InputError>([&] { wrapped(egg(), scan); }),
+              testing::HasSubstr("at least 7 points"));
+}
+
+TEST(Wrap, KeepsRigidPartsRigid) {
+  const Mesh mesh = icosphere(3);
+  Mesh scan = icosphere(4);
+  for (Vector3d& p : scan.positions) p = p.cwiseProduct(Vector3d(1.4, 1.0, 1.0));
+  ListedVertices rigid;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.positions[v].z() > 0.5) rigid.vertices.push_back(v);
+  }
+  const Wrapped result =
+      wrapped(mesh, scan, {.aligned = true, .stiffness = {{.region = {rigid, "rigid"}}}});
+  const Index first = rigid.vertices.front();
+  for (const Index v : rigid.vertices) {
+    EXPECT_NEAR((result.positions[v] - result.positions[first]).norm(),
+                (mesh.positions[v] - mesh.positions[first]).norm(), 1e-5);
+  }
+  EXPECT_NEAR(bounds_of(result.positions).max.x(), 1.4, 0.05);
+}
+
+TEST(Wrap, AlignsAScanInAnotherUnit) {
+  const Mesh mesh = egg();
+  Mesh scan = mesh;
+  for (Vector3d& p : scan.positions) p = 1000.0 * p + Vector3d(500.0, 0.0, 0.0);
+  const Wrapped result = wrapped(mesh, scan);
+  EXPECT_NEAR(result.report.alignment.scale, 1000.0, 1.0);
+  EXPECT_LT(result.report.to_scan.mean, 1e-3 * bounds_of(scan.positions).diagonal());
+}
+
+TEST(Wrap, NamesALandmarkThatContradictsTheOthers) {
+  const Mesh mesh = egg();
+  std::vector<Index> vertices = test::spread_vertices(mesh.positions, 6);
+  WrapRequest request{.landmarks = test::landmarks_at(vertices, mesh.positions)};
+  request.landmarks.rows[3].position = -request.landmarks.rows[3].position;
+  const Wrapped result = wrapped(mesh, mesh, request);
+  EXPECT_EQ(result.report.farthest_landmark, 3U);
+  EXPECT_THAT(why_failed(result.report, mesh.face_count()),
+              testing::HasSubstr("probably landmark 4"));
+}
+
 TEST(Wrap, RefusesWhatIsNoSurfaceAndLandmarksThatDoNotFit) {
   const Mesh mesh = icosphere(1);
   Mesh points;
-  points.positions = mesh.positions;
   EXPECT_THAT(error_message<InputError>([&] { wrapped(mesh, points); }),
               testing::HasSubstr("scan"));
   EXPECT_THAT(error_message<InputError>([&] { wrapped(points, mesh); }),

@@ -22,30 +22,10 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kSamples = 400;  // of each surface
 constexpr int kIterations = 30;
+// After this number of iterations, only the best starts are continued.
+constexpr int kFirstIterations = 6;
+constexpr std::size_t kPromising = 6;
 constexpr double kKept = 0.8;  // fraction of the pairs that are kept
-
-// A cloud of points with normals.
-struct Samples {
-  std::vector<Vector3d> points;
-  std::vector<Vector3d> normals;
-};
-
-// Returns vertices at equal steps of area, in the order of the vertices.
-Samples samples_of(const ScanSurface& surface) {
-  double whole = 0.0;
-  for (const double area : surface.areas()) whole += area;
-  Samples samples;
-  double next = 0.0;
-  double passed = 0.0;
-  for (std::size_t v = 0; v < surface.areas().size(); ++v) {
-    passed += surface.areas()[v];
-    if (passed <= next) continue;
-    samples.points.push_back(surface.positions()[v]);
-    samples.normals.push_back(surface.normals()[v]);
-    while (next < passed) next += whole / static_cast<double>(kSamples);
-  }
-  return samples;
-}
 
 // The centroid, the principal axes as columns in order of their moments, and the root mean square
 // distance from the centroid.
@@ -107,7 +87,7 @@ struct Pair {
 // Appends a pair for each sample and its closest point on the other surface, except for the
 // farthest pairs. Returns their mean distance.
 template <class Find>
-double add_pairs(const Samples& samples, const Find& find, std::vector<Pair>& pairs) {
+double add_pairs(const SurfaceSamples& samples, const Find& find, std::vector<Pair>& pairs) {
   std::vector<Pair> found;
   for (std::size_t k = 0; k < samples.points.size(); ++k) {
     found.push_back(find(samples.points[k], samples.normals[k]));
@@ -158,8 +138,8 @@ class Registration {
   Registration(const ScanSurface& surface, const ScanSurface& scan)
       : surface_(surface),
         scan_(scan),
-        of_surface_(samples_of(surface)),
-        of_scan_(samples_of(scan)) {}
+        of_surface_(surface.samples(kSamples)),
+        of_scan_(scan.samples(kSamples)) {}
 
   // Improves `map` by `iterations` steps, each of which calls `fit(from, to)` for pairs of closest
   // points. Returns the mean distance of the pairs in both directions.
@@ -218,8 +198,8 @@ class Registration {
 
   const ScanSurface& surface_;
   const ScanSurface& scan_;
-  Samples of_surface_;
-  Samples of_scan_;
+  SurfaceSamples of_surface_;
+  SurfaceSamples of_scan_;
 };
 
 // Returns the affine map that minimizes the squared distances of `to` from the mapped `from`.
@@ -249,19 +229,28 @@ Alignment align_surfaces(const ScanSurface& surface, const ScanSurface& scan) {
   const PrincipalFrame to = principal_frame(scan);
   const Registration registration(surface, scan);
   const std::vector<Matrix3d> rotations = rotations_of_cube();
-  std::vector<Alignment> found(rotations.size());
-  parallel_for(rotations.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      Alignment& of = found[k];
-      of.method = AlignmentMethod::surfaces;
-      of.map.linear() = to.radius / from.radius * to.axes * rotations[k] * from.axes.transpose();
-      of.map.translation() = to.centroid - of.map.linear() * from.centroid;
-      registration.improve(of.map, kIterations, similarity);
-      of.start = of.map;
-      of.mean_distance = registration.improve(of.start, kIterations, affine_fit);
-    }
-  });
-  Alignment best = std::ranges::min(found, {}, &Alignment::mean_distance);
+  std::vector<Alignment> starts(rotations.size());
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    Affine3d& map = starts[k].map;
+    map.linear() = to.radius / from.radius * to.axes * rotations[k] * from.axes.transpose();
+    map.translation() = to.centroid - map.linear() * from.centroid;
+  }
+  const auto improve = [&](int iterations, int affine_iterations) {
+    parallel_for(starts.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        registration.improve(starts[k].map, iterations, similarity);
+        starts[k].start = starts[k].map;
+        starts[k].mean_distance =
+            registration.improve(starts[k].start, affine_iterations, affine_fit);
+      }
+    });
+    std::ranges::stable_sort(starts, {}, &Alignment::mean_distance);
+  };
+  improve(kFirstIterations, kFirstIterations);
+  starts.resize(kPromising);
+  improve(kIterations, kIterations);
+  Alignment best = starts.front();
+  best.method = AlignmentMethod::surfaces;
   if (!std::isfinite(best.mean_distance)) {
     throw InputError(
         "The template cannot be aligned with the scan. Add three landmarks, or align the template "

@@ -1,6 +1,7 @@
 #include "lapwing/wrap/scan_surface.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -22,8 +23,13 @@ Vector3d area_vector(const Triangle& t, std::span<const Vector3d> positions) {
 }  // namespace
 
 ScanSurface::ScanSurface(const Topology& topology, std::span<const Vector3d> positions)
+    : ScanSurface(topology, positions, positions.size()) {}
+
+ScanSurface::ScanSurface(const Topology& topology, std::span<const Vector3d> positions,
+                         std::size_t measured)
     : topology_(topology),
       positions_(positions),
+      measured_(measured),
       normals_(positions.size(), Vector3d::Zero()),
       areas_(positions.size(), 0.0),
       on_boundary_(positions.size(), 0) {
@@ -39,6 +45,22 @@ ScanSurface::ScanSurface(const Topology& topology, std::span<const Vector3d> pos
     on_boundary_[v] = on_mesh_boundary(v, topology) ? 1 : 0;
   }
   closest_.emplace(topology.triangles, positions);
+}
+
+SurfaceSamples ScanSurface::samples(std::size_t count) const {
+  const std::span<const double> areas = std::span(areas_).first(measured_);
+  const double step = std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(count);
+  SurfaceSamples samples;
+  double next = 0.0;
+  double passed = 0.0;
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    passed += areas[v];
+    if (passed <= next) continue;
+    samples.points.push_back(positions_[v]);
+    samples.normals.push_back(normals_[v]);
+    next = std::max(next + step, passed - step);
+  }
+  return samples;
 }
 
 // Returns whether the point is on an edge or at a vertex of the boundary.

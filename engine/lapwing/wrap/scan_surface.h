@@ -18,11 +18,20 @@ struct Counterpart {
   bool agrees = false;  ///< the normals agree, and the point is not on the surface's boundary
 };
 
+/// Points that are spread evenly over a surface, with its normals.
+struct SurfaceSamples {
+  Positions points;
+  Positions normals;
+};
+
 /// A surface that is searched for closest points. Threads may share an object.
 class ScanSurface {
  public:
   /// Both arguments must outlive the object. O(n log n).
   ScanSurface(const Topology& topology, std::span<const Eigen::Vector3d> positions);
+  /// Only the first `measured` vertices are samples.
+  ScanSurface(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+              std::size_t measured);
 
   const Topology& topology() const { return topology_; }
   std::span<const Eigen::Vector3d> positions() const { return positions_; }
@@ -30,6 +39,9 @@ class ScanSurface {
   std::span<const Eigen::Vector3d> normals() const { return normals_; }
   /// A third of the area of the triangles around each vertex.
   std::span<const double> areas() const { return areas_; }
+
+  /// Returns at most `count` of the vertices, at equal steps of area.
+  SurfaceSamples samples(std::size_t count) const;
 
   /// Returns the closest point to `point`, preferably where the surface faces along `normal`.
   /// `hint` is the triangle of a nearby result, or kNoIndex. It is replaced by the triangle of this
@@ -42,6 +54,7 @@ class ScanSurface {
 
   const Topology& topology_;
   std::span<const Eigen::Vector3d> positions_;
+  std::size_t measured_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<double> areas_;
   std::vector<char> on_boundary_;  // per vertex

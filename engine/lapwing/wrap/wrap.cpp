@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -9,7 +10,10 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/deform_solver.h"
+#include "lapwing/elastic/coarse_surfaces.h"
+#include "lapwing/laplacian/ring_fit.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/wrap/surfels.h"
 
 namespace lapwing {
 namespace {
@@ -20,7 +24,7 @@ using Eigen::Vector3d;
 // ring has edges of length h is held with the weight (h / reach)^2. It decreases from this fraction
 // of the template's diagonal to this fraction of the mean edge length.
 constexpr double kFirstReach = 0.5;
-constexpr double kLastReach = 0.5;
+constexpr double kLastReach = 0.7;
 constexpr int kReaches = 12;
 constexpr int kStepsPerReach = 4;
 
@@ -40,6 +44,12 @@ constexpr double kLandmarkWeight = 3.0 / (kLastReach * kLastReach);
 // one.
 constexpr SettleOptions kStep{.tolerance = 1e-2, .max_iterations = 20};
 
+// Number of vertices of the decimated copy of a larger template.
+constexpr std::size_t kCoarseVertices = 3000;
+
+// The distance of the scan from the result is measured at no fewer points than this.
+constexpr std::size_t kMeasured = 10000;
+
 constexpr std::size_t kPointsPerTask = 512;
 
 VertexSet surface_vertices(const Topology& topology) {
@@ -50,15 +60,15 @@ VertexSet surface_vertices(const Topology& topology) {
   return vertices;
 }
 
-std::vector<Counterpart> counterparts_of(const ScanSurface& surface, const ScanSurface& other,
-                                         std::vector<Index>& hints) {
-  const std::size_t count = surface.positions().size();
-  hints.resize(count, kNoIndex);
-  std::vector<Counterpart> counterparts(count);
-  parallel_for(count, kPointsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      if (surface.topology().rings.size(v) == 0) continue;
-      counterparts[v] = other.counterpart(surface.positions()[v], surface.normals()[v], hints[v]);
+// Returns the counterpart of each point on `surface`.
+std::vector<Counterpart> counterparts_of(std::span<const Vector3d> points,
+                                         std::span<const Vector3d> normals,
+                                         const ScanSurface& surface, std::vector<Index>& hints) {
+  hints.resize(points.size(), kNoIndex);
+  std::vector<Counterpart> counterparts(points.size());
+  parallel_for(points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      counterparts[k] = surface.counterpart(points[k], normals[k], hints[k]);
     }
   });
   return counterparts;
@@ -86,11 +96,7 @@ Target at_vertex(Index v, const Vector3d& position, double weight) {
   return {{v, v, v}, {1.0, 0.0, 0.0}, position, weight};
 }
 
-SurfaceDistance measure(std::span<const Counterpart> counterparts, const ScanSurface& surface) {
-  std::vector<double> distances;
-  for (std::size_t v = 0; v < counterparts.size(); ++v) {
-    if (surface.topology().rings.size(v) > 0) distances.push_back(counterparts[v].distance);
-  }
+SurfaceDistance measure(std::vector<double> distances) {
   std::ranges::sort(distances);
   const auto count = static_cast<double>(distances.size());
   return {std::accumulate(distances.begin(), distances.end(), 0.0) / count,
@@ -116,12 +122,13 @@ Positions mapped(const Eigen::Affine3d& map, Positions positions) {
   return positions;
 }
 
-// The loop of closest points and minimizations.
+// The loop of closest points and minimizations, for a template or a decimated copy of it.
 class Wrapping {
  public:
   // `start` is the pose from which the first step begins.
-  Wrapping(const Topology& topology, Positions rest, Positions start, const ScanSurface& scan,
-           std::vector<Target> landmarks, Kernels& kernels)
+  Wrapping(const Topology& topology, std::shared_ptr<const Positions> rest, Positions start,
+           const ScanSurface& scan, std::vector<Target> landmarks,
+           std::vector<VertexStiffness> stiffness, Kernels& kernels)
       : topology_(topology),
         rest_(std::move(rest)),
         now_(std::move(start)),
@@ -129,14 +136,14 @@ class Wrapping {
         landmarks_(std::move(landmarks)),
         kernels_(kernels),
         prepared_(topology),
-        edge_(mean_edge_length(topology.rings, rest_)) {
+        edge_(mean_edge_length(topology.rings, *rest_)) {
     region_.roi = surface_vertices(topology);
+    region_.stiffness = std::move(stiffness);
+    samples_ = scan.samples(region_.roi.size());
     is_landmark_.resize(topology.vertex_count(), 0);
     for (const Target& landmark : landmarks_) {
       if (landmark.is_vertex()) is_landmark_[landmark.corners[0]] = 1;
     }
-    pose_.displacement.resize(rest_.size());
-    for (std::size_t v = 0; v < rest_.size(); ++v) pose_.displacement[v] = now_[v] - rest_[v];
     options_.constraint_weight = 1.0;
     options_.settle = kStep;
   }
@@ -144,7 +151,24 @@ class Wrapping {
   const Positions& positions() const { return now_; }
   double edge() const { return edge_; }
   int steps() const { return steps_; }
-  std::size_t flipped_triangles() const { return flipped_; }
+  const Certificate& certificate() const { return certificate_; }
+
+  // Moves the rigid parts of the template as rigid bodies to where they are. Springs on their
+  // vertices would prevent that.
+  void finish() {
+    const auto is_rigid = [](const VertexStiffness& part) {
+      return part.factor == kRigidStiffness;
+    };
+    if (std::ranges::none_of(region_.stiffness, is_rigid)) return;
+    std::vector<char> rigid(now_.size(), 0);
+    for (const auto& [vertex, factor] : region_.stiffness) {
+      rigid[vertex] = factor == kRigidStiffness ? 1 : 0;
+    }
+    std::erase_if(region_.targets, [&](const Target& target) {
+      return std::ranges::any_of(target.corners, [&](Index v) { return rigid[v] != 0; });
+    });
+    minimize();
+  }
 
   // Deforms the template until it follows springs of this reach.
   void follow(double reach) {
@@ -160,27 +184,34 @@ class Wrapping {
   // Moves the surface once. Returns false if nothing pulls it.
   bool step(double weight) {
     const ScanSurface surface(topology_, now_);
-    const std::vector<Counterpart> on_scan = counterparts_of(surface, scan_, hints_);
-    const std::vector<Counterpart> on_surface = counterparts_of(scan_, surface, scan_hints_);
+    const std::vector<Counterpart> on_scan =
+        counterparts_of(now_, surface.normals(), scan_, hints_);
+    const std::vector<Counterpart> on_surface =
+        counterparts_of(samples_.points, samples_.normals, surface, scan_hints_);
     region_.targets.clear();
     add_landmarks();
     add_pull_of(on_scan, weight);
     add_pull_from(on_surface, weight);
     if (region_.targets.empty()) return false;
-    EditRegion region = region_;
-    separate_loose_parts(region, rest_, topology_, LoosePolicy::carry, "template");
-    const DeformSolver solver(prepared_, rest_, std::move(region), options_, kernels_);
-    DeformResult result = solver.solve_from(pose_, {});
-    ++steps_;
-    flipped_ = result.certificate.flipped_triangles;
-    double sum = 0.0;
-    for (std::size_t v = 0; v < rest_.size(); ++v) {
-      sum += (result.positions[v] - now_[v]).norm();
-      pose_.displacement[v] = result.positions[v] - rest_[v];
-    }
-    moved_ = sum / static_cast<double>(rest_.size());
-    now_ = std::move(result.positions);
+    minimize();
     return true;
+  }
+
+  void minimize() {
+    EditRegion region = region_;
+    separate_loose_parts(region, *rest_, topology_, LoosePolicy::carry, "template");
+    const DeformSolver solver(prepared_, *rest_, std::move(region), options_, kernels_);
+    DragState pose;
+    for (std::size_t v = 0; v < now_.size(); ++v) {
+      pose.displacement.push_back(now_[v] - (*rest_)[v]);
+    }
+    DeformResult result = solver.solve_from(pose, {});
+    ++steps_;
+    certificate_ = std::move(result.certificate);
+    double sum = 0.0;
+    for (std::size_t v = 0; v < now_.size(); ++v) sum += (result.positions[v] - now_[v]).norm();
+    moved_ = sum / static_cast<double>(now_.size());
+    now_ = std::move(result.positions);
   }
 
   void add_landmarks() {
@@ -203,23 +234,20 @@ class Wrapping {
     }
   }
 
-  // Springs from the scan's vertices to points of the template. All vertices of the scan together
-  // pull as much as those of the template, however dense the scan is.
+  // Springs from the samples of the scan to points of the template.
   void add_pull_from(std::span<const Counterpart> on_surface, double weight) {
     const double scale = std::max(kFar * median_distance(on_surface), tolerated_);
-    const double share = std::min(
-        1.0, static_cast<double>(region_.roi.size()) / static_cast<double>(on_surface.size()));
     for (std::size_t s = 0; s < on_surface.size(); ++s) {
       const Counterpart& c = on_surface[s];
       if (!c.agrees) continue;
-      const double of_pair = weight * std::sqrt(share * robust_factor(c.distance, scale));
+      const double of_pair = weight * std::sqrt(robust_factor(c.distance, scale));
       if (of_pair < kMinWeight) continue;
-      region_.targets.push_back({c.point.corners, c.point.weights, scan_.positions()[s], of_pair});
+      region_.targets.push_back({c.point.corners, c.point.weights, samples_.points[s], of_pair});
     }
   }
 
   const Topology& topology_;
-  const Positions rest_;
+  const std::shared_ptr<const Positions> rest_;
   Positions now_;
   const ScanSurface& scan_;
   const std::vector<Target> landmarks_;
@@ -228,15 +256,81 @@ class Wrapping {
   const double edge_;
   EditRegion region_;
   DeformOptions options_;
-  DragState pose_;
+  SurfaceSamples samples_;  // of the scan, as many as the template has vertices
   std::vector<char> is_landmark_;
   std::vector<Index> hints_;
   std::vector<Index> scan_hints_;
   double moved_ = 0.0;
   double tolerated_ = 0.0;
-  std::size_t flipped_ = 0;
+  Certificate certificate_;  // of the last step
   int steps_ = 0;
 };
+
+// The reaches of the springs, descending.
+std::vector<double> reaches_of(const Positions& rest, double edge) {
+  const double first = kFirstReach * bounds_of(rest).diagonal();
+  std::vector<double> reaches;
+  for (int k = 0; k < kReaches; ++k) {
+    const double fraction = static_cast<double>(k) / (kReaches - 1);
+    reaches.push_back(first * std::pow(kLastReach * edge / first, fraction));
+  }
+  return reaches;
+}
+
+// Returns the landmarks on the coarse surface. Decimation keeps their corners.
+std::vector<Target> on_coarse(std::vector<Target> landmarks, std::span<const Index> coarse_of) {
+  for (Target& landmark : landmarks) {
+    for (Index& corner : landmark.corners) corner = coarse_of[corner];
+  }
+  return landmarks;
+}
+
+std::vector<VertexStiffness> on_coarse(std::span<const VertexStiffness> stiffness,
+                                       std::span<const Index> coarse_of) {
+  std::vector<VertexStiffness> kept;
+  for (const auto& [vertex, factor] : stiffness) {
+    if (coarse_of[vertex] != kNoIndex) kept.push_back({coarse_of[vertex], factor});
+  }
+  return kept;
+}
+
+// Wraps a decimated copy of a large template at all reaches that its edges can follow, and removes
+// these from `reaches`. The deformations at such reaches have long wavelengths, so that they do not
+// need more vertices. Changes `pose` to that of the decimated copy. Returns the number of steps.
+int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>& rest,
+                const ScanSurface& scan, const std::vector<Target>& landmarks,
+                std::span<const VertexStiffness> stiffness, Kernels& kernels,
+                std::vector<double>& reaches, Positions& pose) {
+  EditRegion region;
+  region.roi = surface_vertices(topology);
+  region.targets = landmarks;
+  CoarseSurfaces surfaces;
+  const auto level = surfaces.of(region, topology, rest, kCoarseVertices);
+  if (level == nullptr) return 0;
+  const CoarseSurface& coarse = level->surface;
+  Positions start;
+  for (const Index v : coarse.kept) start.push_back(pose[v]);
+  const auto own_rest = std::make_shared<const Positions>(coarse.rest);
+  const std::vector<Index> coarse_of = inverse_index(coarse.kept, rest->size());
+  Wrapping wrapping(coarse.topology, own_rest, std::move(start), scan,
+                    on_coarse(landmarks, coarse_of), on_coarse(stiffness, coarse_of), kernels);
+  auto reach = reaches.begin();
+  for (; *reach > wrapping.edge(); ++reach) wrapping.follow(*reach);
+  reaches.erase(reaches.begin(), reach);
+  CoarseEmbedding::Pose reached;
+  for (Index c = 0; c < coarse.kept.size(); ++c) {
+    reached.displacement.push_back(wrapping.positions()[c] - coarse.rest[c]);
+    reached.transforms.push_back(
+        fit_rotation(c, coarse.topology.rings[c], coarse.rest, wrapping.positions()));
+  }
+  const CoarseEmbedding::Pose at_rest{
+      Positions(coarse.kept.size(), Vector3d::Zero()),
+      std::vector<Eigen::Matrix3d>(coarse.kept.size(), Eigen::Matrix3d::Identity())};
+  Positions displacement(rest->size(), Vector3d::Zero());
+  level->embedding.prolongate(at_rest, reached, displacement);
+  for (std::size_t v = 0; v < pose.size(); ++v) pose[v] = (*rest)[v] + displacement[v];
+  return wrapping.steps();
+}
 
 }  // namespace
 
@@ -244,35 +338,55 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
              const Progress& progress) {
   const ProgressScope scope(progress);
   require_surface(wrapped, "template");
-  require_surface(scan, "scan");
+  const bool is_cloud = scan.face_count() == 0 && scan.vertex_count() > 0;
+  const Mesh surfels = is_cloud ? surfels_of(scan, "scan") : Mesh();
+  const Mesh& searched = is_cloud ? surfels : scan;
+  require_surface(searched, "scan");
   const Topology& topology = wrapped.topology();
   const std::vector<Target> landmarks =
       resolve_targets(request.landmarks, surface_vertices(topology), {}, wrapped);
-  const ScanSurface of_scan(scan.topology(), scan.positions);
+  const std::vector<VertexStiffness> stiffness =
+      resolve_stiffness(request.stiffness, surface_vertices(topology), wrapped);
+  const ScanSurface of_scan(searched.topology(), searched.positions, scan.vertex_count());
   Wrapped result;
   WrapReport& report = result.report;
   report_progress(progress, "align", 0.0);
   report.alignment =
       align(ScanSurface(topology, wrapped.positions), of_scan, landmarks, request.aligned);
-  Positions rest = mapped(report.alignment.map, wrapped.positions);
-  const double first = kFirstReach * bounds_of(rest).diagonal();
-  Wrapping wrapping(topology, std::move(rest), mapped(report.alignment.start, wrapped.positions),
-                    of_scan, landmarks, kernels);
-  for (int k = 0; k < kReaches; ++k) {
-    const double fraction = static_cast<double>(k) / (kReaches - 1);
-    report_progress(progress, "wrap", fraction);
-    wrapping.follow(first * std::pow(kLastReach * wrapping.edge() / first, fraction));
+  const auto rest =
+      std::make_shared<const Positions>(mapped(report.alignment.map, wrapped.positions));
+  Positions pose = mapped(report.alignment.start, wrapped.positions);
+  std::vector<double> reaches = reaches_of(*rest, mean_edge_length(topology.rings, *rest));
+  report_progress(progress, "wrap", 0.0);
+  report.steps = wrap_coarse(topology, rest, of_scan, landmarks, stiffness, kernels, reaches, pose);
+  Wrapping wrapping(topology, rest, std::move(pose), of_scan, landmarks, stiffness, kernels);
+  for (std::size_t k = 0; k < reaches.size(); ++k) {
+    report_progress(progress, "wrap",
+                    static_cast<double>(k + 1) / static_cast<double>(reaches.size() + 1));
+    wrapping.follow(reaches[k]);
   }
+  wrapping.finish();
   result.positions = wrapping.positions();
   const ScanSurface surface(topology, result.positions);
   std::vector<Index> hints;
-  std::vector<Index> scan_hints;
-  const std::vector<Counterpart> on_scan = counterparts_of(surface, of_scan, hints);
-  const std::vector<Counterpart> on_surface = counterparts_of(of_scan, surface, scan_hints);
-  report.to_scan = measure(on_scan, surface);
-  report.to_template = measure(on_surface, of_scan);
-  report.flipped_triangles = wrapping.flipped_triangles();
-  report.steps = wrapping.steps();
+  const std::vector<Counterpart> on_scan =
+      counterparts_of(result.positions, surface.normals(), of_scan, hints);
+  std::vector<double> distances;
+  for (const Index v : surface_vertices(topology)) distances.push_back(on_scan[v].distance);
+  report.to_scan = measure(std::move(distances));
+  const SurfaceSamples samples = of_scan.samples(std::max(kMeasured, result.positions.size()));
+  hints.clear();
+  distances.clear();
+  for (const Counterpart& c : counterparts_of(samples.points, samples.normals, surface, hints)) {
+    distances.push_back(c.distance);
+  }
+  report.to_template = measure(std::move(distances));
+  const Certificate& certificate = wrapping.certificate();
+  report.flipped_triangles = certificate.flipped_triangles;
+  report.edge_stretch = certificate.edge_stretch;
+  report.most_stretched = {certificate.largest_edge_stretch_vertices,
+                           certificate.largest_edge_stretch};
+  report.steps += wrapping.steps();
   double area = 0.0;
   double covered = 0.0;
   const double far = std::max(wrapping.edge(), kFar * median_distance(on_scan));
@@ -280,12 +394,16 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
     const bool has_one = on_scan[v].agrees && on_scan[v].distance <= far;
     area += surface.areas()[v];
     if (has_one) covered += surface.areas()[v];
-    result.counterparts.push_back(has_one ? on_scan[v].point : SurfacePoint::nowhere());
+    SurfacePoint point = has_one ? on_scan[v].point : SurfacePoint::nowhere();
+    if (has_one && is_cloud) point = SurfacePoint::at_vertex(std::ranges::min(point.corners));
+    result.counterparts.push_back(point);
   }
   report.coverage = covered / area;
-  for (const Target& landmark : landmarks) {
-    report.landmark_error = std::max(
-        report.landmark_error, (point_of(landmark, result.positions) - landmark.position).norm());
+  for (std::size_t k = 0; k < landmarks.size(); ++k) {
+    const double error = (point_of(landmarks[k], result.positions) - landmarks[k].position).norm();
+    if (error <= report.landmark_error) continue;
+    report.landmark_error = error;
+    report.farthest_landmark = k;
   }
   return result;
 }
@@ -293,11 +411,22 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
 std::string why_failed(const WrapReport& report, std::size_t triangle_count) {
   constexpr double kLeastCoverage = 0.5;
   constexpr double kMostFlipped = 1e-3;
+  constexpr double kMostStretched = 0.5;
   std::ostringstream text;
   if (report.coverage < kLeastCoverage) {
     text << "Only " << std::lround(100.0 * report.coverage)
          << "% of the template has a counterpart on the scan. Add landmarks, or check that the "
             "faces of both meshes are oriented outward";
+  } else if (report.edge_stretch > kMostStretched) {
+    const auto& [a, b] = report.most_stretched.vertices;
+    text << "The edges are stretched by " << std::lround(100.0 * report.edge_stretch)
+         << "% on average, most between vertices " << a << " and " << b << ". ";
+    if (report.landmark_error > 0.0) {
+      text << "A landmark contradicts the others, probably landmark "
+           << report.farthest_landmark + 1 << ". Correct or remove it";
+    } else {
+      text << "Add landmarks";
+    }
   } else if (static_cast<double>(report.flipped_triangles) >
              kMostFlipped * static_cast<double>(triangle_count)) {
     text << report.flipped_triangles << " of " << triangle_count

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/region/stiffness.h"
 #include "lapwing/region/targets.h"
 #include "lapwing/wrap/alignment.h"
 
@@ -17,6 +19,8 @@ struct WrapRequest {
   /// Points of the template and their positions on the scan. `file` and `hard` have no effect.
   TargetSpec landmarks = {.where = "landmarks"};
   bool aligned = false;  ///< the template is already in place, so that it is only deformed
+  /// Parts of the template that bend less or more than the rest.
+  std::vector<StiffnessSpec> stiffness = {};
   bool operator==(const WrapRequest&) const = default;
 };
 
@@ -30,18 +34,22 @@ struct SurfaceDistance {
 struct WrapReport {
   Alignment alignment;
   SurfaceDistance to_scan;      ///< from the vertices of the result
-  SurfaceDistance to_template;  ///< from the vertices of the scan
+  SurfaceDistance to_template;  ///< from points that are spread evenly over the scan
   /// The fraction of the template's area that has a counterpart on the scan.
   double coverage = 0.0;
-  double landmark_error = 0.0;  ///< the largest
+  double landmark_error = 0.0;  ///< the largest distance of a landmark from its position
+  /// Index of this landmark in the request.
+  std::size_t farthest_landmark = 0;
   std::size_t flipped_triangles = 0;
+  double edge_stretch = 0.0;  ///< the root mean square over all edges, as in Certificate
+  StretchedEdge most_stretched;
   int steps = 0;  ///< number of minimizations
 };
 
 struct Wrapped {
   Positions positions;  ///< of the template's vertices
   /// For each vertex of the template, its counterpart on the scan (triangles of the scan's
-  /// topology), or `nowhere()`.
+  /// topology, or a vertex of a point cloud), or `nowhere()`.
   std::vector<SurfacePoint> counterparts;
   WrapReport report;
 };
@@ -58,7 +66,8 @@ struct Wrapped {
 ///
 /// Parts of the template without a counterpart keep their shape and follow the rest. Landmarks are
 /// prescribed from the first step on. All triangles of both meshes must be consistently oriented
-/// outward.
+/// outward. The scan may be a point cloud with normals: a mesh without faces and with one stored
+/// normal per vertex.
 ///
 /// Runs about forty minimizations. Reports the stages "align" and "wrap". Throws InputError if a
 /// mesh has no surface, and the errors of `resolve_targets`, `align_points` and `align_surfaces`.
@@ -67,8 +76,8 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
              const Progress& progress = {});
 
 /// Returns an empty string if a result is usable, otherwise the reason why it is not and a
-/// suggestion. A result is not usable if less than half of the template has a counterpart or more
-/// than a thousandth of its triangles are flipped.
+/// suggestion. A result is not usable if less than half of the template has a counterpart, the
+/// edge stretch exceeds a half, or more than a thousandth of the triangles are flipped.
 std::string why_failed(const WrapReport& report, std::size_t triangle_count);
 
 }  // namespace lapwing

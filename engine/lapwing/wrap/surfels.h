@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// Returns a surface element (surfel) for each point of a cloud with normals: an equilateral
+/// triangle across the normal, made of three triangles around the point. Its inscribed circle
+/// reaches about the sixth-closest point, so that the surfels of neighbours overlap. Vertex k of
+/// the result is point k. The other vertices follow. O(n log n). Throws InputError, with a message
+/// that begins with `where`, if the cloud has no normals or too few points, and Cancelled.
+Mesh surfels_of(const Mesh& cloud, const std::string& where);
+
+}  // namespace lapwing
