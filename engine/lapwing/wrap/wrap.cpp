@@ -97,6 +97,16 @@ SurfaceDistance measure(std::span<const Counterpart> counterparts, const ScanSur
           distances[static_cast<std::size_t>(0.95 * (count - 1.0))], distances.back()};
 }
 
+// Returns the counterparts that agree and are not much farther than most.
+std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, double edge) {
+  const double far = std::max(edge, kFar * median_distance(counterparts));
+  std::vector<SurfacePoint> points;
+  for (const Counterpart& c : counterparts) {
+    points.push_back(c.agrees && c.distance <= far ? c.point : SurfacePoint::nowhere());
+  }
+  return points;
+}
+
 Alignment align(const ScanSurface& surface, const ScanSurface& scan,
                 std::span<const Target> landmarks, bool aligned) {
   constexpr std::size_t kEnough = 3;
@@ -275,12 +285,10 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
   report.steps = wrapping.steps();
   double area = 0.0;
   double covered = 0.0;
-  const double far = std::max(wrapping.edge(), kFar * median_distance(on_scan));
+  result.counterparts = accepted(on_scan, wrapping.edge());
   for (Index v = 0; v < on_scan.size(); ++v) {
-    const bool has_one = on_scan[v].agrees && on_scan[v].distance <= far;
     area += surface.areas()[v];
-    if (has_one) covered += surface.areas()[v];
-    result.counterparts.push_back(has_one ? on_scan[v].point : SurfacePoint::nowhere());
+    if (!result.counterparts[v].is_nowhere()) covered += surface.areas()[v];
   }
   report.coverage = covered / area;
   for (const Target& landmark : landmarks) {
@@ -288,6 +296,15 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
         report.landmark_error, (point_of(landmark, result.positions) - landmark.position).norm());
   }
   return result;
+}
+
+std::vector<SurfacePoint> counterparts_on(const Mesh& scan, const Topology& topology,
+                                          std::span<const Vector3d> positions) {
+  require_surface(scan, "scan");
+  std::vector<Index> hints;
+  const std::vector<Counterpart> on_scan = counterparts_of(
+      ScanSurface(topology, positions), ScanSurface(scan.topology(), scan.positions), hints);
+  return accepted(on_scan, mean_edge_length(topology.rings, positions));
 }
 
 std::string why_failed(const WrapReport& report, std::size_t triangle_count) {
