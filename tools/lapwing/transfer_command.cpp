@@ -80,7 +80,7 @@ PoseFiles pose_files(const TransferArguments& a) {
   return files;
 }
 
-TransferRequest request_of(const TransferArguments& a, const Mesh& rest, const Mesh& target) {
+TransferRequest request_of(const TransferArguments& a) {
   TransferRequest request{.aligned = a.aligned};
   if (!a.landmarks.empty()) {
     request.landmarks.rows = read_target_rows(a.landmarks);
@@ -88,14 +88,7 @@ TransferRequest request_of(const TransferArguments& a, const Mesh& rest, const M
   }
   if (!a.held.empty()) request.held = region_spec("--hold", a.held);
   if (!a.correspondence.empty()) {
-    const Mesh on_rest = read_with_notes(a.correspondence);
-    if (on_rest.vertex_count() != target.vertex_count()) {
-      throw InputError(a.correspondence + " has " + std::to_string(on_rest.vertex_count()) +
-                       " vertices, but " + a.target + " has " +
-                       std::to_string(target.vertex_count()) +
-                       ". Use the result of `lapwing wrap TARGET REST`");
-    }
-    request.counterparts = counterparts_on(rest, target.topology(), on_rest.positions);
+    request.on_source = read_with_notes(a.correspondence).positions;
   }
   return request;
 }
@@ -127,12 +120,11 @@ void transfer_poses(const TransferArguments& a) {
   for (const fs::path& output : poses.outputs) files.writes_mesh("--output", output);
   const Mesh rest = read_with_notes(a.rest);
   Mesh target = read_with_notes(a.target);
-  const TransferRequest request = request_of(a, rest, target);
   std::optional<TransferSolver> solver;
   {
     ProgressDisplay display(a.quiet);
     CpuKernels kernels;
-    solver.emplace(rest, target, request, kernels, display.callback());
+    solver.emplace(rest, target, request_of(a), kernels, display.callback());
   }
   if (!a.quiet) print_counterparts(*solver, rest);
   for (const std::string& warning : solver->warnings()) warn(warning);

@@ -39,7 +39,6 @@ class TargetGraph {
               std::vector<double> areas, const VertexSet& held);
 
   const std::vector<Index>& solved() const { return unknowns_.vertices; }
-  bool is_solved(Index v) const { return unknowns_.of_vertex[v] != kNoIndex; }
   const std::vector<VertexSet>& loose() const { return loose_; }
 
   /// Replaces the maps of solved triangles without a map. R and S are harmonic over the surface
@@ -53,6 +52,8 @@ class TargetGraph {
                                      const CounterpartMotion& counterparts) const;
 
  private:
+  bool is_solved(Index v) const { return unknowns_.of_vertex[v] != kNoIndex; }
+
   struct Tie {
     Index i = 0;
     Index j = 0;

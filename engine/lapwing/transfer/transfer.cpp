@@ -4,8 +4,8 @@
 #include "lapwing/transfer/transfer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -14,8 +14,8 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/modifiers/loose_parts.h"
-#include "lapwing/deform/shape_measures.h"
 #include "lapwing/mesh/seams.h"
+#include "lapwing/region/joined_regions.h"
 #include "lapwing/transfer/pose_maps.h"
 #include "lapwing/transfer/target_graph.h"
 #include "lapwing/wrap/alignment.h"
@@ -29,7 +29,7 @@ constexpr std::size_t kTargetTrianglesPerTask = 256;
 // The fraction of the target without counterpart above which a warning is given.
 constexpr double kMuchUnmatched = 0.5;
 
-// The point of the source whose map a triangle of the target gets.
+// A point of the source whose map a triangle of the target gets.
 struct MapPlace {
   Index triangle = kNoIndex;
   std::array<double, 3> weights{};
@@ -56,6 +56,25 @@ void require_counterparts(std::span<const SurfacePoint> counterparts, const Mesh
   }
 }
 
+void require_on_source(std::span<const Vector3d> on_source, const Mesh& target) {
+  if (on_source.size() != target.vertex_count()) {
+    throw InputError("correspondence: there are " + std::to_string(on_source.size()) +
+                     " positions on the source, but the target has " +
+                     std::to_string(target.vertex_count()) +
+                     " vertices. Give one for each vertex.");
+  }
+  for (std::size_t v = 0; v < on_source.size(); ++v) {
+    if (on_source[v].allFinite() || target.topology().rings.size(v) == 0) continue;
+    throw InputError("correspondence: the position of vertex " + std::to_string(v) +
+                     " is not finite");
+  }
+}
+
+// Returns the mesh with its seams joined.
+const Mesh& surface_of(const Mesh& mesh, const JoinedSurface& joined) {
+  return joined.empty() ? mesh : joined.surface;
+}
+
 bool have_same_faces(const Mesh& a, const Mesh& b) {
   return a.vertex_count() == b.vertex_count() && a.face_starts() == b.face_starts() &&
          a.face_vertices() == b.face_vertices();
@@ -64,29 +83,6 @@ bool have_same_faces(const Mesh& a, const Mesh& b) {
 // Returns the double area vector of a triangle.
 Vector3d area_vector_of(const Triangle& t, std::span<const Vector3d> p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-}
-
-// Returns for each triangle of the target the point of the source that is closest to the centroid
-// of the counterparts of its corners. A triangle has none if a corner has none.
-std::vector<MapPlace> map_places(const Topology& target, std::span<const char> exists,
-                                 std::span<const Vector3d> counterparts, const Topology& source,
-                                 std::span<const Vector3d> source_rest,
-                                 std::span<const double> source_areas) {
-  const ClosestPoint surface(source.triangles, source_rest);
-  std::vector<MapPlace> places(target.triangles.size());
-  parallel_for(places.size(), kTargetTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
-    Index hint = kNoIndex;
-    for (std::size_t t = begin; t < end; ++t) {
-      const Triangle& c = target.triangles[t];
-      if (exists[c[0]] == 0 || exists[c[1]] == 0 || exists[c[2]] == 0) continue;
-      const Vector3d centroid =
-          (counterparts[c[0]] + counterparts[c[1]] + counterparts[c[2]]) / 3.0;
-      const TrianglePoint found = surface.find(0, centroid, area_vector_of(c, counterparts), hint);
-      hint = found.hint;
-      if (source_areas[found.triangle] > 0.0) places[t] = {found.triangle, found.weights};
-    }
-  });
-  return places;
 }
 
 }  // namespace
@@ -112,35 +108,50 @@ struct TransferSolver::State {
   std::optional<WrapReport> wrap_report;
   std::vector<std::string> warnings;
 
-  void find_counterparts(const Mesh& source, const Mesh& target, const TransferRequest& request,
-                         Kernels& kernels, const Progress& progress);
+  void find_counterparts(const Mesh& source, const JoinedSurface& source_joined, const Mesh& target,
+                         const TransferRequest& request, Kernels& kernels,
+                         const Progress& progress);
   void align(const Mesh& source);
   Positions counterpart_positions(std::span<const Vector3d> in_target_frame) const;
   Positions in_target_frame(std::span<const Vector3d> positions) const;
+  void find_places(std::span<const Vector3d> source_positions);
   std::vector<double> mapped_areas();
   void require_pose(std::span<const Vector3d> posed, const std::string& where) const;
   std::vector<LinearMap> maps_of_triangles(std::span<const Vector3d> posed) const;
   void place(std::span<const Vector3d> counterpart_posed, std::span<Vector3d> u) const;
-  TransferReport measure(std::span<const LinearMap> maps, std::span<const Vector3d> posed) const;
+  TransferReport measure(std::span<const Vector3d> posed) const;
 };
 
-void TransferSolver::State::find_counterparts(const Mesh& source, const Mesh& target,
-                                              const TransferRequest& request, Kernels& kernels,
-                                              const Progress& progress) {
+void TransferSolver::State::find_counterparts(const Mesh& source,
+                                              const JoinedSurface& source_joined,
+                                              const Mesh& target, const TransferRequest& request,
+                                              Kernels& kernels, const Progress& progress) {
+  const Mesh& from = surface_of(source, source_joined);
+  const Mesh& onto = surface_of(target, joined);
   if (!request.counterparts.empty()) {
     require_counterparts(request.counterparts, source, target);
     counterparts = request.counterparts;
+  } else if (!request.on_source.empty()) {
+    require_on_source(request.on_source, target);
+    counterparts = counterparts_on(from, onto.topology(), request.on_source);
   } else if (request.landmarks.empty() && have_same_faces(source, target)) {
     for (Index v = 0; v < target.vertex_count(); ++v) {
       counterparts.push_back(SurfacePoint::at_vertex(v));
     }
   } else {
-    Wrapped wrapped = wrap(target, source, {request.landmarks, request.aligned}, kernels, progress);
+    const WrapRequest request_of_wrap{
+        joined.empty() ? request.landmarks : led(request.landmarks, joined), request.aligned};
+    Wrapped wrapped = wrap(onto, from, request_of_wrap, kernels, progress);
     counterparts = std::move(wrapped.counterparts);
     wrap_report = wrapped.report;
-    if (const auto why = why_failed(wrapped.report, target.topology().triangles.size());
+    if (const auto why = why_failed(wrapped.report, onto.topology().triangles.size());
         !why.empty()) {
       warnings.push_back(why);
+    }
+  }
+  if (!source_joined.empty()) {
+    for (SurfacePoint& point : counterparts) {
+      for (Index& corner : point.corners) corner = source_joined.leaders[corner];
     }
   }
   for (Index v = 0; v < counterparts.size(); ++v) {
@@ -181,6 +192,26 @@ Positions TransferSolver::State::counterpart_positions(std::span<const Vector3d>
   return positions;
 }
 
+// Finds for each triangle of the target the point of the source that is closest to the centroid of
+// the counterparts of its corners. A triangle has none if a corner has none.
+void TransferSolver::State::find_places(std::span<const Vector3d> source_positions) {
+  const ClosestPoint surface(source_topology->triangles, source_positions);
+  places.resize(topology->triangles.size());
+  parallel_for(places.size(), kTargetTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
+    Index hint = kNoIndex;
+    for (std::size_t t = begin; t < end; ++t) {
+      const Triangle& c = topology->triangles[t];
+      if (exists[c[0]] == 0 || exists[c[1]] == 0 || exists[c[2]] == 0) continue;
+      const Vector3d centroid =
+          (counterpart_rest[c[0]] + counterpart_rest[c[1]] + counterpart_rest[c[2]]) / 3.0;
+      const TrianglePoint found =
+          surface.find(0, centroid, area_vector_of(c, counterpart_rest), hint);
+      hint = found.hint;
+      if (source_rest.areas[found.triangle] > 0.0) places[t] = {found.triangle, found.weights};
+    }
+  });
+}
+
 // Returns the areas of the target's triangles with a map, and 0 for all others.
 std::vector<double> TransferSolver::State::mapped_areas() {
   double whole = 0.0;
@@ -213,27 +244,24 @@ TransferSolver::TransferSolver(const Mesh& source, const Mesh& target,
   require_surface(target, "target");
   require_finite(source);
   require_finite(target);
-  s.source_topology = source.shared_topology();
+  const JoinedSurface source_joined = joined_surface(source);
+  s.source_topology = surface_of(source, source_joined).shared_topology();
   s.source_count = source.vertex_count();
   s.joined = joined_surface(target);
-  s.topology = s.joined.empty() ? target.shared_topology() : s.joined.surface.shared_topology();
+  s.topology = surface_of(target, s.joined).shared_topology();
   s.rest = target.positions;
-  s.find_counterparts(source, target, request, kernels, progress);
+  s.find_counterparts(source, source_joined, target, request, kernels, progress);
   report_progress(progress, "prepare", 0.0);
   s.align(source);
   const Positions source_rest = s.in_target_frame(source.positions);
   s.source_rest = PoseMaps::prepare(*s.source_topology, source_rest);
   s.counterpart_rest = s.counterpart_positions(source_rest);
-  s.places = map_places(*s.topology, s.exists, s.counterpart_rest, *s.source_topology, source_rest,
-                        s.source_rest.areas);
+  s.find_places(source_rest);
   std::vector<double> areas = s.mapped_areas();
   VertexSet held;
   if (request.held) {
-    held = resolve(*request.held, target);
-    if (!s.joined.empty()) {
-      for (Index& v : held) v = s.joined.leaders[v];
-      held = make_vertex_set(held);
-    }
+    held = s.joined.empty() ? resolve(*request.held, target)
+                            : resolve_leaders(*request.held, s.joined);
   }
   s.is_held = !held.empty();
   s.graph.emplace(*s.topology, s.rest, std::move(areas), held);
@@ -289,25 +317,11 @@ void TransferSolver::State::place(std::span<const Vector3d> counterpart_posed,
   for (const Index v : graph->solved()) u[v] += sum / area;
 }
 
-TransferReport TransferSolver::State::measure(std::span<const LinearMap> maps,
-                                              std::span<const Vector3d> posed) const {
-  TransferReport report;
-  for (std::size_t t = 0; t < maps.size(); ++t) {
-    const Triangle& c = topology->triangles[t];
-    if (!graph->is_solved(c[0])) continue;
-    report.largest_rotation_degrees = std::max(
-        report.largest_rotation_degrees, rotation_angle(maps[t].R) * 180.0 / std::numbers::pi);
-    const Vector3d was = area_vector_of(c, rest);
-    const double longest =
-        std::max({(rest[c[1]] - rest[c[0]]).squaredNorm(), (rest[c[2]] - rest[c[1]]).squaredNorm(),
-                  (rest[c[0]] - rest[c[2]]).squaredNorm()});
-    const bool is_thin = !(was.norm() > kThinnestTriangle * longest);
-    if (!is_thin && (maps[t].R * was).dot(area_vector_of(c, posed)) < 0.0) {
-      ++report.flipped_triangles;
-    }
-  }
-  report.edge_stretch = edge_stretches(graph->solved(), *topology, rest, posed).root_mean_square;
-  return report;
+TransferReport TransferSolver::State::measure(std::span<const Vector3d> posed) const {
+  Certificate certificate;
+  measure_shape(graph->solved(), *topology, rest, posed, certificate);
+  return {certificate.largest_rotation_degrees, certificate.flipped_triangles,
+          certificate.edge_stretch};
 }
 
 Transferred TransferSolver::solve(std::span<const Vector3d> posed, const std::string& where) const {
@@ -325,7 +339,7 @@ Transferred TransferSolver::solve(std::span<const Vector3d> posed, const std::st
   s.loose.carry({}, {}, u);
   Transferred result{s.rest, {}};
   for (std::size_t v = 0; v < u.size(); ++v) result.positions[v] += u[v];
-  result.report = s.measure(maps, result.positions);
+  result.report = s.measure(result.positions);
   if (!s.joined.empty()) s.joined.close(result.positions);
   return result;
 }

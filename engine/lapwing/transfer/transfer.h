@@ -18,10 +18,13 @@
 namespace lapwing {
 
 struct TransferRequest {
-  /// For each vertex of the target, its counterpart on the source at rest, or `nowhere()`. Empty:
-  /// vertices with the same number are counterparts if both meshes have the same faces and there
-  /// are no landmarks. Otherwise `wrap` deforms the target so that it covers the source.
+  /// For each vertex of the target, its counterpart on the source at rest, or `nowhere()`.
   std::vector<SurfacePoint> counterparts = {};
+  /// Otherwise: the position of each vertex of the target on the source, such as
+  /// `Wrapped::positions`. The counterparts are then those of `counterparts_on`.
+  Positions on_source = {};
+  // If both lists are empty, vertices with the same number are counterparts if the meshes have the
+  // same faces and there are no landmarks. Otherwise `wrap` finds the counterparts.
   /// Points of the target and their positions on the source, for `wrap`.
   TargetSpec landmarks = {.where = "landmarks"};
   bool aligned = false;  ///< `WrapRequest::aligned`
@@ -30,11 +33,12 @@ struct TransferRequest {
   std::optional<RegionSpec> held = {};
 };
 
+/// The target's pose relative to its rest pose, without loose components. The fields have the same
+/// meaning as in `Certificate`.
 struct TransferReport {
-  double largest_rotation_degrees = 0.0;  ///< of the maps of the target's triangles, 0 to 180
-  /// Triangles of the target whose normal points away from their rest normal, rotated by their map.
+  double largest_rotation_degrees = 0.0;
   std::size_t flipped_triangles = 0;
-  double edge_stretch = 0.0;  ///< `edge_stretch` of the target from rest to the pose
+  double edge_stretch = 0.0;
 };
 
 struct Transferred {
@@ -52,7 +56,7 @@ struct Transferred {
 ///
 /// Parts of a component without counterparts get maps that are harmonic between the others.
 /// Components without any counterpart move rigidly with the nearest surface (`LooseParts`).
-/// Vertices without triangles do not move. Seams of the target remain closed.
+/// Vertices without triangles do not move. Seams of both meshes are joined.
 ///
 /// The construction prepares everything that does not depend on the pose, in O(n log n) plus the
 /// time of `wrap`. Each pose then takes one solve with the factor of an n x n matrix. Threads may

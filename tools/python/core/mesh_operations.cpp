@@ -128,8 +128,9 @@ py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& t
   request.landmarks = read_targets(JsonNode::parse(landmarks, "transfer: landmarks"));
   request.landmarks.where = "transfer: landmarks";
   if (held) request.held = region_of(*held, "transfer: held");
-  Positions on_source;
-  if (!correspondence.is_none()) on_source = positions_of(correspondence, target.vertex_count());
+  if (!correspondence.is_none()) {
+    request.on_source = positions_of(correspondence, target.vertex_count());
+  }
   std::vector<Positions> posed;
   for (const py::handle pose : poses) {
     posed.push_back(positions_of(py::reinterpret_borrow<py::object>(pose), source.vertex_count()));
@@ -138,9 +139,6 @@ py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& t
   std::optional<TransferSolver> solver;
   std::vector<Transferred> results;
   interruptible.call([&](const Progress& progress) {
-    if (!on_source.empty()) {
-      request.counterparts = counterparts_on(source, target.topology(), on_source);
-    }
     CpuKernels kernels;
     solver.emplace(source, target, request, kernels, progress);
     for (std::size_t k = 0; k < posed.size(); ++k) {
