@@ -151,6 +151,9 @@ def test_poses_are_transferred_to_another_mesh():
     assert np.abs(held.vertices[:4] - V[:4]).max() < 1e-3
     with pytest.raises(lapwing.InputError, match="vertices: expected"):
         lapwing.transfer(source, many[:, :-1], target, correspondence=rest)
+    many[1, 5] = np.nan
+    with pytest.raises(lapwing.InputError, match=r"poses\[1\]: vertex 5 is not finite"):
+        lapwing.transfer(source, many, target, correspondence=rest)
 
 
 def test_check_and_fix():

@@ -94,11 +94,12 @@ TransferRequest request_of(const TransferArguments& a) {
 }
 
 void print_pose(const fs::path& output, const fs::path& pose, const TransferReport& report) {
+  std::printf("%s: pose %s\n", shown(output).c_str(), shown(pose).c_str());
   std::printf(
-      "%s: pose %s; largest rotation %.1f degrees, edge stretch %.1f%%, "
-      "flipped triangles %zu\n",
-      shown(output).c_str(), shown(pose).c_str(), report.largest_rotation_degrees,
-      100.0 * report.edge_stretch, report.flipped_triangles);
+      "  largest rotation %.1f degrees, edge stretch %.1f%%, flipped triangles %zu, "
+      "inside out %.1f%%\n",
+      report.largest_rotation_degrees, 100.0 * report.edge_stretch, report.flipped_triangles,
+      100.0 * report.inside_out_share);
 }
 
 void print_counterparts(const TransferSolver& solver, const Mesh& rest) {
@@ -120,6 +121,11 @@ void transfer_poses(const TransferArguments& a) {
   for (const fs::path& output : poses.outputs) files.writes_mesh("--output", output);
   const Mesh rest = read_with_notes(a.rest);
   Mesh target = read_with_notes(a.target);
+  std::vector<Positions> posed;
+  for (const fs::path& input : poses.inputs) {
+    posed.push_back(read_with_notes(input).positions);
+    require_pose(rest, posed.back(), input.string());
+  }
   std::optional<TransferSolver> solver;
   {
     ProgressDisplay display(a.quiet);
@@ -129,8 +135,7 @@ void transfer_poses(const TransferArguments& a) {
   if (!a.quiet) print_counterparts(*solver, rest);
   for (const std::string& warning : solver->warnings()) warn(warning);
   for (std::size_t k = 0; k < poses.inputs.size(); ++k) {
-    const std::string name = poses.inputs[k].string();
-    Transferred result = solver->solve(read_with_notes(poses.inputs[k]).positions, name);
+    Transferred result = solver->solve(posed[k]);
     target.positions = std::move(result.positions);
     print_notes(write_mesh(target, poses.outputs[k]));
     if (!a.quiet) print_pose(poses.outputs[k], poses.inputs[k], result.report);

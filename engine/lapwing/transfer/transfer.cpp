@@ -75,6 +75,21 @@ const Mesh& surface_of(const Mesh& mesh, const JoinedSurface& joined) {
   return joined.empty() ? mesh : joined.surface;
 }
 
+void require_pose(const Topology& source, std::span<const Vector3d> posed,
+                  const std::string& where) {
+  if (posed.size() != source.vertex_count()) {
+    throw InputError(where + ": it has " + std::to_string(posed.size()) +
+                     " vertices, but the source at rest has " +
+                     std::to_string(source.vertex_count()) +
+                     ". A pose must have the same vertices in the same order.");
+  }
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    if (source.rings.size(v) > 0 && !posed[v].allFinite()) {
+      throw InputError(where + ": vertex " + std::to_string(v) + " is not finite");
+    }
+  }
+}
+
 bool have_same_faces(const Mesh& a, const Mesh& b) {
   return a.vertex_count() == b.vertex_count() && a.face_starts() == b.face_starts() &&
          a.face_vertices() == b.face_vertices();
@@ -89,7 +104,6 @@ Vector3d area_vector_of(const Triangle& t, std::span<const Vector3d> p) {
 
 struct TransferSolver::State {
   std::shared_ptr<const Topology> source_topology;
-  std::size_t source_count = 0;
   Eigen::Affine3d into_target = Eigen::Affine3d::Identity();  // the frame of the target
   PoseMaps::Rest source_rest;
   JoinedSurface joined;
@@ -116,7 +130,6 @@ struct TransferSolver::State {
   Positions in_target_frame(std::span<const Vector3d> positions) const;
   void find_places(std::span<const Vector3d> source_positions);
   std::vector<double> mapped_areas();
-  void require_pose(std::span<const Vector3d> posed, const std::string& where) const;
   std::vector<LinearMap> maps_of_triangles(std::span<const Vector3d> posed) const;
   void place(std::span<const Vector3d> counterpart_posed, std::span<Vector3d> u) const;
   TransferReport measure(std::span<const Vector3d> posed) const;
@@ -246,7 +259,6 @@ TransferSolver::TransferSolver(const Mesh& source, const Mesh& target,
   require_finite(target);
   const JoinedSurface source_joined = joined_surface(source);
   s.source_topology = surface_of(source, source_joined).shared_topology();
-  s.source_count = source.vertex_count();
   s.joined = joined_surface(target);
   s.topology = surface_of(target, s.joined).shared_topology();
   s.rest = target.positions;
@@ -277,18 +289,8 @@ TransferSolver::TransferSolver(TransferSolver&&) noexcept = default;
 TransferSolver& TransferSolver::operator=(TransferSolver&&) noexcept = default;
 TransferSolver::~TransferSolver() = default;
 
-void TransferSolver::State::require_pose(std::span<const Vector3d> posed,
-                                         const std::string& where) const {
-  if (posed.size() != source_count) {
-    throw InputError(where + ": it has " + std::to_string(posed.size()) +
-                     " vertices, but the source at rest has " + std::to_string(source_count) +
-                     ". A pose must have the same vertices in the same order.");
-  }
-  for (std::size_t v = 0; v < posed.size(); ++v) {
-    if (source_topology->rings.size(v) > 0 && !posed[v].allFinite()) {
-      throw InputError(where + ": vertex " + std::to_string(v) + " is not finite");
-    }
-  }
+void require_pose(const Mesh& source, std::span<const Vector3d> posed, const std::string& where) {
+  require_pose(source.topology(), posed, where);
 }
 
 std::vector<LinearMap> TransferSolver::State::maps_of_triangles(
@@ -321,12 +323,12 @@ TransferReport TransferSolver::State::measure(std::span<const Vector3d> posed) c
   Certificate certificate;
   measure_shape(graph->solved(), *topology, rest, posed, certificate);
   return {certificate.largest_rotation_degrees, certificate.flipped_triangles,
-          certificate.edge_stretch};
+          certificate.edge_stretch, certificate.inside_out_share};
 }
 
 Transferred TransferSolver::solve(std::span<const Vector3d> posed, const std::string& where) const {
   const State& s = *state_;
-  s.require_pose(posed, where);
+  require_pose(*s.source_topology, posed, where);
   const Positions mapped = s.in_target_frame(posed);
   std::vector<LinearMap> maps = s.maps_of_triangles(mapped);
   check_cancelled();

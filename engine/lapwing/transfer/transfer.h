@@ -39,12 +39,17 @@ struct TransferReport {
   double largest_rotation_degrees = 0.0;
   std::size_t flipped_triangles = 0;
   double edge_stretch = 0.0;
+  double inside_out_share = 0.0;
 };
 
 struct Transferred {
   Positions positions;  ///< of the target's vertices
   TransferReport report;
 };
+
+/// Throws InputError, naming `where`, unless there is one finite position per vertex of the source.
+void require_pose(const Mesh& source, std::span<const Eigen::Vector3d> posed,
+                  const std::string& where);
 
 /// Transfers poses of a source mesh to a target mesh (Sumner and Popovic 2004).
 ///
@@ -73,8 +78,8 @@ class TransferSolver {
   TransferSolver& operator=(TransferSolver&&) noexcept;
   ~TransferSolver();
 
-  /// Returns the target in a pose of the source. Throws InputError, naming `where`, unless there is
-  /// one finite position per vertex of the source; throws Cancelled.
+  /// Returns the target in a pose of the source. Throws the errors of `require_pose`, and
+  /// Cancelled.
   Transferred solve(std::span<const Eigen::Vector3d> posed,
                     const std::string& where = "pose") const;
 

@@ -134,6 +134,7 @@ py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& t
   std::vector<Positions> posed;
   for (const py::handle pose : poses) {
     posed.push_back(positions_of(py::reinterpret_borrow<py::object>(pose), source.vertex_count()));
+    require_pose(source, posed.back(), "transfer: poses[" + std::to_string(posed.size() - 1) + "]");
   }
   Interruptible interruptible(heard);
   std::optional<TransferSolver> solver;
@@ -141,23 +142,24 @@ py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& t
   interruptible.call([&](const Progress& progress) {
     CpuKernels kernels;
     solver.emplace(source, target, request, kernels, progress);
-    for (std::size_t k = 0; k < posed.size(); ++k) {
-      results.push_back(solver->solve(posed[k], "transfer: poses[" + std::to_string(k) + "]"));
-    }
+    for (const Positions& pose : posed) results.push_back(solver->solve(pose));
   });
   py::list vertices;
   std::vector<double> rotations;
   std::vector<double> stretches;
+  std::vector<double> inside_out;
   std::vector<std::size_t> flipped;
   for (const Transferred& result : results) {
     vertices.append(array_of(result.positions));
     rotations.push_back(result.report.largest_rotation_degrees);
     stretches.push_back(result.report.edge_stretch);
+    inside_out.push_back(result.report.inside_out_share);
     flipped.push_back(result.report.flipped_triangles);
   }
   return py::dict("vertices"_a = vertices, "unmatched_area"_a = solver->unmatched_area(),
                   "largest_rotation_degrees"_a = rotations, "edge_stretch"_a = stretches,
-                  "flipped_triangles"_a = flipped, "warnings"_a = solver->warnings());
+                  "flipped_triangles"_a = flipped, "inside_out_share"_a = inside_out,
+                  "warnings"_a = solver->warnings());
 }
 
 const char* word_of(Severity severity) {

@@ -184,6 +184,7 @@ class Transferred:
     largest_rotation_degrees: List[float]
     edge_stretch: List[float]  #: root mean square of length' / length - 1 over the edges
     flipped_triangles: List[int]
+    inside_out_share: List[float]  #: share of the area that is inside out
     warnings: List[str]  #: why the results may be wrong
 
 
