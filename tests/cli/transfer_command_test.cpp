@@ -80,15 +80,16 @@ TEST_F(TransferCommand, RefusesFilesThatDoNotFit) {
 }
 
 TEST_F(TransferCommand, MissingCounterpartsAreAnErrorIfStrict) {
-  // Inside out, no normal agrees with that of the rest pose.
+  // Where the correspondence is inside out, no normal agrees with that of the rest pose.
   Mesh inverted = read_mesh(file("tube.obj"));
-  for (Eigen::Vector3d& p : inverted.positions) p.x() = -p.x();
-  write_mesh(inverted, file("inverted.ply"));
-  const auto outcome = lapwing(
-      "transfer tube.obj pose.obj --onto inverted.ply --correspondence inverted.ply "
-      "-o x.ply --strict");
-  EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.output, HasSubstr("Fewer than three vertices"));
+  for (Eigen::Vector3d& p : inverted.positions) {
+    if (p.z() < 2.0) p.x() = -p.x();
+  }
+  write_mesh(inverted, file("inverted.obj"));
+  const std::string command =
+      "transfer tube.obj pose.obj --onto tube.obj --correspondence inverted.obj -o x.obj ";
+  EXPECT_THAT(succeed(command), HasSubstr("of the target has no counterpart on the source"));
+  EXPECT_EQ(lapwing(command + "--strict").exit_code, 4);
 }
 
 }  // namespace

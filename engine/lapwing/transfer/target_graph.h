@@ -27,9 +27,9 @@ struct CounterpartMotion {
 /// where d_ij is the mean of T_t (r_i - r_j) over the triangles of edge ij. The w_ij are
 /// `edge_weights`, so the matrix is n x n and does not depend on the maps.
 ///
-/// The components with a map are solved. Weak edges (ties) join all others to the largest one, at
-/// their contacts. Ties only determine the distance between components. Components without a map
-/// are `loose`.
+/// The components with a map are solved together: weak edges (ties) join each of them to the
+/// largest one, at its contacts. Ties determine only the distances between components. Components
+/// without a map are `loose`.
 class TargetGraph {
  public:
   /// `areas` contains the area of each triangle that has a map, and 0 for all others; at least one

@@ -159,7 +159,7 @@ void TransferSolver::State::find_counterparts(const Mesh& source,
     wrap_report = wrapped.report;
     if (const auto why = why_failed(wrapped.report, onto.topology().triangles.size());
         !why.empty()) {
-      warnings.push_back(why);
+      warnings.push_back("the target was wrapped (template) onto the source (scan). " + why);
     }
   }
   if (!source_joined.empty()) {
