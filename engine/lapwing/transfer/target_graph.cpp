@@ -73,7 +73,7 @@ void TargetGraph::split_components() {
     if (components.of_vertex[topology_.triangles[t][0]] == main) group.values.push_back(t);
   }
   group.starts.push_back(static_cast<Index>(group.values.size()));
-  const ClosestPoint surface(topology_.triangles, rest_, group);
+  std::optional<ClosestPoint> surface;  // of the largest component, if there are others
   const Adjacency vertices_of = inverse_lists(components.of_vertex, components.count);
   std::vector<Index> solved;
   for (Index c = 0; c < components.count; ++c) {
@@ -82,7 +82,9 @@ void TargetGraph::split_components() {
     const VertexSet part = make_vertex_set({vertices.begin(), vertices.end()});
     if (areas[c] > 0.0) {
       solved.insert(solved.end(), part.begin(), part.end());
-      if (c != main) add_ties(part, surface);
+      if (c == main) continue;
+      if (!surface) surface.emplace(topology_.triangles, rest_, group);
+      add_ties(part, *surface);
     } else {
       loose_.push_back(part);
     }
@@ -131,8 +133,8 @@ void TargetGraph::factorize(const VertexSet& held) {
   std::vector<double> weights(unknowns_.size(), 0.0);
   if (held.empty()) weights[0] = diagonal[0];  // the result is translated afterwards
   for (const Index v : held) {
-    if (is_solved(v))
-      weights[unknowns_.of_vertex[v]] = kHeldWeight * diagonal[unknowns_.of_vertex[v]];
+    const Index unknown = unknowns_.of_vertex[v];
+    if (unknown != kNoIndex) weights[unknown] = kHeldWeight * diagonal[unknown];
   }
   if (!held.empty() && std::ranges::none_of(held, [&](Index v) { return is_solved(v); })) {
     throw InputError(

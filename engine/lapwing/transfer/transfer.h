@@ -20,11 +20,11 @@ namespace lapwing {
 struct TransferRequest {
   /// For each vertex of the target, its counterpart on the source at rest, or `nowhere()`.
   std::vector<SurfacePoint> counterparts = {};
-  /// Otherwise: the position of each vertex of the target on the source, such as
-  /// `Wrapped::positions`. The counterparts are then those of `counterparts_on`.
+  /// If `counterparts` is empty: the position of each vertex of the target on the source, such as
+  /// `Wrapped::positions`. The counterparts are those of `counterparts_on`. If this list is empty
+  /// too, vertices with the same number are counterparts if the meshes have the same faces and
+  /// there are no landmarks. Otherwise `wrap` finds the counterparts.
   Positions on_source = {};
-  // If both lists are empty, vertices with the same number are counterparts if the meshes have the
-  // same faces and there are no landmarks. Otherwise `wrap` finds the counterparts.
   /// Points of the target and their positions on the source, for `wrap`.
   TargetSpec landmarks = {.where = "landmarks"};
   bool aligned = false;  ///< `WrapRequest::aligned`
