@@ -75,6 +75,12 @@ TEST_F(TransferCommand, RefusesFilesThatDoNotFit) {
   expect_refused("transfer tube.obj pose.obj --onto target.ply --correspondence tube.obj -o x.ply",
                  3, {"correspondence", "one for each vertex"});
   expect_refused("transfer tube.obj pose.obj --onto target.ply -o pose.obj", 2, {"POSED"});
+  std::filesystem::create_directory(file("walk"));
+  std::filesystem::copy(file("pose.obj"), file("walk") / "pose.obj");
+  expect_refused("transfer tube.obj pose.obj walk --onto target.ply -o x", 3,
+                 {"another pose is also named pose"});
+  expect_refused("transfer tube.obj walk --onto target.ply -o tube.obj", 6,
+                 {"cannot create the folder tube.obj"});
   std::filesystem::create_directory(file("empty"));
   expect_refused("transfer tube.obj empty --onto target.ply -o x", 3, {"no mesh files"});
 }

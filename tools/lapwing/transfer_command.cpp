@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -47,6 +49,12 @@ bool is_mesh_file(const fs::path& path) {
   return fs::is_regular_file(path);
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError("cannot create the folder " + folder.string() + ": " + error.message());
+}
+
 struct PoseFiles {
   std::vector<fs::path> inputs;
   std::vector<fs::path> outputs;
@@ -71,12 +79,17 @@ PoseFiles pose_files(const TransferArguments& a) {
     std::ranges::sort(found);
     files.inputs.insert(files.inputs.end(), found.begin(), found.end());
   }
+  std::set<std::string> names;
   for (const fs::path& input : files.inputs) {
-    files.outputs.push_back(is_single ? fs::path(a.output)
-                                      : fs::path(a.output) / split_mesh_path(input).file.stem());
+    const std::string stem = split_mesh_path(input).file.stem().string();
+    if (!names.insert(stem).second) {
+      throw InputError(input.string() + ": another pose is also named " + stem +
+                       ", and results are named after their poses. Rename a file.");
+    }
+    files.outputs.push_back(is_single ? fs::path(a.output) : fs::path(a.output) / stem);
     if (!is_single) files.outputs.back() += split_mesh_path(a.target).file.extension();
   }
-  if (!is_single) fs::create_directories(a.output);
+  if (!is_single) make_folder(a.output);
   return files;
 }
 
