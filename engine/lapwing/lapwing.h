@@ -12,5 +12,6 @@
 #include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/remesh/remesh.h"
+#include "lapwing/transfer/transfer.h"
 #include "lapwing/transplant/transplant.h"
 #include "lapwing/wrap/wrap.h"

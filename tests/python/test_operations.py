@@ -129,6 +129,33 @@ def test_a_template_is_wrapped_onto_a_scan():
         lapwing.wrap(template, placed, [[10**6, 0, 0, 0]], scan_faces=scan.faces)
 
 
+def test_poses_are_transferred_to_another_mesh():
+    source = lapwing.shape("tube")
+    V = np.array(source.vertices)
+    target = lapwing.subdivide(source).mesh
+    rest = np.array(target.vertices)
+
+    def pose(points, factor):
+        return points * [1.0 + factor * 0.1, 1.0, 1.0 - factor * 0.05] + [factor, 0.0, 0.0]
+
+    many = np.array([pose(V, factor) for factor in (0.0, 1.0, 2.0)])
+    moved = lapwing.transfer(source, many, target, correspondence=rest)
+    assert moved.vertices.shape == (3, len(rest), 3) and not moved.warnings
+    for factor, vertices in enumerate(moved.vertices):
+        assert np.abs(vertices - pose(rest, factor)).max() < 1e-2
+    one = lapwing.transfer(source, many[2], target, correspondence=rest)
+    assert np.array_equal(one.vertices, moved.vertices[2])
+    same = lapwing.transfer(V, [many[1]], V, faces=source.faces, target_faces=source.faces)
+    assert np.abs(same.vertices[0] - many[1]).max() < 1e-6
+    held = lapwing.transfer(source, many[1], source, held=[0, 1, 2, 3])
+    assert np.abs(held.vertices[:4] - V[:4]).max() < 1e-3
+    with pytest.raises(lapwing.InputError, match="vertices: expected"):
+        lapwing.transfer(source, many[:, :-1], target, correspondence=rest)
+    many[1, 5] = np.nan
+    with pytest.raises(lapwing.InputError, match=r"poses\[1\]: vertex 5 is not finite"):
+        lapwing.transfer(source, many, target, correspondence=rest)
+
+
 def test_check_and_fix():
     corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0], [5, 5, 5]]
     found = lapwing.check(corners, [[0, 1, 2], [3, 4, 5]])

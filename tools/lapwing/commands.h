@@ -12,6 +12,7 @@ void add_steps(CLI::App& app);
 void add_batch(CLI::App& app);
 void add_peel(CLI::App& app);
 void add_wrap(CLI::App& app);
+void add_transfer(CLI::App& app);
 void add_cut(CLI::App& app);
 void add_parts(CLI::App& app);
 void add_render(CLI::App& app);

@@ -74,6 +74,15 @@ constexpr std::array kExamples{
   lapwing remesh bent.ply --scale 0.8 -o scan.ply
   lapwing wrap template.ply scan.ply -o wrapped.ply
   lapwing wrap template.ply scan.ply --aligned --strict -o placed.ply)"},
+    Examples{"lapwing transfer", R"(
+  lapwing shape tube -o rest.ply
+  lapwing deform rest.ply --handle near:0,0,6,1 --rotate 0,1,0,40 --save bent.ply
+  lapwing deform rest.ply --handle near:0,0,6,1 --translate 1,0,0 --save moved.ply
+  lapwing subdivide rest.ply -o target.ply
+  lapwing wrap target.ply rest.ply --aligned -o on-rest.ply
+  lapwing transfer rest.ply bent.ply --onto target.ply --aligned -o bent-target.ply
+  lapwing transfer rest.ply bent.ply moved.ply --onto target.ply \
+    --correspondence on-rest.ply -o poses)"},
     Examples{"lapwing decimate", R"(
   lapwing shape bumpy-plane -o bumps.ply
   lapwing decimate bumps.ply --share 0.2 --save coarse.ply

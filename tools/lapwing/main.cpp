@@ -100,9 +100,9 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 1 a bug in the program, 2 usage, 3 mesh or recipe, 4 solver (or\n"
       "--strict), 5 device, 6 file, 130 cancelled (Ctrl+C), 143 ended by a signal.\n"
       "`lapwing COMMAND --help` lists the options of a command.");
-  for (const auto add :
-       {add_run, add_batch, add_steps, add_keys, add_peel, add_wrap, add_cut, add_parts, add_render,
-        add_check, add_convert, add_info, add_shape, add_subdivide, add_remesh, add_parameterize}) {
+  for (const auto add : {add_run, add_batch, add_steps, add_keys, add_peel, add_wrap, add_transfer,
+                         add_cut, add_parts, add_render, add_check, add_convert, add_info,
+                         add_shape, add_subdivide, add_remesh, add_parameterize}) {
     add(app);
   }
   add_examples(app);

@@ -103,6 +103,21 @@ SurfaceDistance measure(std::vector<double> distances) {
           distances[static_cast<std::size_t>(0.95 * (count - 1.0))], distances.back()};
 }
 
+// Returns the counterparts that agree and are not much farther than most.
+std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, double edge) {
+  const double far = std::max(edge, kFar * median_distance(counterparts));
+  std::vector<SurfacePoint> points;
+  for (const Counterpart& c : counterparts) {
+    points.push_back(c.agrees && c.distance <= far ? c.point : SurfacePoint::nowhere());
+  }
+  return points;
+}
+
+// Returns the point of the cloud at a place on its surfel.
+SurfacePoint point_of_surfel(const SurfacePoint& place) {
+  return place.is_nowhere() ? place : SurfacePoint::at_vertex(std::ranges::min(place.corners));
+}
+
 Alignment align(const ScanSurface& surface, const ScanSurface& scan,
                 std::span<const Target> landmarks, bool aligned) {
   constexpr std::size_t kEnough = 3;
@@ -389,14 +404,13 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
   report.steps += wrapping.steps();
   double area = 0.0;
   double covered = 0.0;
-  const double far = std::max(wrapping.edge(), kFar * median_distance(on_scan));
+  result.counterparts = accepted(on_scan, wrapping.edge());
   for (Index v = 0; v < on_scan.size(); ++v) {
-    const bool has_one = on_scan[v].agrees && on_scan[v].distance <= far;
     area += surface.areas()[v];
-    if (has_one) covered += surface.areas()[v];
-    SurfacePoint point = has_one ? on_scan[v].point : SurfacePoint::nowhere();
-    if (has_one && is_cloud) point = SurfacePoint::at_vertex(std::ranges::min(point.corners));
-    result.counterparts.push_back(point);
+    if (!result.counterparts[v].is_nowhere()) covered += surface.areas()[v];
+  }
+  if (is_cloud) {
+    for (SurfacePoint& point : result.counterparts) point = point_of_surfel(point);
   }
   report.coverage = covered / area;
   for (std::size_t k = 0; k < landmarks.size(); ++k) {
@@ -406,6 +420,16 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
     report.farthest_landmark = k;
   }
   return result;
+}
+
+std::vector<SurfacePoint> counterparts_on(const Mesh& scan, const Topology& topology,
+                                          std::span<const Vector3d> positions) {
+  require_surface(scan, "scan");
+  const ScanSurface surface(topology, positions);
+  std::vector<Index> hints;
+  const std::vector<Counterpart> on_scan = counterparts_of(
+      positions, surface.normals(), ScanSurface(scan.topology(), scan.positions), hints);
+  return accepted(on_scan, mean_edge_length(topology.rings, positions));
 }
 
 std::string why_failed(const WrapReport& report, std::size_t triangle_count) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,13 @@ struct Wrapped {
 /// Also throws SolverError, GpuError and Cancelled.
 Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, Kernels& kernels,
              const Progress& progress = {});
+
+/// Returns the counterpart of each vertex of a surface that covers the scan, or `nowhere()`: the
+/// closest point, if the normals agree, it is not on a boundary, and it is not much farther than
+/// most. `Wrapped::counterparts` are those of `Wrapped::positions`. O(n log n). Throws InputError
+/// if the scan has no surface.
+std::vector<SurfacePoint> counterparts_on(const Mesh& scan, const Topology& topology,
+                                          std::span<const Eigen::Vector3d> positions);
 
 /// Returns an empty string if a result is usable, otherwise the reason why it is not and a
 /// suggestion. A result is not usable if less than half of the template has a counterpart, the

@@ -15,6 +15,7 @@
 #include "lapwing/recipe/read_values.h"
 #include "lapwing/region/grab_region.h"
 #include "lapwing/remesh/remesh.h"
+#include "lapwing/transfer/transfer.h"
 #include "lapwing/wrap/wrap.h"
 #include "messages.h"
 #include "module.h"
@@ -116,6 +117,49 @@ py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& landma
                   "landmark_error"_a = report.landmark_error, "scale"_a = report.alignment.scale,
                   "flipped_triangles"_a = report.flipped_triangles, "steps"_a = report.steps,
                   "trouble"_a = why_failed(report, mesh.topology().triangles.size()));
+}
+
+// `correspondence` contains the positions of the target's vertices on the source, or is None.
+py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& target,
+                        const std::string& landmarks, const py::object& correspondence,
+                        const std::optional<std::string>& held, bool aligned,
+                        const py::object& heard) {
+  TransferRequest request{.aligned = aligned};
+  request.landmarks = read_targets(JsonNode::parse(landmarks, "transfer: landmarks"));
+  request.landmarks.where = "transfer: landmarks";
+  if (held) request.held = region_of(*held, "transfer: held");
+  if (!correspondence.is_none()) {
+    request.on_source = positions_of(correspondence, target.vertex_count());
+  }
+  std::vector<Positions> posed;
+  for (const py::handle pose : poses) {
+    posed.push_back(positions_of(py::reinterpret_borrow<py::object>(pose), source.vertex_count()));
+    require_pose(source, posed.back(), "transfer: poses[" + std::to_string(posed.size() - 1) + "]");
+  }
+  Interruptible interruptible(heard);
+  std::optional<TransferSolver> solver;
+  std::vector<Transferred> results;
+  interruptible.call([&](const Progress& progress) {
+    CpuKernels kernels;
+    solver.emplace(source, target, request, kernels, progress);
+    for (const Positions& pose : posed) results.push_back(solver->solve(pose));
+  });
+  py::list vertices;
+  std::vector<double> rotations;
+  std::vector<double> stretches;
+  std::vector<double> inside_out;
+  std::vector<std::size_t> flipped;
+  for (const Transferred& result : results) {
+    vertices.append(array_of(result.positions));
+    rotations.push_back(result.report.largest_rotation_degrees);
+    stretches.push_back(result.report.edge_stretch);
+    inside_out.push_back(result.report.inside_out_share);
+    flipped.push_back(result.report.flipped_triangles);
+  }
+  return py::dict("vertices"_a = vertices, "unmatched_area"_a = solver->unmatched_area(),
+                  "largest_rotation_degrees"_a = rotations, "edge_stretch"_a = stretches,
+                  "flipped_triangles"_a = flipped, "inside_out_share"_a = inside_out,
+                  "warnings"_a = solver->warnings());
 }
 
 const char* word_of(Severity severity) {
@@ -226,6 +270,8 @@ void add_mesh_operations(py::module_& module) {
              "feature_degrees"_a, "progress"_a);
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
   module.def("wrap", &wrap_mesh, "mesh"_a, "scan"_a, "landmarks"_a, "aligned"_a, "progress"_a);
+  module.def("transfer", &transfer_poses, "source"_a, "poses"_a, "target"_a, "landmarks"_a,
+             "correspondence"_a, "held"_a, "aligned"_a, "progress"_a);
   module.def("grab_region", &grab_region_of, "mesh"_a, "vertex"_a, "radius"_a, "factor"_a);
   module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
   module.def("fix", &fix_mesh, "mesh"_a);

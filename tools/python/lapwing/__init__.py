@@ -40,6 +40,7 @@ from ._reports import (
     Peeled,
     Remeshed,
     Subdivided,
+    Transferred,
     Wrapped,
     check,
     decimate,
@@ -50,6 +51,7 @@ from ._reports import (
     peel,
     remesh,
     subdivide,
+    transfer,
     wrap,
 )
 
@@ -57,7 +59,7 @@ __all__ = [
     "Certificate", "Check", "Decimated", "Defect", "Deformer", "DeviceError", "Distance", "Error",
     "FileError", "Filled", "Fixed", "GrabRegion", "Hole", "InputError", "Many", "Mesh",
     "Parameterized", "Peeled", "Remeshed", "Response", "Result", "SolverError", "Subdivided",
-    "Wrapped", "check", "coat", "decimate", "deform", "fill_holes", "fix", "grab_region", "keys",
-    "mix", "parameterize", "peel", "read", "remesh", "render", "run", "shape", "shape_names",
-    "subdivide", "transplant", "wrap", "write",
+    "Transferred", "Wrapped", "check", "coat", "decimate", "deform", "fill_holes", "fix",
+    "grab_region", "keys", "mix", "parameterize", "peel", "read", "remesh", "render", "run",
+    "shape", "shape_names", "subdivide", "transplant", "wrap", "write",
 ]

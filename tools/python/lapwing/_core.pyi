@@ -162,6 +162,16 @@ def parameterize(mesh: Mesh, region: str, domain: str, pins: object) -> Dict[str
 def wrap(
     mesh: Mesh, scan: Mesh, landmarks: str, aligned: bool, progress: _Progress
 ) -> Dict[str, Any]: ...
+def transfer(
+    source: Mesh,
+    poses: List[Any],
+    target: Mesh,
+    landmarks: str,
+    correspondence: Optional[Any],
+    held: Optional[str],
+    aligned: bool,
+    progress: _Progress,
+) -> Dict[str, Any]: ...
 def grab_region(mesh: Mesh, vertex: int, radius: float, factor: float) -> Dict[str, Any]: ...
 def check(mesh: Mesh, self_intersections: bool, most_listed: int) -> Dict[str, Any]: ...
 def fix(mesh: Mesh) -> Dict[str, Any]: ...

@@ -6,6 +6,8 @@ import json
 from dataclasses import dataclass
 from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
 
+import numpy as np
+
 from . import _core
 from ._arguments import mesh_of, region_of, targets_of, vertices_of
 from ._types import (
@@ -171,6 +173,19 @@ class Wrapped:
     flipped_triangles: int
     steps: int  #: number of minimizations
     trouble: str  #: why the result is not usable, and what to try; empty if it is usable
+
+
+@dataclass(frozen=True)
+class Transferred:
+    """Result of `transfer`. The lists have one entry for each pose."""
+
+    vertices: Array  #: of the target: (n, 3), or (k, n, 3) for k poses
+    unmatched_area: float  #: share of the target's area without a counterpart
+    largest_rotation_degrees: List[float]
+    edge_stretch: List[float]  #: root mean square of length' / length - 1 over the edges
+    flipped_triangles: List[int]
+    inside_out_share: List[float]  #: share of the area that is inside out
+    warnings: List[str]  #: why the results may be wrong
 
 
 def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
@@ -343,6 +358,55 @@ def wrap(
     for name in ("to_scan", "to_template"):
         found[name] = Distance(**found[name])
     return Wrapped(**found)
+
+
+def transfer(
+    source: MeshOrVertices,
+    poses: Any,
+    target: MeshOrVertices,
+    landmarks: Any = (),
+    *,
+    faces: Optional[FacesLike] = None,
+    target_faces: Optional[FacesLike] = None,
+    correspondence: Optional[Any] = None,
+    held: Any = None,
+    aligned: bool = False,
+    progress: Optional[Progress] = None,
+) -> Transferred:
+    """Moves a target mesh to the poses of a source mesh.
+
+    `source` is at rest, and `poses` contains its vertices in one pose, (n, 3), or in many, (k, n,
+    3). If both meshes have the same faces, vertices with the same number correspond. Otherwise the
+    target is wrapped onto the source: `landmarks` are vertices of the target and their positions on
+    the source, and `aligned` has the same meaning as for `wrap`. `correspondence` replaces this by
+    known positions of the target's vertices on the source, such as those of a wrapped mesh. The
+    vertices `held`, a region of the target, do not move.
+
+        wrapped = lapwing.wrap(camel, horse, landmarks)
+        walk = lapwing.transfer(horse, steps, camel, correspondence=wrapped.mesh.vertices)
+    """
+    moved = mesh_of(source, faces, "transfer: source")
+    onto = mesh_of(target, target_faces, "transfer: target")
+    try:
+        given = np.asarray(poses, np.float64)
+    except (TypeError, ValueError) as error:
+        raise _core.InputError(f"transfer: poses: expected shape (k, n, 3) or (n, 3): {error}")
+    is_one = given.ndim == 2
+    found = _core.transfer(
+        moved,
+        [given] if is_one else list(given),
+        onto,
+        json.dumps(targets_of(landmarks, onto.vertex_count, "transfer: landmarks")),
+        correspondence,
+        None if held is None else _region_json(held, onto, "transfer: held"),
+        aligned,
+        progress,
+    )
+    vertices = found.pop("vertices")
+    shape = (-1, onto.vertex_count, 3)
+    return Transferred(
+        vertices=vertices[0] if is_one else np.array(vertices).reshape(shape), **found
+    )
 
 
 def grab_region(
