@@ -13,4 +13,5 @@
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/remesh/remesh.h"
 #include "lapwing/transplant/transplant.h"
+#include "lapwing/wrap/landmarks.h"
 #include "lapwing/wrap/wrap.h"

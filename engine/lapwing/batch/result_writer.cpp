@@ -7,7 +7,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/io/paths.h"
-#include "lapwing/run/certificate_json.h"
+#include "lapwing/run/report_json.h"
 #include "lapwing/run/run_recipe.h"
 
 namespace lapwing {

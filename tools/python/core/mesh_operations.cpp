@@ -15,6 +15,7 @@
 #include "lapwing/recipe/read_values.h"
 #include "lapwing/region/grab_region.h"
 #include "lapwing/remesh/remesh.h"
+#include "lapwing/wrap/landmarks.h"
 #include "lapwing/wrap/wrap.h"
 #include "messages.h"
 #include "module.h"
@@ -100,10 +101,11 @@ py::dict dict_of(const SurfaceDistance& distance) {
 
 py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& landmarks, bool aligned,
                    const py::object& heard) {
-  WrapRequest request{.aligned = aligned};
-  request.landmarks = read_targets(JsonNode::parse(landmarks, "wrap: landmarks"));
-  request.landmarks.where = "wrap: landmarks";
+  std::vector<std::string> notes;
   const Wrapped result = Interruptible(heard).call([&](const Progress& progress) {
+    const LandmarkSpec rows =
+        with_rows(read_landmarks(JsonNode::parse(landmarks, "wrap: landmarks")), {}, notes);
+    const WrapRequest request{.landmarks = targets_of(rows, mesh, scan), .aligned = aligned};
     CpuKernels kernels;
     return wrap(mesh, scan, request, kernels, progress);
   });
@@ -115,7 +117,8 @@ py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& landma
                   "to_template"_a = dict_of(report.to_template),
                   "landmark_error"_a = report.landmark_error, "scale"_a = report.alignment.scale,
                   "flipped_triangles"_a = report.flipped_triangles, "steps"_a = report.steps,
-                  "trouble"_a = why_failed(report, mesh.topology().triangles.size()));
+                  "trouble"_a = why_failed(report, mesh.topology().triangles.size()),
+                  "notes"_a = in_python_words(notes));
 }
 
 const char* word_of(Severity severity) {

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
 
 from . import _core
-from ._arguments import mesh_of, region_of, targets_of, vertices_of
+from ._arguments import mesh_of, region_of, vertices_of, wrap_landmarks_of
 from ._types import (
     Array,
     Domain,
@@ -171,6 +171,7 @@ class Wrapped:
     flipped_triangles: int
     steps: int  #: number of minimizations
     trouble: str  #: why the result is not usable, and what to try; empty if it is usable
+    notes: List[str]  #: landmarks of files that have no counterpart
 
 
 def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
@@ -326,9 +327,10 @@ def wrap(
 ) -> Wrapped:
     """Deforms a template so that it covers a scan, which has other vertices and triangles.
 
-    The result keeps the triangles of the template. `landmarks` are positions on the scan, in the
-    same form as `targets` of `deform`: a dict from vertices of the template to positions, or rows.
-    Three landmarks align the template. Without them, the template is aligned by comparing the
+    The result keeps the triangles of the template. `landmarks` is a dict from vertices of the
+    template to positions on the scan or vertices of the scan, or a list of rows (`lapwing.keys`),
+    or the path of a file of landmarks, or a pair of paths: points of the template and of the scan,
+    as 3D Slicer saves them. Three landmarks align the template. Without them, the template is aligned by comparing the
     shapes of both surfaces, which can fail for symmetric surfaces. If `aligned` is true, the
     template is already in place and is only deformed. The faces of both meshes must be oriented
     outward.
@@ -338,7 +340,7 @@ def wrap(
     """
     chosen = mesh_of(template, faces, "wrap: template")
     covered = mesh_of(scan, scan_faces, "wrap: scan")
-    rows = targets_of(landmarks, chosen.vertex_count, "wrap: landmarks")
+    rows = wrap_landmarks_of(landmarks, chosen.vertex_count, "wrap: landmarks")
     found = _core.wrap(chosen, covered, json.dumps(rows), aligned, progress)
     for name in ("to_scan", "to_template"):
         found[name] = Distance(**found[name])
