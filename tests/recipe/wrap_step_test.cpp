@@ -31,9 +31,10 @@ TEST(WrapStep, HasRowsOrFilesOfLandmarks) {
 }
 
 TEST(WrapStep, IsWrittenAndReadBack) {
-  for (const char* landmarks :
-       {R"("l.csv")", R"({"template": "t.fcsv", "scan": "s.fcsv"})",
-        R"([[1, 2, 3, 4], [0, 0, 1, 2, 3, 4, 0.5], {"point": [1, 2, 3], "scan_vertex": 6}])"}) {
+  for (
+      const char* landmarks :
+      {R"("l.csv")", R"({"template": "t.fcsv", "scan": "s.fcsv"})",
+       R"([[1, 2, 3, 4], [0, 0, 1, 2, 3, 4, 0.5], {"point": [1, 2, 3], "scan_vertex": 6, "label": "nose"}])"}) {
     const Recipe recipe = wrap_recipe(R"({"op": "wrap", "scan": "s.ply", "aligned": true,
       "landmarks": )" + std::string(landmarks) +
                                       "}");

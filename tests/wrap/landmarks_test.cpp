@@ -67,10 +67,11 @@ TEST_F(LandmarkFile, OfATableHasVerticesOrPointsAndWeights) {
 
 TEST_F(LandmarkFile, OfJsonNamesBothSides) {
   write("a.json", R"([{"vertex": 7, "position": [1, 2, 3]},
-    {"point": [0, 0, 1], "scan_vertex": 90, "weight": 2}, [8, 4, 5, 6]])");
+    {"point": [0, 0, 1], "scan_vertex": 90, "weight": 2, "label": "nose"}, [8, 4, 5, 6]])");
   EXPECT_THAT(read("a.json").rows, ElementsAre(Landmark{Index{7}, Vector3d(1, 2, 3)},
                                                Landmark{Vector3d(0, 0, 1), Index{90}, 2.0},
                                                Landmark{Index{8}, Vector3d(4, 5, 6)}));
+  EXPECT_EQ(read("a.json").rows[1].label, "nose");
 }
 
 TEST_F(LandmarkFile, IsRefusedWithItsNameAndTheRow) {
@@ -164,7 +165,7 @@ TEST(Landmarks, MustBeVerticesOrNearTheTemplate) {
               HasSubstr("a.csv:2: the scan has no vertex 4000"));
   const Vector3d p = ball.positions[0];
   EXPECT_EQ(refusal({Vector3d(1.02 * p), Index{0}}), "");
-  EXPECT_THAT(refusal({Vector3d(1.5 * p), Index{0}, 1.0, "a.fcsv:4: point \"nose\""}),
+  EXPECT_THAT(refusal({Vector3d(1.5 * p), Index{0}, 1.0, "a.fcsv:4", "nose"}),
               AllOf(HasSubstr("a.fcsv:4: point \"nose\": the position ("),
                     HasSubstr("0.5 away from the template"), HasSubstr("LPS")));
 }

@@ -171,6 +171,7 @@ Json json_of(const LandmarkSpec& landmarks) {
       json["position"] = json_of(std::get<Eigen::Vector3d>(row.on_scan));
     }
     if (row.weight != 1.0) json["weight"] = row.weight;
+    if (!row.label.empty()) json["label"] = row.label;
     rows.push_back(std::move(json));
   }
   return rows;

@@ -215,8 +215,7 @@ std::vector<Landmark> read_pairs(const fs::path& file, const fs::path& scan_file
       unpaired.push_back(point.label);
       continue;
     }
-    rows.push_back({point.position, at->second->position, 1.0,
-                    point.where + ": point " + in_quotes(point.label)});
+    rows.push_back({point.position, at->second->position, 1.0, point.where, point.label});
     left.erase(at);
   }
   if (rows.empty()) {
@@ -229,6 +228,11 @@ std::vector<Landmark> read_pairs(const fs::path& file, const fs::path& scan_file
   for (const auto& [label, point] : left) unpaired.push_back(label);
   note_unpaired(unpaired, file, notes);
   return rows;
+}
+
+// Returns the prefix of messages about a landmark.
+std::string place_of(const Landmark& row) {
+  return row.label.empty() ? row.where : row.where + ": point " + in_quotes(row.label);
 }
 
 Index checked(Index v, const Mesh& mesh, const char* name, const std::string& where) {
@@ -245,9 +249,10 @@ void require_near(const Vector3d& point, const ClosestPoint& surface, double dia
   if (!(distance > kFarthest * diagonal)) return;
   std::ostringstream text;
   text << where << ": the position (" << point.x() << ", " << point.y() << ", " << point.z()
-       << ") is " << distance << " away from the template, more than a hundredth of its diagonal, "
-       << diagonal
-       << ". Check that the landmarks were placed on this mesh, in the same unit and coordinate "
+       << ") is " << distance << " away from the template, but landmarks must be within "
+       << kFarthest * diagonal
+       << ", a hundredth of its diagonal. Check that the landmarks were placed on this mesh, in "
+          "the same unit and coordinate "
           "system (3D Slicer: save the mesh in LPS)";
   throw InputError(text.str());
 }
@@ -256,7 +261,7 @@ void require_near(const Vector3d& point, const ClosestPoint& surface, double dia
 
 Landmark read_landmark(const JsonNode& json) {
   if (!json.is_object()) return landmark_of(json.numbers(), json.where());
-  json.require_keys({"vertex", "point", "position", "scan_vertex", "weight"});
+  json.require_keys({"vertex", "point", "position", "scan_vertex", "weight", "label"});
   Landmark row{.where = json.where()};
   if (json.only_key_of({"vertex", "point"}, "a landmark on the template") == "vertex") {
     row.on_template = json.at("vertex").vertex();
@@ -269,6 +274,7 @@ Landmark read_landmark(const JsonNode& json) {
     row.on_scan = json.at("scan_vertex").vertex();
   }
   if (const auto weight = json.find("weight")) row.weight = weight->positive_number();
+  if (const auto label = json.find("label")) row.label = label->string();
   return row;
 }
 
@@ -289,14 +295,15 @@ TargetSpec targets_of(const LandmarkSpec& spec, const Mesh& wrapped, const Mesh&
   std::optional<ClosestPoint> surface;
   for (const Landmark& row : spec.rows) {
     if (const auto* v = std::get_if<Index>(&row.on_template)) {
-      checked(*v, wrapped, "template", row.where);
+      checked(*v, wrapped, "template", place_of(row));
     } else if (!triangles.empty()) {
       if (!surface) surface.emplace(triangles, wrapped.positions);
-      require_near(std::get<Vector3d>(row.on_template), *surface, diagonal, row.where);
+      require_near(std::get<Vector3d>(row.on_template), *surface, diagonal, place_of(row));
     }
     const auto* v = std::get_if<Index>(&row.on_scan);
-    const Vector3d position = v != nullptr ? scan.positions[checked(*v, scan, "scan", row.where)]
-                                           : std::get<Vector3d>(row.on_scan);
+    const Vector3d position = v != nullptr
+                                  ? scan.positions[checked(*v, scan, "scan", place_of(row))]
+                                  : std::get<Vector3d>(row.on_scan);
     targets.rows.push_back({row.on_template, position, row.weight});
   }
   return targets;

@@ -22,6 +22,7 @@ struct Landmark {
   Point on_scan = Index{0};
   double weight = 1.0;
   std::string where = "landmarks";  ///< prefix of messages; ignored by ==
+  std::string label = {};           ///< for messages; ignored by ==
 
   bool operator==(const Landmark& other) const {
     return on_template == other.on_template && on_scan == other.on_scan && weight == other.weight;
@@ -43,9 +44,9 @@ struct LandmarkSpec {
 };
 
 /// Reads a landmark: a row of numbers, or an object with "vertex" or "point" for the template,
-/// "position" or "scan_vertex" for the scan, and optionally "weight". A row is vertex, x, y, z; or
-/// px, py, pz, x, y, z for the point of the template closest to p; or the numbers of two vertices.
-/// A weight may follow the positions. Throws InputError, naming the JSON pointer.
+/// "position" or "scan_vertex" for the scan, and optionally "weight" and "label". A row is vertex,
+/// x, y, z; or px, py, pz, x, y, z for the point of the template closest to p; or the numbers of
+/// two vertices. A weight may follow the positions. Throws InputError, naming the JSON pointer.
 Landmark read_landmark(const JsonNode& json);
 
 /// Reads the files of `spec`, whose paths are relative to `base_directory`, and returns `spec` with
