@@ -14,4 +14,5 @@
 #include "lapwing/remesh/remesh.h"
 #include "lapwing/transfer/transfer.h"
 #include "lapwing/transplant/transplant.h"
+#include "lapwing/wrap/landmarks.h"
 #include "lapwing/wrap/wrap.h"

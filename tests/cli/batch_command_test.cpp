@@ -119,6 +119,12 @@ TEST_F(BatchCommandLine, ShardThatFailsNamesItsOwnFileEvenWhenQuiet) {
 }
 
 // Stands in for sbatch and scancel: sbatch accepts the first ACCEPTED jobs.
+TEST_F(BatchCommandLine, WritesTheVerticesOfAllJobs) {
+  EXPECT_THAT(succeed(kBatch + "out --vertices all.npy"), HasSubstr("wrote all.npy"));
+  EXPECT_EQ(fs::file_size(file("all.npy")) / (kJobs * 24),
+            read_mesh(file("tube.obj")).vertex_count());
+}
+
 TEST_F(BatchCommandLine, SlurmShardsFailsIfSbatchDoesAndLeavesNoJobBehind) {
   fs::create_directory(file("bin"));
   write("bin/sbatch",
@@ -153,7 +159,9 @@ TEST_F(BatchCommandLine, SlurmShardsFailsIfSbatchDoesAndLeavesNoJobBehind) {
 }
 
 TEST_F(BatchCommandLine, RefusesWhatItCannotBeginBeforeItBegins) {
-  for (const char* flags : {"--shard 0/4", "--shard 5/4", "--format fbx"}) {
+  for (const char* flags :
+       {"--shard 0/4", "--shard 5/4", "--format fbx", "--vertices v.npy --shard 1/2",
+        "--vertices v.csv", "--vertices v.npy --displacements float32"}) {
     expect_refused(kBatch + "out " + flags, 2);
   }
   expect_refused("batch none.jsonl -o out", 6);

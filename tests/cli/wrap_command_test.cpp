@@ -36,7 +36,27 @@ TEST_F(WrapCommand, ReadsLandmarksFromATable) {
       succeed("wrap ball.obj egg.ply --landmarks landmarks.csv -o wrapped.ply"),
       AllOf(HasSubstr("aligned by the landmarks"), HasSubstr("largest error of a landmark")));
   std::ofstream(file("wrong.csv")) << "0,0,0,1.5\n4000,1,0,0\n";
-  expect_refused("wrap ball.obj egg.ply --landmarks wrong.csv -o x.ply", 3, {"wrong.csv", "4000"});
+  expect_refused("wrap ball.obj egg.ply --landmarks wrong.csv -o x.ply", 3,
+                 {"wrong.csv:2", "4000"});
+}
+
+TEST_F(WrapCommand, ReadsLandmarksFromTwoFilesOfPoints) {
+  write("ball.csv", "label,x,y,z\na,0,0,1\nb,1,0,0\nc,0,1,0\n");
+  write("egg.mrk.json", R"({"markups": [{"coordinateSystem": "RAS", "controlPoints": [
+    {"label": "c", "position": [0, -1.2, 0]}, {"label": "a", "position": [0, 0, 1.5]},
+    {"label": "b", "position": [-1, 0, 0]}]}]})");
+  EXPECT_THAT(succeed("wrap --landmarks ball.csv egg.mrk.json -o wrapped.ply ball.obj egg.ply"),
+              HasSubstr("aligned by the landmarks"));
+  EXPECT_NEAR(bounds_of(read_mesh(file("wrapped.ply")).positions).max.z(), 1.5, 0.02);
+}
+
+TEST_F(WrapCommand, WritesARecipeAndAReport) {
+  write("landmarks.json", R"([{"vertex": 0, "position": [0, 0, 1.5]}])");
+  succeed(
+      "wrap ball.obj egg.ply --aligned --landmarks landmarks.json -o wrapped.ply "
+      "--recipe wrap.json --report report.json --quiet");
+  EXPECT_THAT(read("report.json"), AllOf(HasSubstr("\"coverage\": 1.0"), HasSubstr("to_scan")));
+  expect_recipe_repeats("wrap.json", "wrapped.ply");
 }
 
 TEST_F(WrapCommand, AFailedWrapIsAnErrorIfStrict) {

@@ -1,6 +1,9 @@
 """The examples and the README's lines, as a user runs them."""
 
+import json
+import os
 import re
+import subprocess
 import sys
 
 import numpy as np
@@ -54,6 +57,39 @@ def test_a_data_set(example, scan_file, tmp_path):
     assert arms["displacements"].shape == (12, 26002, 3) and arms["settled"].all()
     moved = np.abs(arms["displacements"]).max(axis=(1, 2))
     assert (moved > 1.0).all() and len(set(moved)) == 12
+
+
+def test_a_shape_model_of_wrapped_scans(example, tmp_path):
+    # Scans of ellipsoids with two axes of random lengths, and with other triangles each.
+    ball = lapwing.shape("sphere")
+    lapwing.write(tmp_path / "template.ply", lapwing.decimate(ball, share=0.03))
+    rng = np.random.default_rng(5)
+    lines = [{"id": "missing", "set": {"/steps/0/scan": "none.ply"}}]
+    for k in range(8):
+        scan = lapwing.decimate(ball, share=0.05 + 0.01 * k).mesh
+        lapwing.write(
+            tmp_path / f"{k}.ply",
+            scan.with_vertices(scan.vertices * [1.0, *rng.uniform(1.2, 1.8, 2)]),
+        )
+        lines.append({"id": f"scan-{k}", "set": {"/steps/0/scan": f"{k}.ply"}})
+    (tmp_path / "jobs.jsonl").write_text("\n".join(map(json.dumps, lines)))
+    (tmp_path / "wrap.json").write_text(json.dumps(
+        {"lapwing": 1, "mesh": "template.ply", "steps": [{"op": "wrap", "scan": "", "aligned": True}]}
+    ))
+    batch = [os.environ["LAPWING_CLI"], "batch", "jobs.jsonl", "--recipe", "wrap.json", "-o",
+             "wrapped", "--vertices", "vertices.npy"]
+    done = subprocess.run(batch, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 3 and "1 job failed" in done.stderr, done.stderr
+    told = example("shape_model.py", "vertices.npy", "wrapped", "model.npz", "--picture", "modes.png")
+    assert "8 shapes of 9 jobs; 2 modes have 95%" in told
+    model = np.load(tmp_path / "model.npz")
+    assert model["ids"].tolist() == [f"scan-{k}" for k in range(8)]
+    vertices = np.load(tmp_path / "vertices.npy")
+    assert vertices.shape == (9, *model["mean"].shape) and np.isnan(vertices[0]).all()
+    modes = model["modes"].reshape(len(model["modes"]), -1)
+    assert np.allclose(modes @ modes.T, np.eye(len(modes)))
+    assert np.allclose(model["scores"].std(axis=0, ddof=1), model["deviations"])
+    assert (tmp_path / "modes.png").stat().st_size > 10_000
 
 
 def test_a_notebook_with_pictures(example, tmp_path):

@@ -125,7 +125,7 @@ def test_a_template_is_wrapped_onto_a_scan():
         template, placed, {c: V[c] * [1.0, 1.2, 1.5] for c in corners}, scan_faces=scan.faces
     )
     assert by_landmarks.landmark_error < 0.01
-    with pytest.raises(lapwing.InputError, match="wrap: landmarks"):
+    with pytest.raises(lapwing.InputError, match=r"wrap: landmarks\[0\]: the template has no vertex"):
         lapwing.wrap(template, placed, [[10**6, 0, 0, 0]], scan_faces=scan.faces)
 
 
@@ -154,6 +154,30 @@ def test_poses_are_transferred_to_another_mesh():
     many[1, 5] = np.nan
     with pytest.raises(lapwing.InputError, match=r"poses\[1\]: vertex 5 is not finite"):
         lapwing.transfer(source, many, target, correspondence=rest)
+
+
+def test_landmarks_of_a_wrap_are_vertices_or_files(tmp_path):
+    template = lapwing.decimate(lapwing.shape("sphere"), share=0.05).mesh
+    V = np.array(template.vertices)
+    scan = template.with_vertices(V * [1.0, 1.2, 1.5])
+    corners = [int(np.argmax(V @ axis)) for axis in ([1, 0, 0], [0, 1, 0], [0, 0, 1])]
+    by_vertices = lapwing.wrap(template, scan, {c: c for c in corners})
+    assert by_vertices.landmark_error < 0.01 and not by_vertices.notes
+    rows = tmp_path / "rows.json"
+    rows.write_text(json.dumps([{"vertex": c, "scan_vertex": c} for c in corners]))
+    by_file = lapwing.wrap(template, scan, rows)
+    assert (by_file.mesh.vertices == by_vertices.mesh.vertices).all()
+    for name, places in (("template", V), ("scan", scan.vertices)):
+        lines = [f"{c},{','.join(map(repr, places[c].tolist()))}" for c in corners]
+        extra = ["ear,1,0,0"] if name == "template" else []
+        (tmp_path / f"{name}.csv").write_text("\n".join(["label,x,y,z", *lines, *extra]))
+    by_points = lapwing.wrap(template, scan, (tmp_path / "template.csv", tmp_path / "scan.csv"))
+    assert (by_points.mesh.vertices == by_vertices.mesh.vertices).all()
+    assert "ear" in by_points.notes[0]
+    step = {"op": "wrap", "scan": "scan", "landmarks": {c: c for c in corners}}
+    ran = lapwing.run({"lapwing": 1, "mesh": "template", "steps": [step]},
+                      {"template": template, "scan": scan})
+    assert (ran.vertices == by_vertices.mesh.vertices).all()
 
 
 def test_check_and_fix():

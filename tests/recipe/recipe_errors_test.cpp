@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
             "UnknownOp", recipe(R"([{"op": "defrom"}])"),
             ": /steps/0/op: unknown op \"defrom\"; did you mean \"deform\"? Known here: "
             "\"deform\", \"coat\", \"mix\", \"transplant\", \"peel\", \"remesh\", \"decimate\", "
-            "\"subdivide\", \"fill_holes\""},
+            "\"subdivide\", \"fill_holes\", \"wrap\""},
         Mistake{"NoRoi", step(R"("handles": [])"),
                 ": /steps/0: the key \"roi\" is missing; add it"},
         Mistake{"NoHandle", step(R"("roi": {"all": true}, "handles": [])"),

@@ -91,6 +91,20 @@ TEST_F(AWholeStep, OfAnOpenedRecipeIsOneStepOfTheHistory) {
   EXPECT_TRUE(same(opened.state(), history_.state()));
 }
 
+TEST_F(AWholeStep, MayBeAWrapOntoAScanOfAnOpenedRecipe) {
+  Mesh scan = *start_.rest;
+  for (Eigen::Vector3d& p : scan.positions) p.z() += 0.1 * p.x();
+  write_mesh(scan, files_.folder() / "scan.ply");
+  const auto folder = files_.folder() / "recipes";
+  const std::string text = R"({"lapwing": 1, "mesh": "../targets/sheet.ply", "steps": [
+    {"op": "wrap", "scan": "../scan.ply", "aligned": true,
+     "landmarks": [{"vertex": 3, "scan_vertex": 3}]}]})";
+  history_ = from_recipe(start_, parse_recipe(text, folder, "test"), carry_out());
+  EXPECT_EQ(history_.names(), std::vector<std::string>{"Wrap onto scan.ply"});
+  EXPECT_LT(largest_distance(positions_of(history_.state()), scan.positions), 0.05);
+  EXPECT_TRUE(same_mesh(run_headless(), mesh_of(history_.state())));
+}
+
 TEST_F(AWholeStep, WaitsForTheResultOfADrag) {
   choose_parts();
   history_.perform(MoveHandle{0, bent()});

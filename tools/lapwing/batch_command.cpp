@@ -65,6 +65,9 @@ void BatchOptions::run() {
     throw ExitWith{kUsage};
   }
   display.finish(count);
+  if (count.is_complete() && !request.vertices.empty() && !quiet) {
+    std::printf("wrote %s\n", shown(request.vertices).c_str());
+  }
   if (count.failed > 0) {
     say(counted(count.failed, "jobs") + " failed; see " +
         ResultFolder::failed_file(request.folder, request.shard).string());
@@ -108,6 +111,12 @@ void add_batch(CLI::App& app) {
                    "write numpy arrays (n, 3) instead of meshes, and one rest.ply")
       ->check(CLI::IsMember({"float32", "float64"}))
       ->excludes(format);
+  command
+      ->add_option("--vertices", request.vertices,
+                   "also write the vertices of all results to this .npy file: float64, of shape "
+                   "(jobs, n, 3); NaN if a job failed")
+      ->excludes("--shard")
+      ->excludes("--displacements");
   command->add_option("--threads", request.threads, "number of threads; by default all processors")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--quiet", options->quiet, "print errors only");

@@ -74,7 +74,8 @@ void add_steps(CLI::App& app) {
   for (const Operation& operation : operations()) {
     // These operations have their own commands, because the commands also write or print other
     // results. The command of `fill_holes` is `check`.
-    constexpr std::array<std::string_view, 4> kOthers{"peel", "remesh", "subdivide", "fill_holes"};
+    constexpr std::array<std::string_view, 5> kOthers{"peel", "remesh", "subdivide", "fill_holes",
+                                                      "wrap"};
     if (std::ranges::find(kOthers, operation.name) == kOthers.end()) add_step(app, operation);
   }
 }

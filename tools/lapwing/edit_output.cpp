@@ -62,13 +62,17 @@ void print_certificate(const Certificate& c, double diagonal) {
               c.settle_last_step);
 }
 
-// Returns the warnings that are errors with --strict: those in the certificates of deform steps.
+// Returns the warnings that are errors with --strict: those in the certificates of deform steps,
+// and those about wraps.
 std::vector<std::string> strict_warnings(const RunReport& report) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
-    if (!report.steps[i].deform) continue;
-    for (const std::string& text : warnings_of(report.steps[i].deform->certificate)) {
-      list.push_back("step " + std::to_string(i + 1) + ": " + text);
+    const StepReport& step = report.steps[i];
+    const std::string place = "step " + std::to_string(i + 1) + ": ";
+    if (step.wrap && !step.wrap->trouble.empty()) list.push_back(place + step.wrap->trouble);
+    if (!step.deform) continue;
+    for (const std::string& text : warnings_of(step.deform->certificate)) {
+      list.push_back(place + text);
     }
   }
   return list;
@@ -118,6 +122,39 @@ void print_transplant(const TransplantReport& transplant, double diagonal) {
       diagonal > 0.0 ? transplant.largest_displacement / diagonal : 0.0);
 }
 
+const char* words_of(AlignmentMethod method) {
+  switch (method) {
+    case AlignmentMethod::none:
+      return "as it is";
+    case AlignmentMethod::landmarks:
+      return "by the landmarks";
+    case AlignmentMethod::surfaces:
+      return "by the surfaces";
+  }
+  return "";
+}
+
+void print_distance(const char* name, const SurfaceDistance& distance, double diagonal) {
+  std::printf("  %-18s mean %.4f%%, 95th percentile %.4f%%, largest %.4f%%\n", name,
+              100.0 * distance.mean / diagonal, 100.0 * distance.percentile_95 / diagonal,
+              100.0 * distance.max / diagonal);
+}
+
+void print_wrap(const WrapStepReport& wrap) {
+  std::printf("  aligned %s, scaled by %.4g; %d minimizations\n", words_of(wrap.alignment.method),
+              wrap.alignment.scale, wrap.steps);
+  std::printf("  distances, in percent of the scan's diagonal:\n");
+  print_distance("result to scan", wrap.to_scan, wrap.scan_diagonal);
+  print_distance("scan to result", wrap.to_template, wrap.scan_diagonal);
+  std::printf("  %.1f%% of the template has a counterpart on the scan\n", 100.0 * wrap.coverage);
+  if (wrap.landmark_error > 0.0) {
+    std::printf("  largest error of a landmark %.4f%%\n",
+                100.0 * wrap.landmark_error / wrap.scan_diagonal);
+  }
+  std::printf("  flipped triangles %zu, edge stretch %.3f\n", wrap.flipped_triangles,
+              wrap.edge_stretch);
+}
+
 void print_kernels(const DeviceInfo& device, std::span<const KernelTime> times) {
   std::printf("kernels\n");
   for (const KernelTime& time : times) {
@@ -138,6 +175,7 @@ void print_summary(const RunReport& report, std::span<const KernelTime> kernels)
     if (step.deform) print_certificate(step.deform->certificate, diagonal);
     if (step.coat) print_coat(*step.coat, step.roi, diagonal);
     if (step.transplant) print_transplant(*step.transplant, diagonal);
+    if (step.wrap) print_wrap(*step.wrap);
     if (step.peel) {
       std::printf("  coating %.3g on average, %.3g at most\n", step.peel->mean_coating,
                   step.peel->largest_coating);
@@ -156,10 +194,10 @@ void print_written(const RunResult& result, const std::filesystem::path& target)
 
 }  // namespace
 
-void EditOutput::add_to(CLI::App& command) {
+CLI::Option* EditOutput::add_to(CLI::App& command, const std::string& save_flag) {
   std::vector<std::string> colors{"regions", kFileColor, kPlainColor};
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
-  command.add_option("--save", save, "write the edited mesh here");
+  auto* saved = command.add_option(save_flag, save, "write the edited mesh here");
   command.add_flag("--vertex-motion", vertex_motion,
                    "save the total motion of each vertex as properties of the PLY: dx, dy, dz, the "
                    "rotation qw, qx, qy, qz, and stretch");
@@ -186,9 +224,10 @@ void EditOutput::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_flag("--strict", strict,
                    "exit with 4 if a step is not settled, flips triangles or stretches an edge "
-                   "far; files are still written");
+                   "far, or if a wrap is not usable; files are still written");
   command.add_flag("--quiet", quiet, "print errors only");
   picture.add_to(command);
+  return saved;
 }
 
 void EditOutput::require_place_for_motion(const std::filesystem::path& target) const {

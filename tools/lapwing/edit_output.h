@@ -28,7 +28,8 @@ struct EditOutput {
   std::string sandbox;  ///< if not empty, the only folder whose files the recipe may use
   PictureOptions picture;
 
-  void add_to(CLI::App& command);
+  /// Adds the flags, and returns the option for `save`, whose flag is `save_flag`.
+  CLI::Option* add_to(CLI::App& command, const std::string& save_flag = "--save");
   /// Runs `recipe` and writes the requested files. Also writes the recipe to `recipe_path` unless
   /// this path is empty. Writes either all files or none, with one exception: if no device can draw
   /// the images, writes all other files and exits with code 5. Prints progress, stages and

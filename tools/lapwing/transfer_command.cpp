@@ -17,6 +17,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/run/run_step.h"
 #include "lapwing/transfer/transfer.h"
+#include "lapwing/wrap/landmarks.h"
 #include "messages.h"
 #include "output_files.h"
 #include "progress_display.h"
@@ -32,7 +33,7 @@ struct TransferArguments {
   std::vector<std::string> poses;
   std::string target;
   std::string output;
-  std::string landmarks;
+  std::vector<std::string> landmarks;
   std::string correspondence;
   std::string held;
   bool aligned = false;
@@ -93,11 +94,15 @@ PoseFiles pose_files(const TransferArguments& a) {
   return files;
 }
 
-TransferRequest request_of(const TransferArguments& a) {
+TransferRequest request_of(const TransferArguments& a, const Mesh& rest, const Mesh& target) {
   TransferRequest request{.aligned = a.aligned};
   if (!a.landmarks.empty()) {
-    request.landmarks.rows = read_target_rows(a.landmarks);
-    request.landmarks.where = a.landmarks;
+    LandmarkSpec landmarks{.file = a.landmarks[0]};
+    if (a.landmarks.size() > 1) landmarks.scan_file = a.landmarks[1];
+    std::vector<std::string> notes;
+    landmarks = with_rows(std::move(landmarks), {}, notes);
+    for (const std::string& text : notes) note(text);
+    request.landmarks = targets_of(landmarks, target, rest);
   }
   if (!a.held.empty()) request.held = region_spec("--hold", a.held);
   if (!a.correspondence.empty()) {
@@ -129,7 +134,7 @@ void transfer_poses(const TransferArguments& a) {
   files.reads("REST", a.rest);
   for (const fs::path& pose : poses.inputs) files.reads("POSED", pose);
   files.reads("--onto", a.target);
-  files.reads("--landmarks", a.landmarks);
+  for (const std::string& file : a.landmarks) files.reads("--landmarks", file);
   files.reads("--correspondence", a.correspondence);
   for (const fs::path& output : poses.outputs) files.writes_mesh("--output", output);
   const Mesh rest = read_with_notes(a.rest);
@@ -143,7 +148,7 @@ void transfer_poses(const TransferArguments& a) {
   {
     ProgressDisplay display(a.quiet);
     CpuKernels kernels;
-    solver.emplace(rest, target, request_of(a), kernels, display.callback());
+    solver.emplace(rest, target, request_of(a, rest, target), kernels, display.callback());
   }
   if (!a.quiet) print_counterparts(*solver, rest);
   for (const std::string& warning : solver->warnings()) warn(warning);
@@ -172,10 +177,13 @@ void add_transfer(CLI::App& app) {
       ->add_option("-o,--output", a->output,
                    "the target in the pose; for several poses, a folder with a file for each")
       ->required();
-  auto* landmarks = command->add_option(
-      "--landmarks", a->landmarks,
-      "a table of corresponding points, as for `lapwing wrap TARGET REST`. Each row contains the "
-      "number of a vertex of the target, counted from 0, and the x, y, z of its position on REST");
+  auto* landmarks =
+      command
+          ->add_option("--landmarks", a->landmarks,
+                       "corresponding points of the target and of REST, as for `lapwing wrap "
+                       "TARGET REST`")
+          ->type_name("FILE [REST_FILE]")
+          ->expected(1, 2);
   command
       ->add_option("--correspondence", a->correspondence,
                    "the target with its vertices on REST, as `lapwing wrap TARGET REST` saves it")

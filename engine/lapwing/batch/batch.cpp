@@ -16,6 +16,7 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/worker_pool.h"
 #include "lapwing/batch/job_file.h"
+#include "lapwing/batch/vertex_array.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/run/session.h"
 
@@ -99,7 +100,8 @@ class JobQueue {
 class Batch {
  public:
   Batch(const BatchRequest& request, const BatchMonitor& watch)
-      : watch_(watch),
+      : request_(request),
+        watch_(watch),
         file_(request.jobs, request.recipe, request.output.words(), request.sandbox),
         jobs_(part_of(file_.jobs(), request.shard)),
         results_(request.folder, jobs_, request.shard, request.resume),
@@ -125,7 +127,10 @@ class Batch {
       for (std::thread& worker : workers) worker.join();
     }
     if (failure_) rethrow_with_count();
-    if (count_.is_complete()) results_.finish();
+    if (count_.is_complete()) {
+      results_.finish();
+      if (!request_.vertices.empty()) write_vertex_array(request_.vertices, results_.files());
+    }
     return count_;
   }
 
@@ -217,6 +222,7 @@ class Batch {
     }
   }
 
+  const BatchRequest& request_;
   const BatchMonitor& watch_;
   MeshCache meshes_;
   JobFile file_;
@@ -235,6 +241,9 @@ class Batch {
 BatchCount run_batch(const BatchRequest& request, const BatchMonitor& watch) {
   for (const std::filesystem::path& read : {request.jobs, request.recipe}) {
     if (!read.empty()) ResultFolder::require_no_result(request.folder, read);
+  }
+  if (!request.vertices.empty() && request.vertices.extension() != ".npy") {
+    throw InputError(request.vertices.string() + ": expected a .npy file for the vertices");
   }
   return Batch(request, watch).run(request.threads > 0 ? request.threads : thread_count());
 }

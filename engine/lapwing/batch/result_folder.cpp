@@ -167,6 +167,15 @@ void ResultFolder::put_in_order(const fs::path& file, bool is_result) const {
   ordered.commit();
 }
 
+std::vector<fs::path> ResultFolder::files() const {
+  std::vector<fs::path> files(jobs_.size());
+  for_each_line(results_path_, [&](std::string_view line) {
+    std::size_t job = 0;
+    if (counts(line, job)) files[job] = folder_ / Json::parse(line).at("file").get<std::string>();
+  });
+  return files;
+}
+
 void ResultFolder::finish() {
   put_in_order(results_path_, true);
   if (failed_ != nullptr) put_in_order(failed_path_, false);

@@ -47,6 +47,9 @@ class ResultFolder {
   /// Returns whether job `job`, an index, has a result for the same request whose files all exist.
   bool is_done(std::size_t job) const { return done_[job] != 0; }
 
+  /// Returns the file of each job, or an empty path if it has no result.
+  std::vector<std::filesystem::path> files() const;
+
   /// Adds the line of a job. Throws IoError.
   void add_result(std::size_t job, const std::string& line);
   void add_failure(const std::string& line);

@@ -7,7 +7,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/io/paths.h"
-#include "lapwing/run/certificate_json.h"
+#include "lapwing/run/report_json.h"
 #include "lapwing/run/run_recipe.h"
 
 namespace lapwing {
@@ -38,13 +38,16 @@ Json line_of(const Job& job, const std::string& file, const RunReport& report) {
   Json line{{"id", job.id}, {"job", text_of(job.asked)}, {"file", file}};
   bool settled = true;
   Json certificate;
+  Json wrap;
   for (const StepReport& step : report.steps) {
+    if (step.wrap) wrap = json_of(*step.wrap);
     if (!step.deform) continue;
     settled = settled && step.deform->certificate.settled;
     certificate = json_of(step.deform->certificate);
   }
   line["settled"] = settled;
   if (!certificate.is_null()) line["certificate"] = std::move(certificate);
+  if (!wrap.is_null()) line["wrap"] = std::move(wrap);
   line["warnings"] = report.warnings;
   line["notes"] = report.notes;
   return line;

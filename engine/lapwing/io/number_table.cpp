@@ -2,6 +2,7 @@
 #include "lapwing/io/number_table.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cctype>
 #include <charconv>
@@ -248,22 +249,27 @@ std::string with_numbers(const NumberTable& table, std::span<const double> numbe
   return patch.apply();
 }
 
-std::string npy_bytes(std::span<const Eigen::Vector3d> rows, Scalar type) {
+std::string npy_header(std::span<const std::size_t> shape, Scalar type) {
   // The header ends at a multiple of this many bytes, with a line feed.
   constexpr std::size_t kAlignment = 64;
   constexpr std::size_t kBeforeHeader = 10;
-  std::string header = "{'descr': '<f" + std::to_string(size_of(type)) +
-                       "', 'fortran_order': False, 'shape': (" + std::to_string(rows.size()) +
-                       ", 3), }";
+  std::string header =
+      "{'descr': '<f" + std::to_string(size_of(type)) + "', 'fortran_order': False, 'shape': (";
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    header += (k > 0 ? ", " : "") + std::to_string(shape[k]);
+  }
+  header += "), }";
   header.append(kAlignment - (kBeforeHeader + header.size() + 1) % kAlignment, ' ');
   header += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);
   bytes += static_cast<char>(header.size() % 256);
   bytes += static_cast<char>(header.size() / 256);
-  bytes += header;
+  return bytes + header;
+}
 
-  std::size_t at = bytes.size();
-  bytes.resize(at + 3 * rows.size() * size_of(type));
+std::string npy_rows(std::span<const Eigen::Vector3d> rows, Scalar type) {
+  std::string bytes(3 * rows.size() * size_of(type), '\0');
+  std::size_t at = 0;
   for (const Eigen::Vector3d& row : rows) {
     for (const double number : row) {
       store_number(bytes.data() + at, number, type, Encoding::little_endian);
@@ -271,6 +277,10 @@ std::string npy_bytes(std::span<const Eigen::Vector3d> rows, Scalar type) {
     }
   }
   return bytes;
+}
+
+std::string npy_bytes(std::span<const Eigen::Vector3d> rows, Scalar type) {
+  return npy_header(std::array{rows.size(), std::size_t{3}}, type) + npy_rows(rows, type);
 }
 
 }  // namespace lapwing

@@ -88,6 +88,11 @@ std::string_view table_extension(const std::filesystem::path& path);
 /// InputError if numbers of a .npy file of integers changed.
 std::string with_numbers(const NumberTable& table, std::span<const double> numbers);
 
+/// Returns the header of a .npy file (version 1.0) of an array in C order, little endian. `type` is
+/// float32 or float64.
+std::string npy_header(std::span<const std::size_t> shape, Scalar type);
+/// Returns the bytes of the rows in a .npy file.
+std::string npy_rows(std::span<const Eigen::Vector3d> rows, Scalar type);
 /// Returns a .npy file (version 1.0) of an array of shape (rows.size(), 3), little endian, in C
 /// order. `type` is float32 or float64.
 std::string npy_bytes(std::span<const Eigen::Vector3d> rows, Scalar type);

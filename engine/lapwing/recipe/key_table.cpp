@@ -44,6 +44,9 @@ class KeyTable final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec&) override {
     add(key, "rows, or `{\"rows\" or \"file\", \"hard\"}`");
   }
+  void landmarks(const StepKey& key, LandmarkSpec&) override {
+    add(key, "rows, a file, or `{\"template\": FILE, \"scan\": FILE}`");
+  }
   void stiffness(const StepKey& key, std::vector<StiffnessSpec>&) override {
     add(key,
         "a list of `{\"region\": REGION, \"factor\": FACTOR}`, where FACTOR is a number from "

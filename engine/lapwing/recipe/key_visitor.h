@@ -16,6 +16,7 @@
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/region/region_spec.h"
 #include "lapwing/transplant/transplant_request.h"
+#include "lapwing/wrap/landmarks.h"
 
 namespace lapwing {
 
@@ -111,6 +112,7 @@ class KeyVisitor {
   virtual void belt(const StepKey& key, BeltSpec&) { other(key); }
   virtual void handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm) { other(key); }
   virtual void targets(const StepKey& key, TargetSpec&) { other(key); }
+  virtual void landmarks(const StepKey& key, LandmarkSpec&) { other(key); }
   virtual void stiffness(const StepKey& key, std::vector<StiffnessSpec>&) { other(key); }
   virtual void mirror(const StepKey& key, std::optional<MirrorSpec>&) { other(key); }
   virtual void carry(const StepKey& key, std::vector<CarrySpec>&) { other(key); }

@@ -65,4 +65,24 @@ void describe(FillRequest& step, KeyVisitor& visitor) {
                   step.borders);
 }
 
+void describe(WrapStep& step, KeyVisitor& visitor) {
+  visitor.file({.name = "scan", .help = "the mesh to cover", .required = true}, step.scan);
+  visitor.landmarks(
+      {.name = "landmarks",
+       .help = "points of the template and the corresponding points of the scan: rows of vertex, "
+               "x, y, z, or of px, py, pz, x, y, z for the point of the template closest to p; a "
+               "weight may follow. A file contains such rows, or the points of one surface",
+       .absent = "none"},
+      step.landmarks);
+  visitor.boolean(
+      {.name = "aligned", .help = "the template is already in place, so that it is only deformed"},
+      step.aligned);
+  visitor.stiffness(
+      {.name = "stiffness",
+       .help = "parts of the template that are stiffer or softer than the rest, as in "
+               "a deform step",
+       .absent = "none"},
+      step.stiffness);
+}
+
 }  // namespace lapwing

@@ -78,6 +78,9 @@ class KeyReader final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec& value) override {
     if (const auto found = find(key)) value = read_targets(*found);
   }
+  void landmarks(const StepKey& key, LandmarkSpec& value) override {
+    if (const auto found = find(key)) value = read_landmarks(*found);
+  }
   void stiffness(const StepKey& key, std::vector<StiffnessSpec>& value) override {
     const auto found = find(key);
     if (!found) return;

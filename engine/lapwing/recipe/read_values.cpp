@@ -261,6 +261,20 @@ TargetSpec read_targets(const JsonNode& node) {
   return targets;
 }
 
+LandmarkSpec read_landmarks(const JsonNode& node) {
+  LandmarkSpec landmarks{.where = node.where()};
+  if (node.is_string()) {
+    landmarks.file = node.file_name();
+  } else if (node.is_object()) {
+    node.require_keys({"template", "scan"});
+    landmarks.file = node.at("template").file_name();
+    landmarks.scan_file = node.at("scan").file_name();
+  } else {
+    for (const JsonNode& row : node.elements()) landmarks.rows.push_back(read_landmark(row));
+  }
+  return landmarks;
+}
+
 StiffnessSpec read_stiffness(const JsonNode& node) {
   node.require_keys({"region", "factor"});
   StiffnessSpec spec{read_region(node.at("region"))};

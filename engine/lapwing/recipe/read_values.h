@@ -12,6 +12,7 @@ BeltSpec read_belt(const JsonNode& node);
 Move read_move(const JsonNode& node);
 MovedHandle read_handle(const JsonNode& node, HandleForm form);
 TargetSpec read_targets(const JsonNode& node);
+LandmarkSpec read_landmarks(const JsonNode& node);
 StiffnessSpec read_stiffness(const JsonNode& node);
 MirrorSpec read_mirror(const JsonNode& node);
 CarrySpec read_carry(const JsonNode& node);

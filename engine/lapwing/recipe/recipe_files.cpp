@@ -24,6 +24,10 @@ class StepFiles final : public KeyVisitor {
   void targets(const StepKey&, TargetSpec& value) override {
     if (!value.file.empty()) read_(value.file);
   }
+  void landmarks(const StepKey&, LandmarkSpec& value) override {
+    if (!value.file.empty()) read_(value.file);
+    if (!value.scan_file.empty()) read_(value.scan_file);
+  }
   void carry(const StepKey&, std::vector<CarrySpec>& value) override {
     for (CarrySpec& carry : value) {
       read_(carry.file);

@@ -14,7 +14,8 @@ std::span<const Operation> operations() {
        {"remesh", "make the triangles of a region nearly equilateral", " ", RemeshRequest{}},
        {"decimate", "reduce the number of vertices", " ", DecimateRequest{}},
        {"subdivide", "cut each triangle into four", " ", SubdivideRequest{}},
-       {"fill_holes", "close the holes of a mesh", " ", FillRequest{}}}};
+       {"fill_holes", "close the holes of a mesh", " ", FillRequest{}},
+       {"wrap", "deform a template so that it covers a scan", " onto ", WrapStep{}}}};
   return kOperations;
 }
 

@@ -14,6 +14,7 @@
 #include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/remesh/remesh.h"
 #include "lapwing/transplant/transplant_request.h"
+#include "lapwing/wrap/landmarks.h"
 
 namespace lapwing {
 
@@ -38,10 +39,19 @@ struct TransplantStep : TransplantRequest {
   bool operator==(const TransplantStep&) const = default;
 };
 
+/// {"op": "wrap"}: deforms the mesh, a template, so that it covers a scan.
+struct WrapStep {
+  std::filesystem::path scan = {};  ///< path as in the recipe
+  LandmarkSpec landmarks = {};
+  bool aligned = false;                       ///< as in WrapRequest
+  std::vector<StiffnessSpec> stiffness = {};  ///< as in WrapRequest
+  bool operator==(const WrapStep&) const = default;
+};
+
 /// One operation of a recipe. The recipe format, the commands, the reference and the panels of the
 /// window are all derived from these types and their `describe` functions.
 using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest,
-                          RemeshRequest, DecimateRequest, SubdivideRequest, FillRequest>;
+                          RemeshRequest, DecimateRequest, SubdivideRequest, FillRequest, WrapStep>;
 
 /// A kind of step.
 struct Operation {
@@ -66,6 +76,7 @@ void describe(RemeshRequest& step, KeyVisitor& visitor);
 void describe(DecimateRequest& step, KeyVisitor& visitor);
 void describe(SubdivideRequest& step, KeyVisitor& visitor);
 void describe(FillRequest& step, KeyVisitor& visitor);
+void describe(WrapStep& step, KeyVisitor& visitor);
 
 /// Describe groups of keys for the panels.
 void describe(DeformParameters& parameters, KeyVisitor& visitor);

@@ -35,6 +35,9 @@ class KeyWriter final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec& value) override {
     if (!value.empty()) put(key, json_of(value));
   }
+  void landmarks(const StepKey& key, LandmarkSpec& value) override {
+    if (!value.empty()) put(key, json_of(value));
+  }
   void stiffness(const StepKey& key, std::vector<StiffnessSpec>& value) override {
     if (!value.empty()) put(key, json_of(value));
   }

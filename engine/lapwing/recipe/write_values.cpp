@@ -152,6 +152,30 @@ Json json_of(const TargetSpec& targets) {
   if (targets.hard) json["hard"] = true;
   return json;
 }
+Json json_of(const LandmarkSpec& landmarks) {
+  if (!landmarks.scan_file.empty()) {
+    return {{"template", landmarks.file.string()}, {"scan", landmarks.scan_file.string()}};
+  }
+  if (!landmarks.file.empty()) return landmarks.file.string();
+  Json rows = Json::array();
+  for (const Landmark& row : landmarks.rows) {
+    Json json;
+    if (const auto* vertex = std::get_if<Index>(&row.on_template)) {
+      json["vertex"] = *vertex;
+    } else {
+      json["point"] = json_of(std::get<Eigen::Vector3d>(row.on_template));
+    }
+    if (const auto* vertex = std::get_if<Index>(&row.on_scan)) {
+      json["scan_vertex"] = *vertex;
+    } else {
+      json["position"] = json_of(std::get<Eigen::Vector3d>(row.on_scan));
+    }
+    if (row.weight != 1.0) json["weight"] = row.weight;
+    if (!row.label.empty()) json["label"] = row.label;
+    rows.push_back(std::move(json));
+  }
+  return rows;
+}
 Json json_of(const std::vector<StiffnessSpec>& stiffness) {
   Json list = Json::array();
   for (const StiffnessSpec& spec : stiffness) {

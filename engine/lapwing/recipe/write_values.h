@@ -14,6 +14,7 @@ Json json_of(const BeltSpec& belt);
 Json json_of(const Move& move);
 Json json_of(const std::vector<MovedHandle>& handles);
 Json json_of(const TargetSpec& targets);
+Json json_of(const LandmarkSpec& landmarks);
 Json json_of(const std::vector<StiffnessSpec>& stiffness);
 Json json_of(const MirrorSpec& mirror);
 Json json_of(const std::vector<CarrySpec>& carry);

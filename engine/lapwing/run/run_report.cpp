@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "lapwing/base/counted.h"
-#include "lapwing/run/certificate_json.h"
+#include "lapwing/run/report_json.h"
 
 namespace lapwing {
 namespace {
@@ -131,8 +131,27 @@ Json as_json(const StepReport& step) {
     json[step.op] = {{"mean_coating", number(step.peel->mean_coating)},
                      {"largest_coating", number(step.peel->largest_coating)}};
   }
+  if (step.wrap) json[step.op] = json_of(*step.wrap);
   if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
   return json;
+}
+
+Json as_json(const SurfaceDistance& distance) {
+  return {{"mean", number(distance.mean)},
+          {"percentile_95", number(distance.percentile_95)},
+          {"max", number(distance.max)}};
+}
+
+const char* word_of(AlignmentMethod method) {
+  switch (method) {
+    case AlignmentMethod::none:
+      return "none";
+    case AlignmentMethod::landmarks:
+      return "landmarks";
+    case AlignmentMethod::surfaces:
+      return "surfaces";
+  }
+  return "";
 }
 
 void append_stages(const StageTimings& timings, std::string& text) {
@@ -167,6 +186,20 @@ Json json_of(const Certificate& c) {
           {"settled", c.settled},
           {"settle_last_step", number(c.settle_last_step)},
           {"all_finite", c.all_finite}};
+}
+
+Json json_of(const WrapStepReport& wrap) {
+  return {{"alignment", word_of(wrap.alignment.method)},
+          {"scale", number(wrap.alignment.scale)},
+          {"to_scan", as_json(wrap.to_scan)},
+          {"to_template", as_json(wrap.to_template)},
+          {"scan_diagonal", number(wrap.scan_diagonal)},
+          {"coverage", number(wrap.coverage)},
+          {"landmark_error", number(wrap.landmark_error)},
+          {"flipped_triangles", wrap.flipped_triangles},
+          {"edge_stretch", number(wrap.edge_stretch)},
+          {"minimizations", wrap.steps},
+          {"trouble", wrap.trouble}};
 }
 
 std::string to_json(const RunReport& report) {

@@ -11,12 +11,18 @@
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/transplant/transplant.h"
+#include "lapwing/wrap/wrap.h"
 
 namespace lapwing {
 
 struct PeelReport {
   double mean_coating = 0.0;  ///< as in Peeled
   double largest_coating = 0.0;
+};
+
+struct WrapStepReport : WrapReport {
+  double scan_diagonal = 0.0;
+  std::string trouble;  ///< why_failed
 };
 
 struct StepReport {
@@ -30,6 +36,7 @@ struct StepReport {
   std::optional<CoatReport> coat = {};  ///< report of a coat or mix step
   std::optional<TransplantReport> transplant = {};
   std::optional<PeelReport> peel = {};
+  std::optional<WrapStepReport> wrap = {};
   VertexMeasures vertices;  ///< values per vertex of the ROI; empty unless requested
 };
 

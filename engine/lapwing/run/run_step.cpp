@@ -11,6 +11,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/transplant/transplant.h"
+#include "lapwing/wrap/wrap.h"
 
 namespace lapwing {
 namespace {
@@ -238,6 +239,39 @@ StepReport run_step(const FillRequest& step, const StepContext& on) {
   std::iota(added.begin(), added.end(), static_cast<Index>(old.size()));
   if (done.holes > 0) replace_mesh(std::move(done.mesh), old, on.result);
   return report_of_mesh_step(std::move(added), std::move(timings), on.result);
+}
+
+StepReport run_step(const WrapStep& step, const StepContext& on) {
+  RunResult& result = on.result;
+  StepReport report;
+  std::shared_ptr<const Mesh> scan;
+  LandmarkSpec landmarks;
+  stage("scan", report.timings, on.progress, [&] {
+    scan = on.meshes.mesh(on.base_directory, step.scan);
+    std::vector<std::string> notes;
+    landmarks = with_rows(step.landmarks, on.base_directory, notes);
+    result.note(notes);
+  });
+  result.note(reading_notes(*scan));
+  for (const std::filesystem::path& file :
+       {split_mesh_path(step.scan).file, step.landmarks.file, step.landmarks.scan_file}) {
+    if (!file.empty()) result.inputs.push_back(on.base_directory / file);
+  }
+  const WrapRequest request{.landmarks = targets_of(landmarks, result.mesh, *scan),
+                            .aligned = step.aligned,
+                            .stiffness = step.stiffness};
+  Wrapped done;
+  stage("wrap", report.timings, on.progress,
+        [&] { done = wrap(result.mesh, *scan, request, on.kernels, on.progress); });
+  const Topology& topology = result.mesh.topology();
+  const std::string trouble = why_failed(done.report, topology.triangles.size());
+  if (!trouble.empty()) result.warn(std::array{trouble});
+  report.wrap =
+      WrapStepReport{std::move(done.report), bounds_of(scan->positions).diagonal(), trouble};
+  result.mesh.positions = std::move(done.positions);
+  result.region = {first_vertices(topology.vertex_count()), {}, {}};
+  report.roi = report.free = result.region.roi.size();
+  return report;
 }
 
 // Records the device. If it replaced another device that failed, adds a note once.

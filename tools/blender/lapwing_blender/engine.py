@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 from dataclasses import dataclass, field
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from .arrays import MeshArrays
 from .errors import Refusal
@@ -33,6 +33,7 @@ class Outcome:
 
     mesh: MeshArrays
     warnings: List[str] = field(default_factory=list)
+    steps: List[Dict[str, Any]] = field(default_factory=list)  #: the engine's report of each step
 
 
 def in_words(message: str) -> str:

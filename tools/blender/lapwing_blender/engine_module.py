@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import _thread
+import json
 import os
 import tempfile
 from contextlib import contextmanager
@@ -88,7 +89,8 @@ class ModuleEngine:
             saved = os.path.join(folder, "result.ply")
             self._module.write(saved, result)
             made = read_ply(saved)
-        return Outcome(made, [in_words(text) for text in result.warnings])
+        steps = json.loads(result.report_json)["steps"]
+        return Outcome(made, [in_words(text) for text in result.warnings], steps)
 
 
 class PreparedEdit:

@@ -93,16 +93,19 @@ class ProgramEngine:
             for name, each in {**others, "mesh.ply": mesh}.items():
                 write_ply(os.path.join(folder, name), each)
             _write_json(os.path.join(folder, "recipe.json"), _recipe(steps))
-            warnings = self.run_recipe(folder, "recipe.json", progress)
-            return Outcome(read_ply(os.path.join(folder, "result.ply")), warnings)
+            warnings, steps = self.run_recipe(folder, "recipe.json", progress)
+            return Outcome(read_ply(os.path.join(folder, "result.ply")), warnings, steps)
 
-    def run_recipe(self, folder: str, name: str, progress: Progress) -> List[str]:
-        """Runs a recipe and returns the warnings of its report."""
+    def run_recipe(
+        self, folder: str, name: str, progress: Progress
+    ) -> Tuple[List[str], List[Dict[str, Any]]]:
+        """Runs a recipe. Returns the warnings and the steps of its report."""
         self.call(
             folder, ["run", name, "--device", "cpu", "--report", "report.json"], progress
         )
-        with open(os.path.join(folder, "report.json"), encoding="utf-8") as report:
-            return [in_words(text) for text in json.load(report).get("warnings", [])]
+        with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        return [in_words(text) for text in report.get("warnings", [])], report["steps"]
 
 
 class PreparedEdit:
@@ -144,7 +147,7 @@ class PreparedEdit:
         free orientation."""
         handles = moved_handles(self._step["handles"], motions, free)
         _write_json(self._path("settle.json"), _recipe([{**self._step, "handles": handles}]))
-        warnings = self._engine.run_recipe(self._folder.name, "settle.json", progress)
+        warnings, _steps = self._engine.run_recipe(self._folder.name, "settle.json", progress)
         made = read_ply(self._path("result.ply"), vertices_only=True)
         return made.vertices, warnings
 

@@ -9,6 +9,7 @@ import bpy
 
 from . import session
 from .edit_request import edited_object, has_mesh
+from .operators_wrap import report_lines
 from .recipe_store import edits_of
 from .settings import settings_of
 from .wrapped_text import draw_text
@@ -131,6 +132,21 @@ class LAPWING_PT_surfaces(_Panel, bpy.types.Panel):
         draw_text(self.layout, context, "Source or part: select it, too", icon="INFO")
 
 
+class LAPWING_PT_wrap(_Panel, bpy.types.Panel):
+    bl_label = "Wrap"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_text(
+            self.layout, context,
+            "Select the scan, then the template. Landmarks: Empties with equal names, parented to "
+            "both", icon="INFO",
+        )
+        self.layout.operator("lapwing.wrap", text="Wrap onto Scan", icon="MOD_SHRINKWRAP")
+        for line in report_lines(context.object):
+            draw_text(self.layout, context, line, icon="DOT")
+
+
 class LAPWING_PT_recipe(_Panel, bpy.types.Panel):
     bl_label = "Recipe and Bake"
     bl_options = {"DEFAULT_CLOSED"}
@@ -147,4 +163,6 @@ class LAPWING_PT_recipe(_Panel, bpy.types.Panel):
         layout.operator("lapwing.bake", icon="RENDER_ANIMATION")
 
 
-CLASSES = (LAPWING_UL_handles, LAPWING_PT_edit, LAPWING_PT_surfaces, LAPWING_PT_recipe)
+CLASSES = (
+    LAPWING_UL_handles, LAPWING_PT_edit, LAPWING_PT_surfaces, LAPWING_PT_wrap, LAPWING_PT_recipe,
+)

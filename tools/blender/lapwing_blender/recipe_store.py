@@ -113,7 +113,7 @@ def steps_at(
 
 
 #: Keys whose values are mesh files.
-_FILES = ("source", "mesh")
+_FILES = ("source", "mesh", "scan")
 
 
 def with_files(value: Any, names: Mapping[str, str]) -> Any:

@@ -16,6 +16,7 @@
 #include "lapwing/region/grab_region.h"
 #include "lapwing/remesh/remesh.h"
 #include "lapwing/transfer/transfer.h"
+#include "lapwing/wrap/landmarks.h"
 #include "lapwing/wrap/wrap.h"
 #include "messages.h"
 #include "module.h"
@@ -100,23 +101,28 @@ py::dict dict_of(const SurfaceDistance& distance) {
 }
 
 py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& landmarks, bool aligned,
-                   const py::object& heard) {
-  WrapRequest request{.aligned = aligned};
-  request.landmarks = read_targets(JsonNode::parse(landmarks, "wrap: landmarks"));
-  request.landmarks.where = "wrap: landmarks";
+                   const std::string& stiffness, const py::object& heard) {
+  std::vector<std::string> notes;
   const Wrapped result = Interruptible(heard).call([&](const Progress& progress) {
+    const LandmarkSpec rows =
+        with_rows(read_landmarks(JsonNode::parse(landmarks, "wrap: landmarks")), {}, notes);
+    WrapRequest request{.landmarks = targets_of(rows, mesh, scan), .aligned = aligned};
+    for (const JsonNode& part : JsonNode::parse(stiffness, "wrap: stiffness").elements()) {
+      request.stiffness.push_back(read_stiffness(part));
+    }
     CpuKernels kernels;
     return wrap(mesh, scan, request, kernels, progress);
   });
   Mesh wrapped = mesh;
   wrapped.positions = result.positions;
   const WrapReport& report = result.report;
-  return py::dict("mesh"_a = std::move(wrapped), "coverage"_a = report.coverage,
-                  "to_scan"_a = dict_of(report.to_scan),
-                  "to_template"_a = dict_of(report.to_template),
-                  "landmark_error"_a = report.landmark_error, "scale"_a = report.alignment.scale,
-                  "flipped_triangles"_a = report.flipped_triangles, "steps"_a = report.steps,
-                  "trouble"_a = why_failed(report, mesh.topology().triangles.size()));
+  return py::dict(
+      "mesh"_a = std::move(wrapped), "coverage"_a = report.coverage,
+      "to_scan"_a = dict_of(report.to_scan), "to_template"_a = dict_of(report.to_template),
+      "landmark_error"_a = report.landmark_error, "scale"_a = report.alignment.scale,
+      "flipped_triangles"_a = report.flipped_triangles, "edge_stretch"_a = report.edge_stretch,
+      "steps"_a = report.steps, "trouble"_a = why_failed(report, mesh.topology().triangles.size()),
+      "notes"_a = in_python_words(notes));
 }
 
 // `correspondence` contains the positions of the target's vertices on the source, or is None.
@@ -125,8 +131,10 @@ py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& t
                         const std::optional<std::string>& held, bool aligned,
                         const py::object& heard) {
   TransferRequest request{.aligned = aligned};
-  request.landmarks = read_targets(JsonNode::parse(landmarks, "transfer: landmarks"));
-  request.landmarks.where = "transfer: landmarks";
+  std::vector<std::string> notes;
+  request.landmarks = targets_of(
+      with_rows(read_landmarks(JsonNode::parse(landmarks, "transfer: landmarks")), {}, notes),
+      target, source);
   if (held) request.held = region_of(*held, "transfer: held");
   if (!correspondence.is_none()) {
     request.on_source = positions_of(correspondence, target.vertex_count());
@@ -159,7 +167,7 @@ py::dict transfer_poses(const Mesh& source, const py::list& poses, const Mesh& t
   return py::dict("vertices"_a = vertices, "unmatched_area"_a = solver->unmatched_area(),
                   "largest_rotation_degrees"_a = rotations, "edge_stretch"_a = stretches,
                   "flipped_triangles"_a = flipped, "inside_out_share"_a = inside_out,
-                  "warnings"_a = solver->warnings());
+                  "warnings"_a = solver->warnings(), "notes"_a = in_python_words(notes));
 }
 
 const char* word_of(Severity severity) {
@@ -269,7 +277,8 @@ void add_mesh_operations(py::module_& module) {
   module.def("remesh", &remesh_mesh, "mesh"_a, "region"_a, "length"_a, "scale"_a, "iterations"_a,
              "feature_degrees"_a, "progress"_a);
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
-  module.def("wrap", &wrap_mesh, "mesh"_a, "scan"_a, "landmarks"_a, "aligned"_a, "progress"_a);
+  module.def("wrap", &wrap_mesh, "mesh"_a, "scan"_a, "landmarks"_a, "aligned"_a, "stiffness"_a,
+             "progress"_a);
   module.def("transfer", &transfer_poses, "source"_a, "poses"_a, "target"_a, "landmarks"_a,
              "correspondence"_a, "held"_a, "aligned"_a, "progress"_a);
   module.def("grab_region", &grab_region_of, "mesh"_a, "vertex"_a, "radius"_a, "factor"_a);

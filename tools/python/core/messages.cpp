@@ -35,7 +35,7 @@ constexpr std::array<std::pair<const char*, const char*>, 12> kPhrases{{
 // "/a/0/b" becomes "a[0].b".
 std::string without_pointer(const std::string& message) {
   static const std::regex place(
-      "^((?:deform|Deformer|coat|mix|transplant|peel|remesh|parameterize): (?:\\w+: )?)"
+      "^((?:deform|Deformer|coat|mix|transplant|peel|remesh|parameterize|wrap): (?:\\w+: )?)"
       "(/[\\w/]+)(?=: )");
   std::smatch found;
   if (!std::regex_search(message, found, place)) return message;

@@ -211,6 +211,8 @@ def plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str) 
         return handles_of(value, vertex_count, where)
     if key == "targets":
         return targets_of(value, vertex_count, where)
+    if key == "landmarks":
+        return wrap_landmarks_of(value, vertex_count, where)
     if key == "stiffness":
         return stiffness_of(value, vertex_count, where)
     if isinstance(value, Mapping):
@@ -241,10 +243,20 @@ def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
         if not targets or any(isinstance(key, str) for key in targets):
             return plain(targets, vertex_count, where)
         return [
-            [plain(key, vertex_count, where), *plain(np.asarray(place), vertex_count, where)]
+            [plain(key, vertex_count, where), *plain(np.atleast_1d(place), vertex_count, where)]
             for key, place in targets.items()
         ]
     return plain(targets, vertex_count, where)
+
+
+def wrap_landmarks_of(landmarks: Any, vertex_count: Optional[int], where: str) -> Any:
+    """Converts landmarks of a wrap to a recipe's: one or two paths, or what `targets_of` takes."""
+    if isinstance(landmarks, (str, os.PathLike)):
+        return os.fspath(landmarks)
+    if isinstance(landmarks, (tuple, list)) and len(landmarks) == 2:
+        if all(isinstance(path, (str, os.PathLike)) for path in landmarks):
+            return {"template": os.fspath(landmarks[0]), "scan": os.fspath(landmarks[1])}
+    return targets_of(landmarks, vertex_count, where)
 
 
 def stiffness_of(stiffness: Any, vertex_count: Optional[int], where: str) -> Any:

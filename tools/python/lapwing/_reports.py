@@ -9,7 +9,13 @@ from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
 import numpy as np
 
 from . import _core
-from ._arguments import mesh_of, region_of, targets_of, vertices_of
+from ._arguments import (
+    mesh_of,
+    region_of,
+    stiffness_of,
+    vertices_of,
+    wrap_landmarks_of,
+)
 from ._types import (
     Array,
     Domain,
@@ -171,8 +177,10 @@ class Wrapped:
     landmark_error: float  #: the largest
     scale: float  #: of the similarity that aligned the template
     flipped_triangles: int
+    edge_stretch: float  #: root mean square of length' / length - 1 over the edges
     steps: int  #: number of minimizations
     trouble: str  #: why the result is not usable, and what to try; empty if it is usable
+    notes: List[str]  #: landmarks of files that have no counterpart
 
 
 @dataclass(frozen=True)
@@ -186,6 +194,7 @@ class Transferred:
     flipped_triangles: List[int]
     inside_out_share: List[float]  #: share of the area that is inside out
     warnings: List[str]  #: why the results may be wrong
+    notes: List[str]  #: landmarks of files that have no counterpart
 
 
 def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
@@ -337,24 +346,32 @@ def wrap(
     faces: Optional[FacesLike] = None,
     scan_faces: Optional[FacesLike] = None,
     aligned: bool = False,
+    stiffness: Any = None,
     progress: Optional[Progress] = None,
 ) -> Wrapped:
     """Deforms a template so that it covers a scan, which has other vertices and triangles.
 
-    The result keeps the triangles of the template. `landmarks` are positions on the scan, in the
-    same form as `targets` of `deform`: a dict from vertices of the template to positions, or rows.
-    Three landmarks align the template. Without them, the template is aligned by comparing the
-    shapes of both surfaces, which can fail for symmetric surfaces. If `aligned` is true, the
-    template is already in place and is only deformed. The faces of both meshes must be oriented
-    outward.
+    The result keeps the triangles of the template. `landmarks` is a dict from vertices of the
+    template to positions on the scan or vertices of the scan, or a list of rows (`lapwing.keys`),
+    or the path of a file of landmarks, or a pair of paths: points of the template and of the scan,
+    as 3D Slicer saves them. Three landmarks align the template. Without them, the template is
+    aligned by comparing the shapes of both surfaces, which can fail for symmetric surfaces. If
+    `aligned` is true, the template is already in place and is only deformed. `stiffness` has the
+    same meaning as for `deform`. The faces of both meshes must be oriented outward. The scan may
+    be a point cloud with normals and without faces, as `read` returns it.
 
         wrapped = lapwing.wrap(template, scan, {12: [0, 1, 0], 801: [4, 0, 0], 77: [0, 0, 2]})
         assert not wrapped.trouble, wrapped.trouble
     """
     chosen = mesh_of(template, faces, "wrap: template")
     covered = mesh_of(scan, scan_faces, "wrap: scan")
-    rows = targets_of(landmarks, chosen.vertex_count, "wrap: landmarks")
-    found = _core.wrap(chosen, covered, json.dumps(rows), aligned, progress)
+    rows = wrap_landmarks_of(landmarks, chosen.vertex_count, "wrap: landmarks")
+    parts = (
+        []
+        if stiffness is None
+        else stiffness_of(stiffness, chosen.vertex_count, "wrap: stiffness")
+    )
+    found = _core.wrap(chosen, covered, json.dumps(rows), aligned, json.dumps(parts), progress)
     for name in ("to_scan", "to_template"):
         found[name] = Distance(**found[name])
     return Wrapped(**found)
@@ -377,8 +394,8 @@ def transfer(
 
     `source` is at rest, and `poses` contains its vertices in one pose, (n, 3), or in many, (k, n,
     3). If both meshes have the same faces, vertices with the same number correspond. Otherwise the
-    target is wrapped onto the source: `landmarks` are vertices of the target and their positions on
-    the source, and `aligned` has the same meaning as for `wrap`. `correspondence` replaces this by
+    target is wrapped onto the source: `landmarks` and `aligned` have the same meaning as for
+    `wrap`, with the target as the template. `correspondence` replaces this by
     known positions of the target's vertices on the source, such as those of a wrapped mesh. The
     vertices `held`, a region of the target, do not move.
 
@@ -396,7 +413,7 @@ def transfer(
         moved,
         [given] if is_one else list(given),
         onto,
-        json.dumps(targets_of(landmarks, onto.vertex_count, "transfer: landmarks")),
+        json.dumps(wrap_landmarks_of(landmarks, onto.vertex_count, "transfer: landmarks")),
         correspondence,
         None if held is None else _region_json(held, onto, "transfer: held"),
         aligned,

@@ -69,7 +69,8 @@ Landmarks = Tuple[ArrayLike, ArrayLike]
 Progress = Optional[Callable[[str, float], Optional[bool]]]
 
 Operation = Literal[
-    "deform", "coat", "mix", "transplant", "peel", "remesh", "decimate", "subdivide", "fill_holes"
+    "deform", "coat", "mix", "transplant", "peel", "remesh", "decimate", "subdivide",
+    "fill_holes", "wrap",
 ]
 Weights = Literal["uniform", "cotangent"]
 LinearResponse = Literal["tangent", "rsi"]

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wrap: the active mesh, a template, is deformed so that it covers another mesh, a scan."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any, Dict, List, Tuple
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+
+from .background import warn
+from .engine import Outcome
+from .errors import Refusal
+from .operators_surface import Step, SurfaceOperator, other_object
+from .settings import settings_of
+
+#: The custom property with the report of the last wrap, as JSON.
+PROPERTY = "lapwing_wrap"
+
+#: Blender appends this to a name that exists already.
+_SUFFIX = re.compile(r"\.\d{3,}$")
+
+
+def landmarks_of(obj: bpy.types.Object) -> Dict[str, bpy.types.Object]:
+    """Returns the Empties whose parent is `obj` by their names, without Blender's ".001". The
+    Empties of handles are no landmarks."""
+    handles = {handle.empty for handle in settings_of(obj).handles}
+    found: Dict[str, bpy.types.Object] = {}
+    for child in obj.children:
+        if child.type != "EMPTY" or child in handles:
+            continue
+        name = _SUFFIX.sub("", child.name)
+        if name in found:
+            raise Refusal(
+                f"The Empties '{found[name].name}' and '{child.name}' of '{obj.name}' have the "
+                "same name; give each landmark its own name"
+            )
+        found[name] = child
+    return found
+
+
+def report_lines(obj: bpy.types.Object) -> List[str]:
+    """Returns the report of the last wrap of `obj` for the panel."""
+    report = json.loads(obj.get(PROPERTY, "{}"))
+    if not report:
+        return []
+    size = report["scan_diagonal"] or 1.0
+    lines = [
+        f"{words}: {distance['mean'] / size:.2%} on average, {distance['max'] / size:.2%} at most"
+        for words, distance in (
+            ("Result to scan", report["to_scan"]), ("Scan to result", report["to_template"])
+        )
+    ]
+    lines.append(f"Covered by the scan: {report['coverage']:.1%}")
+    if report["landmark_error"] > 0.0:
+        lines.append(f"Landmarks: off by at most {report['landmark_error'] / size:.2%}")
+    return [*lines, f"Flipped triangles: {report['flipped_triangles']}"]
+
+
+class LAPWING_OT_wrap(SurfaceOperator, bpy.types.Operator):
+    bl_idname = "lapwing.wrap"
+    bl_label = "Lapwing Wrap"
+    bl_description = (
+        "Deforms the active mesh so that it covers the other selected mesh, a scan. Empties of "
+        "equal names, one parented to each mesh, are landmarks"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    scan: StringProperty(name="Scan", description="Without it, the other selected mesh")
+    aligned: BoolProperty(name="Aligned", description="The active mesh is in place already")
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "scan")
+        layout.prop(self, "aligned")
+
+    def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
+        scan = other_object(context, self.scan, "The scan")
+        ours, theirs = landmarks_of(obj), landmarks_of(scan)
+        self._pairs: List[Tuple[str, str]] = [
+            (ours[name].name, theirs[name].name) for name in ours if name in theirs
+        ]
+        self._notes = [
+            f"The Empty '{left[name].name}' has no namesake at '{other.name}'; it has no effect"
+            for left, right, other in ((ours, theirs, scan), (theirs, ours, obj))
+            for name in left if name not in right
+        ]
+        step: Dict[str, Any] = {"op": "wrap", "scan": "scan.ply", "aligned": self.aligned}
+        landmarks = [
+            {"label": ours[name].name, "point": list(ours[name].matrix_world.translation),
+             "position": list(theirs[name].matrix_world.translation)}
+            for name in ours if name in theirs
+        ]
+        if landmarks:
+            step["landmarks"] = landmarks
+        yield
+        return step, {"scan.ply": scan.name}
+
+    def finish(self, context: bpy.types.Context, value: Outcome) -> None:
+        super().finish(context, value)
+        obj = bpy.data.objects[self._name]
+        obj[PROPERTY] = json.dumps(value.steps[-1]["wrap"])
+        # The Empties of the template stay on its surface, so that it can be wrapped again.
+        for ours, theirs in self._pairs:
+            place = bpy.data.objects[theirs].matrix_world.translation
+            bpy.data.objects[ours].matrix_world.translation = place
+        warn(self, self._notes)
+
+
+CLASSES = (LAPWING_OT_wrap,)
