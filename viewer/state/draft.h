@@ -15,8 +15,9 @@ namespace lapwing::viewer {
 /// them.
 struct Draft {
   std::vector<Step> steps;  ///< committed or applied
-  DeformRequest open;       ///< a part that is not selected yet is an empty vertex list
-  bool settled = false;     ///< whether the state contains the result of `open`
+  /// A part that is not selected yet is an empty vertex list.
+  DeformRequest open = {.roi = {ListedVertices{}}};
+  bool settled = false;  ///< whether the state contains the result of `open`
 
   bool operator==(const Draft&) const = default;
 };
