@@ -299,6 +299,24 @@ TEST_F(ASession, RestoredAfterUndoCanRedo) {
   EXPECT_EQ(positions(), second);
 }
 
+TEST_F(ASession, RestoredAfterUndoCanRedoALaterMoveOfTheSameHandle) {
+  drag(bent());
+  const Positions first = positions();
+  drag(twisted(-10.0));
+  const Positions second = positions();
+  session_->perform(Choose{kHandle, box(2.6, 4.0)});
+  drag(bent());
+  const Positions third = positions();
+  session_->go_to(3);
+  ASSERT_EQ(positions(), first);
+  crash_and_restore();
+  EXPECT_EQ(positions(), first);
+  session_->redo();
+  EXPECT_EQ(positions(), second);
+  while (session_->history().can_redo()) session_->redo();
+  EXPECT_EQ(positions(), third);
+}
+
 TEST_F(ASession, GrabsAreRestoredAsTheStepsThatTheyWere) {
   const auto grab = [this](Index center) {
     const RegionSpec disk{GeodesicDisk{center, 1.2}, "ROI"};
