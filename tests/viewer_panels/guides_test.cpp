@@ -21,6 +21,10 @@ class Guides : public ::testing::Test {
     LAPWING_NEEDS_GPU();
     add_finger(folder_.path());
     write_mesh(rippled_cylinder(24, 41), folder_ / "tube.obj");
+    start();
+  }
+  void start() {
+    viewer_.reset();
     viewer_ =
         std::make_unique<ShownViewer>(std::make_shared<gpu::Context>(), Look{}, folder_.path());
     viewer_->open(folder_ / "tube.obj");
@@ -74,8 +78,8 @@ class Guides : public ::testing::Test {
     viewer_->look_at();
   }
   // Types into the field that has the keyboard focus.
-  void type_number(const std::string& number) {
-    for (const char letter : number) {
+  void type_line(const std::string& line) {
+    for (const char letter : line) {
       viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
       viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
     }
@@ -89,6 +93,7 @@ class Guides : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
+  Environment home_{"HOME", folder_.path().string()};
   Environment data_{"XDG_DATA_HOME", (folder_ / "data").string()};
   std::unique_ptr<ShownViewer> viewer_;
 };
@@ -177,6 +182,25 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   EXPECT_EQ(document.editor.part().role, Part::Role::roi);
 }
 
+TEST_F(Guides, AWarningOfATransplantOffersToEditItsStep) {
+  // A part that is too short for a transition of the usual width.
+  write_mesh(lapwing::test::finger(24, 2, 0.2, 0.02), folder_ / "data/lapwing/parts/finger.ply");
+  start();
+  viewer_->key('N');
+  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
+  viewer_->drag(middle(), middle());
+  viewer_->scroll_to("Seam settings");
+  viewer_->click("Seam settings");
+  viewer_->scroll_to("Transition");
+  viewer_->click("Transition");
+  viewer_->key(kEnter);
+  viewer_->wait_for([&] { return viewer_->shows("Edit step"); }, "the warning");
+  viewer_->click("Edit step");
+  const TransplantTool& transplant = viewer_->app().document()->transplant;
+  viewer_->wait_for([&] { return transplant.is_open(); }, "the transplant opens again");
+  EXPECT_EQ(transplant.taken_up(), 0U);
+}
+
 TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
   const auto drag_source = [&] {
     const auto& [width, height] = viewer_->look().size;
@@ -231,6 +255,29 @@ TEST_F(Guides, SayThatACutNeedsARegionAndAName) {
   expect_says("Type a name for the part.");
 }
 
+TEST_F(Guides, EnterCutsOutTheNamedPart) {
+  viewer_->click("Transplant");
+  viewer_->click("More parts");
+  choose_roi();
+  const ImVec2 cut = find_text(viewer_->look_at(), "Cut")->middle();
+  const Eigen::Vector2d field(cut.x - 80.0, cut.y);
+  for (const InputKind kind : {InputKind::move, InputKind::press, InputKind::release}) {
+    viewer_->send({.kind = kind, .position = field, .button = MouseButton::left});
+  }
+  type_line("rib");
+  viewer_->wait_for([&] { return viewer_->shows("rib"); }, "the part");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "data/lapwing/parts/rib.obj"));
+}
+
+TEST_F(Guides, ShowFilesInTheHomeFolderWithATilde) {
+  std::filesystem::remove(folder_ / "data/lapwing/parts/finger.ply");
+  start();
+  viewer_->click("Transplant");
+  expect_says("~/data/lapwing/parts");
+  viewer_->key('N');
+  viewer_->wait_for([&] { return viewer_->says("There is no part in ~/data"); }, "the message");
+}
+
 TEST_F(Guides, EscapeCancelsACoat) {
   viewer_->key('K', kControl);
   const DetailTransferTool& desk = viewer_->app().document()->desk;
@@ -263,7 +310,7 @@ TEST_F(Guides, ANumberMayHaveAnExponent) {
   viewer_->key('M');
   viewer_->click("Selection");
   viewer_->click("0?");  // the reader of the screen knows no degree sign
-  type_number("1e-3");
+  type_line("1e-3");
   const AppState& state = viewer_->app().document()->editor.state();
   EXPECT_DOUBLE_EQ(turn_of(state.moves.at(0).move).degrees, 1e-3);
 }
@@ -286,7 +333,7 @@ TEST_F(Guides, AScaleIsTypedForEachAxis) {
                    .button = is_move ? MouseButton::none : MouseButton::left});
   }
   viewer_->send({.kind = InputKind::key, .modifiers = kControl, .key = 'A'});
-  type_number("2");
+  type_line("2");
   const Move& move = viewer_->app().document()->editor.state().moves.at(0).move;
   ASSERT_TRUE(std::holds_alternative<SimilarityMove>(move));
   EXPECT_EQ(std::get<SimilarityMove>(move).scale, Eigen::Vector3d(1.0, 1.0, 2.0));
@@ -298,7 +345,7 @@ TEST_F(Guides, TheTitleFollowsSaveAs) {
   viewer_->wait_for([&] { return viewer_->shows("Save") && viewer_->shows("Cancel"); },
                     "the browser is there");
   viewer_->click("Save");
-  viewer_->wait_for([&] { return viewer_->says("Saved "); }, "it is saved");
+  viewer_->wait_for([&] { return viewer_->says("Saved ~/tube-edited.obj"); }, "it is saved");
   EXPECT_EQ(viewer_->app().title(), "tube-edited.obj - Lapwing");
 }
 

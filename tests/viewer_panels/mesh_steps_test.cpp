@@ -17,8 +17,12 @@ class MeshSteps : public ::testing::Test {
  protected:
   void SetUp() override {
     LAPWING_NEEDS_GPU();
+    open({1280, 1400});
+  }
+  void open(VkExtent2D size) {
+    viewer_.reset();
     Look look;
-    look.size = {1280, 1400};
+    look.size = size;
     viewer_ = std::make_unique<ShownViewer>(std::make_shared<gpu::Context>(), look);
     Mesh ball = icosphere(3);
     KeepMask keep(ball.vertex_count());
@@ -44,6 +48,8 @@ TEST_F(MeshSteps, AllHolesAreFilledAfterAPreviewAndUndone) {
   const std::size_t open = mesh().face_count();
   viewer_->click("Holes");
   EXPECT_TRUE(viewer_->says("rim vertices"));
+  const float below = find_text(viewer_->texts(), "Show")->middle().y;
+  EXPECT_LT(find_text(viewer_->texts(), "Fill all")->middle().y, below) << "above a long list";
   lapwing::test::keep_picture(viewer_->picture(), "mesh-holes");
   viewer_->click("Fill all");
   wait_for_preview();
@@ -54,9 +60,19 @@ TEST_F(MeshSteps, AllHolesAreFilledAfterAPreviewAndUndone) {
   EXPECT_GT(mesh().face_count(), open);
   EXPECT_EQ(steps(), 1U);
   EXPECT_TRUE(viewer_->says("Fill holes"));
+  EXPECT_TRUE(viewer_->shows("Opened file")) << "whose holes are still counted";
   viewer_->key('Z', kControl);
   viewer_->wait_for([&] { return mesh().face_count() == open; }, "the undo");
   EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(MeshSteps, APreviewIsAppliedWithoutScrollingInALowWindow) {
+  open({1280, 800});
+  viewer_->click("Holes");
+  viewer_->click("Fill all");
+  wait_for_preview();
+  EXPECT_TRUE(viewer_->shows("Apply"));
+  EXPECT_TRUE(viewer_->shows("Cancel"));
 }
 
 TEST_F(MeshSteps, OneHoleIsFilled) {

@@ -17,6 +17,7 @@ namespace lapwing::viewer::test {
 namespace {
 
 using lapwing::test::largest_distance;
+using ::testing::ElementsAre;
 
 class ASession : public ::testing::Test {
  protected:
@@ -296,6 +297,50 @@ TEST_F(ASession, RestoredAfterUndoCanRedo) {
   }
   while (session_->history().can_redo()) session_->redo();
   EXPECT_EQ(positions(), second);
+}
+
+TEST_F(ASession, RestoredAfterUndoCanRedoALaterMoveOfTheSameHandle) {
+  drag(bent());
+  const Positions first = positions();
+  drag(twisted(-10.0));
+  const Positions second = positions();
+  session_->perform(Choose{kHandle, box(2.6, 4.0)});
+  drag(bent());
+  const Positions third = positions();
+  session_->go_to(3);
+  ASSERT_EQ(positions(), first);
+  crash_and_restore();
+  EXPECT_EQ(positions(), first);
+  session_->redo();
+  EXPECT_EQ(positions(), second);
+  while (session_->history().can_redo()) session_->redo();
+  EXPECT_EQ(positions(), third);
+}
+
+TEST_F(ASession, GrabsAreRestoredAsTheStepsThatTheyWere) {
+  const auto grab = [this](Index center) {
+    const RegionSpec disk{GeodesicDisk{center, 1.2}, "ROI"};
+    const RegionSpec handle{GeodesicDisk{center, 0.3}, "handle"};
+    session_->perform(Grab{choose(disk, *surface_of(session_->state())),
+                           handle,
+                           {.transition = Transition{.width = 0.3}}});
+    session_->perform(MoveHandle{0, bent()}, Joining::with_last);
+    wait_for_result();
+  };
+  session_->undo();
+  session_->undo();
+  grab(20);
+  const Positions first = positions();
+  grab(100);
+  const Positions second = positions();
+  session_->undo();
+  crash_and_restore();
+  EXPECT_THAT(session_->history().names(), ElementsAre("Grab", "Grab"));
+  EXPECT_EQ(positions(), first);
+  session_->redo();
+  EXPECT_EQ(positions(), second);
+  session_->go_to(0);
+  EXPECT_EQ(positions(), read_mesh(mesh_).positions);
 }
 
 TEST_F(ASession, RestoredAfterUndoAndAnotherStepHasNothingToRedo) {

@@ -56,6 +56,18 @@ class AJournal : public ::testing::Test {
   std::filesystem::path cache_ = folder_ / "cache";
 };
 
+TEST_F(AJournal, IsEmptyUntilSomethingIsDone) {
+  const AppState opened = open_state(read_mesh(mesh_));
+  Journal journal(cache_, stamp());
+  const auto is_empty = [&](const AppState& state) {
+    journal.record(state);
+    return read_journal(journal.path())->is_empty();
+  };
+  EXPECT_TRUE(is_empty(opened));
+  EXPECT_FALSE(is_empty(apply(opened, Choose{kRoi, box(0.3, 4.0)})));
+  EXPECT_FALSE(is_empty(opened)) << "the choice can be redone";
+}
+
 TEST_F(AJournal, KeepsPaintedStiffness) {
   History history(chosen_tube());
   history.perform(

@@ -98,10 +98,15 @@ void Editor::update() {
 void Editor::take_step() {
   std::optional<StepTaken> taken;
   const bool had_chosen = !state().selection.roi.vertices.empty() || handle_count() > 0;
+  const std::size_t steps_before = state().steps.size();
   say_errors(say_, [&] { taken = session_->take_step(); });
   if (!taken) return;
   pointed_at_.clear();
-  for (const std::string& warning : taken->warnings) say_({warning, Tone::warning});
+  // If an earlier step was replaced, the warnings may be about any of the steps after it.
+  const bool is_new = state().steps.size() > steps_before;
+  for (const std::string& warning : taken->warnings) {
+    say_({warning, Tone::warning, is_new ? state().steps.back() : nullptr});
+  }
   if (taken->changed_triangles && had_chosen) {
     say_("The triangles have changed. Select the region again.");
   }

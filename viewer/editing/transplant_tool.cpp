@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "editing/kernels_like.h"
+#include "files/path_text.h"
 #include "lapwing/transplant/join_attributes.h"
 #include "state/revision.h"
 
@@ -87,7 +88,7 @@ void TransplantTool::take_next_part() {
     at = at == items.end() || at + 1 == items.end() ? items.begin() : at + 1;
     if (at->trouble.empty()) return take_part(at->file);
   }
-  say_("There is no part in " + library_.folder().string() +
+  say_("There is no part in " + with_tilde(library_.folder()) +
        ". Add one in the Transplant tab, under \"More parts\".");
 }
 
@@ -300,7 +301,9 @@ void TransplantTool::apply(Editor& editor) {
   } else if (result != nullptr) {
     const std::vector<std::string> warnings = result->carried_out.warnings;
     editor.perform(Apply{step, result->carried_out.result});
-    for (const std::string& warning : warnings) say_({warning, Tone::warning});
+    for (const std::string& warning : warnings) {
+      say_({warning, Tone::warning, editor.state().steps.back()});
+    }
   } else {
     editor.carry_out(step);
   }

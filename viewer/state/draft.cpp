@@ -66,6 +66,32 @@ bool is_chosen(const AppState& state, const DeformRequest& step) {
                             &MovedHandle::region);
 }
 
+// Returns whether the regions are those of a Grab: a disk, perhaps with what it cuts off, and a
+// falloff about the centre of this disk.
+bool is_grab(const DeformRequest& step) {
+  if (step.handles.size() != 1 || !step.handles[0].falloff.transition) return false;
+  const auto* both = std::get_if<UnionRegion>(&step.roi.form);
+  const RegionSpec& first = both != nullptr ? both->parts.at(0) : step.roi;
+  const auto* roi = std::get_if<GeodesicDisk>(&first.form);
+  const auto* handle = std::get_if<GeodesicDisk>(&step.handles[0].region.form);
+  return roi != nullptr && handle != nullptr && roi->center == handle->center;
+}
+
+// Carries out a Grab as one step, as it was made. Returns false if the step is none, or if it also
+// changes other settings of the edit.
+bool perform_grab(History& history, const DeformRequest& step) {
+  if (!is_grab(step)) return false;
+  const AppState next = apply(history.state(), NewEdit{});
+  DeformRequest other = open_step(next);
+  other.roi = step.roi;
+  other.handles = step.handles;
+  if (other != step) return false;
+  history.perform(Grab{choose(step.roi, *next.rest, joined_seams(next)), step.handles[0].region,
+                       step.handles[0].falloff});
+  history.perform(MoveHandles{moves_of(step, history.state())}, Joining::with_last);
+  return true;
+}
+
 void grade_handles(History& history, const DeformRequest& step) {
   const auto& handles = history.state().selection.handles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
@@ -141,7 +167,10 @@ void carry_along(History& history, const std::vector<CarrySpec>& files) {
   }
 }
 
-void perform(History& history, const DeformRequest& step, const Solve& solve) {
+namespace {
+
+// Chooses and moves by the commands that a user would give.
+void perform_by_hand(History& history, const DeformRequest& step) {
   history.perform(Commit{});
   carry_along(history, step.carry);
   history.perform(SetParameters{step.parameters});
@@ -171,6 +200,12 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
   } else {
     history.perform(MoveHandles{moves_of(step, history.state())});
   }
+}
+
+}  // namespace
+
+void perform(History& history, const DeformRequest& step, const Solve& solve) {
+  if (!perform_grab(history, step)) perform_by_hand(history, step);
   if (solve && is_moved(history.state())) history.perform(Settle{solve(history.state())});
 }
 

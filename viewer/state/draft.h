@@ -15,8 +15,9 @@ namespace lapwing::viewer {
 /// them.
 struct Draft {
   std::vector<Step> steps;  ///< committed or applied
-  DeformRequest open;       ///< a part that is not selected yet is an empty vertex list
-  bool settled = false;     ///< whether the state contains the result of `open`
+  /// A part that is not selected yet is an empty vertex list.
+  DeformRequest open = {.roi = {ListedVertices{}}};
+  bool settled = false;  ///< whether the state contains the result of `open`
 
   bool operator==(const Draft&) const = default;
 };
@@ -54,8 +55,9 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 void carry_along(History& history, const std::vector<CarrySpec>& files);
 
 /// Carries out a step. If the step is a deform and `is_selection` is true, performs the commands
-/// that a user would give, so that each of them can be undone. Performs any other step as one
-/// command. If `solve` is null, the handles of a deform move, but the surface does not settle.
+/// that a user would give, so that each of them can be undone; a grab is one step. Performs any
+/// other step as one command. If `solve` is null, the handles of a deform move, but the surface
+/// does not settle.
 void perform(History& history, const DeformRequest& step, const Solve& solve);
 void perform(History& history, const Step& step, const CarryOut& carry_out);
 /// Carries out the steps of a recipe. If the last step is a deform, it remains the open step. File

@@ -86,7 +86,8 @@ struct InterruptedEdit {
   KeptResults results;                        ///< positions in the results file
   std::filesystem::file_time_type last_step;  ///< time at which the last step was recorded
 
-  bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
+  /// Returns whether nothing was done, or undone.
+  bool is_empty() const { return draft == Draft{} && !undone; }
   /// Returns whether `mesh` is a copy, because the result was saved to the opened file.
   bool has_copy() const { return mesh.path != opened; }
   /// Returns the number of committed edits, plus one if a handle of the open edit has moved.

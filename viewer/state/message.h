@@ -2,10 +2,12 @@
 
 #include <exception>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/recipe/step.h"
 
 namespace lapwing::viewer {
 
@@ -20,8 +22,11 @@ enum class Tone {
 struct Message {
   std::string text;
   Tone tone = Tone::note;
+  std::shared_ptr<const Step> step;  ///< the step that the message is about, or null
 
-  Message(std::string words, Tone its_tone = Tone::note) : text(std::move(words)), tone(its_tone) {}
+  Message(std::string words, Tone its_tone = Tone::note,
+          std::shared_ptr<const Step> its_step = nullptr)
+      : text(std::move(words)), tone(its_tone), step(std::move(its_step)) {}
   Message(const char* words) : text(words) {}
   /// Reports an action that failed, with the reason.
   explicit Message(const std::exception& error) : text(error.what()), tone(Tone::error) {}

@@ -30,6 +30,10 @@ struct Document {
         transplant(context, std::move(say), std::move(wake)) {}
 
   OpenedMesh opened;
+  /// Opens a coat, a mix or a transplant of the edit again.
+  void edit_step(std::size_t index) {
+    if (!desk.take_up(editor, index)) transplant.take_up(editor, index);
+  }
   /// Names the window after the file that holds the edit.
   void set_title(const std::string& name) {
     title = name + " - Lapwing";

@@ -81,15 +81,10 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
   const MeshStatistics& s = document.report.statistics;
   const std::string behind = unit.empty() ? "" : " " + unit;
   if (ImGui::BeginTable("mesh", 2, ImGuiTableFlags_SizingFixedFit)) {
-    mesh_row("Name", document.opened.name);
+    mesh_row("Opened file", document.opened.name);
     mesh_row("Vertices", std::to_string(s.vertices));
     mesh_row("Faces", std::to_string(s.faces));
     if (s.triangles != s.faces) mesh_row("Triangles", std::to_string(s.triangles));
-    const Mesh& now = *document.editor.state().rest;
-    if (!now.shares_faces_with(*document.opened.mesh)) {
-      mesh_row("Edited mesh", std::to_string(now.vertex_count()) + " vertices, " +
-                                  std::to_string(now.face_count()) + " faces");
-    }
     mesh_row("Components", std::to_string(s.component_sizes.size()));
     mesh_row("Boundaries", std::to_string(s.boundary_loops));
     if (s.genus) mesh_row("Genus", std::to_string(*s.genus));
@@ -98,9 +93,14 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
              number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
     mesh_row("Mean edge length", number(s.mean_edge_length) + behind);
     color_rows(document.opened);
+    const Mesh& now = *document.editor.state().rest;
+    if (!now.shares_faces_with(*document.opened.mesh)) {
+      mesh_row("Edited mesh", std::to_string(now.vertex_count()) + " vertices, " +
+                                  std::to_string(now.face_count()) + " faces");
+    }
     ImGui::EndTable();
   }
-  if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor found no problems.");
+  if (!document.report.has_problems()) ImGui::TextDisabled("No problems in the opened file.");
   for (const Defect& defect : document.report.defects) draw_defect(defect);
 }
 

@@ -46,18 +46,6 @@ void draw_result_of(const MeshStepTool& tool, const Editor& editor) {
   }
 }
 
-// Draws Apply, Cancel and the result below the command whose preview is open.
-void draw_open(MeshStepTool& tool, Editor& editor) {
-  draw_result_of(tool, editor);
-  if (tool.result().mesh() != nullptr) {
-    if (ImGui::Button("Apply")) return tool.apply(editor);
-    explain("Adds the previewed change as a step.");
-    ImGui::SameLine();
-  }
-  if (ImGui::Button("Cancel")) tool.close(editor);
-  explain("Discards the preview.");
-}
-
 template <class Request>
 bool is_open(const MeshStepTool& tool) {
   return tool.step() != nullptr && std::holds_alternative<Request>(*tool.step());
@@ -66,14 +54,12 @@ bool is_open(const MeshStepTool& tool) {
 // Draws the parameters of a command and the button that previews it. Follows changes of the
 // parameters while the preview is open.
 template <class Request>
-void draw_command(MeshStepTool& tool, Editor& editor, Request& request, const char* verb,
-                  double size) {
+void draw_command(MeshStepTool& tool, Request& request, const char* verb, double size) {
   ImGui::PushID(verb);
   ParameterPanel panel(size);
   describe(request, panel);
   if (ImGui::Button(verb) || (panel.chosen() && is_open<Request>(tool))) tool.preview(request);
   explain("Shows a preview.");
-  if (is_open<Request>(tool)) draw_open(tool, editor);
   ImGui::PopID();
 }
 
@@ -112,7 +98,7 @@ std::optional<std::vector<Index>> draw_hole_rows(MeshStepTool& tool,
   return shown;
 }
 
-std::optional<std::vector<Index>> draw_holes(MeshStepTool& tool, Editor& editor, double size) {
+std::optional<std::vector<Index>> draw_holes(MeshStepTool& tool, double size) {
   const std::vector<Hole>* holes = tool.holes();
   if (holes == nullptr) {
     ImGui::TextDisabled("Looking for holes...");
@@ -122,12 +108,11 @@ std::optional<std::vector<Index>> draw_holes(MeshStepTool& tool, Editor& editor,
     ImGui::TextDisabled("The surface is closed.");
     return {};
   }
-  const auto shown = draw_hole_rows(tool, *holes);
-  draw_command(tool, editor, tool.drafts.fill, "Fill all", size);
-  return shown;
+  draw_command(tool, tool.drafts.fill, "Fill all", size);
+  return draw_hole_rows(tool, *holes);
 }
 
-void draw_remesh(MeshStepTool& tool, Editor& editor, double size) {
+void draw_remesh(MeshStepTool& tool, const Editor& editor, double size) {
   const ChosenRegion& roi = editor.state().selection.roi;
   MeshStepDrafts& drafts = tool.drafts;
   if (roi.vertices.empty()) {
@@ -137,22 +122,34 @@ void draw_remesh(MeshStepTool& tool, Editor& editor, double size) {
   }
   drafts.remesh.region =
       drafts.only_region ? spec_of(roi, "the region") : RegionSpec{AllVertices{}};
-  draw_command(tool, editor, drafts.remesh, "Remesh", size);
+  draw_command(tool, drafts.remesh, "Remesh", size);
 }
 
 }  // namespace
 
-std::optional<std::vector<Index>> draw_mesh_steps(MeshStepTool& tool, Editor& editor, double size) {
+std::optional<std::vector<Index>> draw_mesh_steps(MeshStepTool& tool, const Editor& editor,
+                                                  double size) {
   std::optional<std::vector<Index>> shown;
-  if (ImGui::CollapsingHeader("Holes")) shown = draw_holes(tool, editor, size);
+  if (ImGui::CollapsingHeader("Holes")) shown = draw_holes(tool, size);
   if (ImGui::CollapsingHeader("Remeshing")) draw_remesh(tool, editor, size);
   if (ImGui::CollapsingHeader("Decimation")) {
-    draw_command(tool, editor, tool.drafts.decimate, "Decimate", size);
+    draw_command(tool, tool.drafts.decimate, "Decimate", size);
   }
   if (ImGui::CollapsingHeader("Subdivision")) {
-    draw_command(tool, editor, tool.drafts.subdivide, "Subdivide", size);
+    draw_command(tool, tool.drafts.subdivide, "Subdivide", size);
   }
   return shown;
+}
+
+void draw_mesh_step_result(MeshStepTool& tool, Editor& editor) {
+  if (tool.result().mesh() != nullptr) {
+    if (ImGui::Button("Apply")) return tool.apply(editor);
+    explain("Adds the previewed change as a step.");
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("Cancel")) return tool.close(editor);
+  explain("Discards the preview.", "Shortcut: Escape");
+  draw_result_of(tool, editor);
 }
 
 }  // namespace lapwing::viewer

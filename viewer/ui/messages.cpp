@@ -27,9 +27,17 @@ Message in_words(Message message) {
   return message;
 }
 
-// Returns whether the user closes it.
-bool draw_toast(const Messages::Toast& toast) {
-  bool closes = false;
+// Returns whether a panel can open the step again.
+bool can_edit(const Step& step) {
+  return std::holds_alternative<CoatStep>(step) || std::holds_alternative<MixStep>(step) ||
+         std::holds_alternative<TransplantStep>(step);
+}
+
+// What the user does with a message.
+enum class ToastChoice { none, close, edit_step };
+
+ToastChoice draw_toast(const Messages::Toast& toast, bool has_step) {
+  ToastChoice choice = ToastChoice::none;
   if (ImGui::BeginTable("toast", 2)) {
     ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Close", ImGuiTableColumnFlags_WidthFixed);
@@ -38,11 +46,15 @@ bool draw_toast(const Messages::Toast& toast) {
     draw_colored(toast.message.tone, toast.message.text);
     if (toast.times > 1) ImGui::TextDisabled("%d times", toast.times);
     ImGui::TableNextColumn();
-    closes = ImGui::SmallButton("Close");
+    if (ImGui::SmallButton("Close")) choice = ToastChoice::close;
     explain("All messages: Help > Messages.");
+    if (has_step) {
+      if (ImGui::SmallButton("Edit step")) choice = ToastChoice::edit_step;
+      explain("Edits this step again. When you apply it, the steps after it run again.");
+    }
     ImGui::EndTable();
   }
-  return closes;
+  return choice;
 }
 
 // The upper right corner of the picture, or the lower left one.
@@ -108,8 +120,10 @@ void Messages::close(std::size_t toast) {
   if (toast < toasts_.size()) toasts_.erase(toasts_.begin() + static_cast<std::ptrdiff_t>(toast));
 }
 
-void draw_toasts(Messages& messages, const PictureArea& area) {
+std::optional<std::size_t> draw_toasts(Messages& messages, const PictureArea& area,
+                                       std::span<const std::shared_ptr<const Step>> steps) {
   std::optional<std::size_t> closed;
+  std::optional<std::size_t> edited;
   const Message* note = nullptr;
   bool is_begun = false;
   for (std::size_t k = messages.toasts().size(); k-- > 0;) {
@@ -122,7 +136,12 @@ void draw_toasts(Messages& messages, const PictureArea& area) {
     if (is_begun) ImGui::Separator();
     is_begun = true;
     ImGui::PushID(static_cast<int>(k));
-    if (draw_toast(toast)) closed = k;
+    // The step may have been undone or replaced since.
+    const auto step = std::ranges::find(steps, toast.message.step);
+    const bool has_step = step != steps.end() && can_edit(**step);
+    const ToastChoice choice = draw_toast(toast, has_step);
+    if (choice != ToastChoice::none) closed = k;
+    if (choice == ToastChoice::edit_step) edited = step - steps.begin();
     ImGui::PopID();
   }
   if (is_begun) ImGui::End();
@@ -136,6 +155,7 @@ void draw_toasts(Messages& messages, const PictureArea& area) {
     ImGui::End();
   }
   if (closed) messages.close(*closed);
+  return edited;
 }
 
 void draw_messages_panel(const Messages& messages, bool& open) {

@@ -56,7 +56,10 @@ void draw_mesh_panel(const Document& document, const std::string& unit);
 /// Draws the holes of the surface, and the commands that change its triangles. `size` is the
 /// diagonal of the bounding box of the mesh. Returns the rim of the hole that the user wants to
 /// see.
-std::optional<std::vector<Index>> draw_mesh_steps(MeshStepTool& tool, Editor& editor, double size);
+std::optional<std::vector<Index>> draw_mesh_steps(MeshStepTool& tool, const Editor& editor,
+                                                  double size);
+/// Draws Apply, Cancel and the result of the command whose preview is open.
+void draw_mesh_step_result(MeshStepTool& tool, Editor& editor);
 
 /// Describes a rectangle of the window, in ImGui's units unless stated otherwise.
 struct PictureArea {
@@ -156,8 +159,10 @@ void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings
 /// this window.
 void draw_messages_panel(const Messages& messages, bool& open);
 /// Draws warnings and errors in the upper right corner of the 3D view until the user closes them.
-/// Draws the current note in the lower left corner, where it does not capture mouse events.
-void draw_toasts(Messages& messages, const PictureArea& area);
+/// Draws the current note in the lower left corner, where it does not capture mouse events. Returns
+/// the index in `steps` of the step that the user wants to edit because of a warning.
+std::optional<std::size_t> draw_toasts(Messages& messages, const PictureArea& area,
+                                       std::span<const std::shared_ptr<const Step>> steps);
 
 /// Draws theme, mouse, unit, guide and file dialogs.
 void draw_preferences_panel(Preferences& preferences);

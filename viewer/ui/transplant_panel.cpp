@@ -66,7 +66,7 @@ void draw_strip(TransplantTool& desk, const PartPictures& pictures) {
   if (items.empty()) {
     ImGui::TextWrapped(
         "No parts in %s. Add a mesh file with a hole, or cut out a region, under \"More parts\".",
-        desk.library().folder().c_str());
+        with_tilde(desk.library().folder()).c_str());
     return;
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -106,11 +106,13 @@ std::optional<PathPurpose> draw_more_parts(TransplantTool& desk, Editor& editor,
   if (ImGui::Button("Add file...")) purpose = PathPurpose::add_part;
   ImGui::TextDisabled("Cut out the region as");
   ImGui::SetNextItemWidth(-4.0F * ImGui::GetFontSize());
-  ImGui::InputText("##name", &drafts.part_name);
+  const bool entered =
+      ImGui::InputText("##name", &drafts.part_name, ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   const AppState& state = editor.state();
   const bool can_cut = !state.selection.roi.vertices.empty() && !needs_settling(state);
-  if (ImGui::Button("Cut") && can_cut && !drafts.part_name.empty()) {
+  const bool cuts = ImGui::Button("Cut") || entered;
+  if (cuts && can_cut && !drafts.part_name.empty()) {
     library.cut(state, spec_of(state.selection.roi, "the region"), drafts.part_name);
   }
   if (!can_cut) {

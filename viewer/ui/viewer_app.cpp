@@ -87,6 +87,8 @@ void ViewerApp::take_loaded() {
       const bool is_restored = file->restored.has_value();
       can_load_again = !is_restored && load_again_ != nullptr;
       show(std::move(*file));
+      // Without the crash, the user would still have this tool.
+      if (is_restored && preferences_.tool == "Grab") document_->editor.take(Action::take_grab);
       if (!is_restored && !order_) recent_.add(loading_.file);
     }
   } catch (const Error& error) {

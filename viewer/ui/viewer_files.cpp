@@ -147,7 +147,7 @@ void ViewerApp::save_to(const fs::path& path, std::function<void()> then) {
       document_->save_path = path;
       document_->set_title(path.filename().string());
       recent_.add(path);
-      say("Saved " + path.string() + and_carried(document_->editor.state()));
+      say("Saved " + with_tilde(path) + and_carried(document_->editor.state()));
       if (then) then();
     } catch (const Error& error) {
       // The user who wanted to leave is asked again once the mesh has a path.
@@ -164,7 +164,7 @@ void ViewerApp::save_carried() {
     try {
       say(document_->editor.session().save_carried(beside));
       for (const auto& file : carried_of(document_->editor.state())) {
-        say("Saved " + file->target(beside).string());
+        say("Saved " + with_tilde(file->target(beside)));
       }
     } catch (const Error& error) {
       say(Message(error));
@@ -177,7 +177,7 @@ void ViewerApp::save_recipe(const fs::path& path) {
     try {
       const fs::path copy = document_->editor.session().save_recipe(path);
       recent_.add(path);
-      say("Saved " + path.string());
+      say("Saved " + with_tilde(path));
       if (!copy.empty()) {
         say(document_->opened.name + " now holds the result, so the recipe starts from " +
             copy.string() + ", a copy of the original.");
@@ -291,7 +291,7 @@ void ViewerApp::save_repaired(const fs::path& path) {
     return say({"The repair is not shown any more. Repair the mesh again.", Tone::error});
   try {
     say(write_mesh(*mesh, path));
-    say("Saved " + path.string());
+    say("Saved " + with_tilde(path));
     open(path, {});
   } catch (const Error& error) {
     ask_again(PathPurpose::save_repaired, path, error.what());

@@ -88,7 +88,9 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   PictureArea free = picture_area();
   free.corner.y() += banner_height_;
   free.size.y() -= banner_height_ + guide_height_;
-  draw_toasts(messages_, free);
+  std::span<const std::shared_ptr<const Step>> steps;
+  if (document_) steps = document_->editor.state().steps;
+  if (const auto step = draw_toasts(messages_, free, steps)) document_->edit_step(*step);
   if (show_machine_) {
     const Certificate* certificate =
         document_ ? document_->editor.session().certificate() : nullptr;
@@ -203,9 +205,8 @@ const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
   text.clear();
   if (const WorkStatus loading = loader_.status(); loading.busy) {
-    text.append(loading_.file.filename().string())
-        .append(": ")
-        .append(stage_in_words(loading.stage));
+    text.append("Opening ").append(loading_.file.filename().string());
+    if (!loading.stage.empty()) text.append(": ").append(stage_in_words(loading.stage));
     text.append(" (Escape cancels)");
     return text;
   }

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "files/path_text.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/render/render_image.h"
 #include "navigation/camera_motion.h"
@@ -57,7 +58,7 @@ void ViewerApp::save_chosen_picture(const std::filesystem::path& path) {
                         static_cast<std::uint32_t>(picture_plan_.height)};
   try {
     save_picture(path, size);
-    say("Saved " + path.string());
+    say("Saved " + with_tilde(path));
   } catch (const Error& error) {
     ask_again(PathPurpose::save_picture, path, error.what());
   }
@@ -94,8 +95,8 @@ void ViewerApp::record_turntable() {
     if (!recording_->is_done()) return;
     const auto done = std::exchange(recording_, nullptr);
     const TurntableRecording::Order& order = done->order();
-    say("Saved " + (is_video(order.output) ? order.output.string()
-                                           : frame_file(order.output, 1, order.count).string() +
+    say("Saved " + (is_video(order.output) ? with_tilde(order.output)
+                                           : with_tilde(frame_file(order.output, 1, order.count)) +
                                                  " and the images after it"));
   } catch (const Error& error) {
     const auto failed = std::exchange(recording_, nullptr);

@@ -195,6 +195,7 @@ void ViewerApp::draw_result() {
   if (document_->transplant.is_open()) {
     return draw_transplant_result(document_->transplant, editor);
   }
+  if (document_->mesh_steps.is_open()) return draw_mesh_step_result(document_->mesh_steps, editor);
   const ResultWish wish = draw_result_panel(editor, view_before_.has_value());
   if (wish.back) look_back();
   if (wish.show) show_vertices(*wish.show);

@@ -1,6 +1,8 @@
 #include "work/crash_recovery.h"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "lapwing/base/errors.h"
@@ -37,6 +39,48 @@ std::shared_ptr<const MovedVertices> result_again(const AppState& state, const M
   return certified_result(state, solver, std::move(solved), contacts, progress);
 }
 
+// Returns whether the steps differ at most in the moves of their handles.
+bool moves_same_handles(DeformRequest a, const DeformRequest& b) {
+  if (a.handles.size() != b.handles.size()) return false;
+  for (std::size_t h = 0; h < a.handles.size(); ++h) {
+    a.handles[h].move = b.handles[h].move;
+    a.handles[h].orientation = b.handles[h].orientation;
+    a.handles[h].path = b.handles[h].path;
+  }
+  return a == b;
+}
+
+// Moves the handles on, then carries out the later steps of the draft, and undoes all of this.
+// Returns false if the draft does not begin with the committed steps of the history.
+bool add_undone_steps(History& history, const Draft& undone, const CarryOut& carry_out) {
+  const Draft now = draft_of(history.state());
+  const std::size_t common = now.steps.size();
+  if (common > undone.steps.size() ||
+      !std::ranges::equal(now.steps, std::span(undone.steps).first(common))) {
+    return false;
+  }
+  const bool is_open = common == undone.steps.size();
+  const auto* next = is_open ? &undone.open : std::get_if<DeformRequest>(&undone.steps[common]);
+  if (next == nullptr || !moves_same_handles(now.open, *next)) return false;
+  const std::size_t done = history.done();
+  std::vector<HandleMove> moves;
+  for (const MovedHandle& handle : next->handles) {
+    moves.emplace_back(handle.move, handle.orientation, handle.path);
+  }
+  history.perform(MoveHandles{std::move(moves)});
+  if (needs_settling(history.state()) && (!is_open || undone.settled)) {
+    history.perform(Settle{carry_out.solve(history.state())});
+  }
+  if (!is_open) {
+    for (std::size_t k = common + 1; k < undone.steps.size(); ++k) {
+      perform(history, undone.steps[k], carry_out);
+    }
+    perform(history, undone.open, undone.settled ? carry_out.solve : Solve{});
+  }
+  history.go_to(done);
+  return true;
+}
+
 // Returns a history that contains the undone steps, too. Returns nullopt if these steps fail or if
 // the current draft is not on the way to them.
 std::optional<History> with_undone_steps(const AppState& start, const InterruptedEdit& edit,
@@ -47,6 +91,9 @@ std::optional<History> with_undone_steps(const AppState& start, const Interrupte
       history.undo();
       if (draft_of(history.state()) == edit.draft) return history;
     }
+    // The draft contains only the last move of each handle. The current move may be an earlier one.
+    history = from_draft(start, edit.draft, carry_out);
+    if (add_undone_steps(history, *edit.undone, carry_out)) return history;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
