@@ -46,7 +46,8 @@ class Guides : public ::testing::Test {
     viewer_->type(U'1');
     viewer_->key(kEnter);
     const Editor& editor = viewer_->app().document()->editor;
-    viewer_->wait_for([&] { return editor.state().settled && !editor.waits(); }, "it settles");
+    viewer_->wait_for([&] { return editor.state().settled && !editor.actions().waits(); },
+                      "it settles");
   }
   const ChosenRegion& roi() const {
     return viewer_->app().document()->editor.state().selection.roi;
@@ -172,9 +173,9 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   viewer_->key(kEnter);
   const Document& document = *viewer_->app().document();
   viewer_->wait_for([&] { return !document.transplant.is_open(); }, "the part is applied");
-  ASSERT_NE(document.editor.row(), nullptr);
-  EXPECT_EQ(document.editor.row()->action, Action::take_disk);
-  EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+  ASSERT_NE(document.editor.tool().row(), nullptr);
+  EXPECT_EQ(document.editor.tool().row()->action, Action::take_disk);
+  EXPECT_EQ(document.editor.tool().part().role, Part::Role::roi);
 }
 
 TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
@@ -193,11 +194,11 @@ TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
       drag_source();
     }
     viewer_->key('M');
-    ASSERT_EQ(document.editor.row()->action, Action::take_move);
+    ASSERT_EQ(document.editor.tool().row()->action, Action::take_move);
     viewer_->key(kEnter, kControl);
     viewer_->wait_for([&] { return !document.desk.is_open(); }, "the step is applied");
-    EXPECT_EQ(document.editor.row()->action, Action::take_disk);
-    EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+    EXPECT_EQ(document.editor.tool().row()->action, Action::take_disk);
+    EXPECT_EQ(document.editor.tool().part().role, Part::Role::roi);
   }
   EXPECT_EQ(document.editor.state().steps.size(), 2U);
 }
@@ -210,7 +211,7 @@ TEST_F(Guides, SayThatNothingHoldsTheSurface) {
   drag_disk(20.0);
   expect_says("Nothing holds the surface");
   viewer_->click("Select fixed border");
-  EXPECT_EQ(viewer_->app().document()->editor.part().role, Part::Role::belt);
+  EXPECT_EQ(viewer_->app().document()->editor.tool().part().role, Part::Role::belt);
   viewer_->key('A', kControl);
   viewer_->look_at();
   EXPECT_FALSE(viewer_->says("Nothing holds the surface"));

@@ -145,25 +145,25 @@ void ViewerApp::say_of_colors() {
 
 void ViewerApp::take_preferred_tools() {
   Editor& editor = document_->editor;
-  editor.set_gizmo_keys(gizmo_keys());
-  editor.set_feature_angle(display_.feature_angle);
-  editor.set_settles_while_dragging(preferences_.settles_while_dragging);
-  editor.grab_tool().set_radius_pt(preferences_.grab_radius_pt);
-  editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
+  editor.input().set_gizmo_keys(gizmo_keys());
+  editor.view().set_feature_angle(display_.feature_angle);
+  editor.drag().set_wants_to_settle(preferences_.settles_while_dragging);
+  editor.tool().tools().grab.set_radius_pt(preferences_.grab_radius_pt);
+  editor.tool().tools().paint.options().radius_pt = preferences_.brush_radius_pt;
   // An edit that has begun goes on with its gizmo.
-  if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
+  if (editor.tool().row() == nullptr || editor.tool().row()->action == Action::take_move) return;
   for (const ToolRow& row : tool_rows()) {
-    if (row.name == preferences_.tool && chooses(row)) editor.take(row);
+    if (row.name == preferences_.tool && chooses(row)) editor.tool().take(row);
   }
 }
 
 void ViewerApp::go_on_with(LoadedFile replay) {
   if (!document_) return;
   Editor& editor = document_->editor;
-  if (editor.session().history().done() != *replay.replayed_from || editor.is_dragging()) {
+  if (editor.session().history().done() != *replay.replayed_from || editor.tool().is_dragging()) {
     return say({"The mesh was edited while the recipe ran. Replay it again.", Tone::error});
   }
-  editor.continue_with(std::move(replay.history));
+  editor.actions().continue_with(std::move(replay.history));
 }
 
 void ViewerApp::leave_for(std::function<void()> action) {
@@ -211,7 +211,7 @@ SurfaceStyle ViewerApp::shown_style() const {
 // The grid is placed under the mesh as it was opened, so that an edit does not move it.
 std::optional<GroundGrid> ViewerApp::shown_grid() const {
   if (!display_.grid) return {};
-  return ground_grid(document_->editor.shown().opened_bounds(), up_axis_);
+  return ground_grid(document_->editor.view().shown().opened_bounds(), up_axis_);
 }
 
 Scene ViewerApp::scene() {
@@ -219,16 +219,16 @@ Scene ViewerApp::scene() {
   scene.background = display_.background;
   if (!document_) return scene;
   Editor& editor = document_->editor;
-  scene.surface = &editor.surface().shown();
-  scene.paint = &editor.surface().paint();
-  scene.carried = editor.carried().drawn();
+  scene.surface = &editor.view().device().shown();
+  scene.paint = &editor.view().device().paint();
+  scene.carried = editor.view().carried().drawn();
   scene.camera = view_frame().camera;
   scene.grid = shown_grid();
   scene.style = shown_style();
   scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
-  scene.moving = motion_.has_value() || on_slider_ || editor.is_dragging();
+  scene.moving = motion_.has_value() || on_slider_ || editor.tool().is_dragging();
   if (const auto line = slider_line()) {
-    const EditSurface& opened = editor.shown().opened_on_device();
+    const EditSurface& opened = editor.view().shown().opened_on_device();
     LeftScene& left = scene.left.emplace();
     left.surface = &opened.shown();
     left.paint = &opened.paint();
@@ -237,7 +237,7 @@ Scene ViewerApp::scene() {
     if (left.style.color == SurfaceColor::scalar) left.style.color = SurfaceColor::regions;
     left.width = *line;
   }
-  const bool closed = document_->closed_outward && editor.shown().is_comparable();
+  const bool closed = document_->closed_outward && editor.view().shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {
     scene.style.sides = Sides::front;
   }

@@ -260,7 +260,7 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
       document_->desk.use_source(document_->desk.current(), path);
       break;
     case PathPurpose::carry_file:
-      document_->editor.carry_along({path});
+      document_->editor.actions().carry_along({path});
       break;
     case PathPurpose::parts_folder:
       document_->transplant.library().open(path);

@@ -39,7 +39,7 @@ void append_state(std::string& text, const Editor& editor) {
       break;
     case At::settling:
       // During a drag the surface settles in every frame, so the text would flicker.
-      if (!editor.is_dragging()) append_part(text, "Refining %.0f%%", percent);
+      if (!editor.tool().is_dragging()) append_part(text, "Refining %.0f%%", percent);
       break;
     case At::failed:
       append_part(text, "%s", "The edit cannot be prepared");
@@ -53,14 +53,14 @@ void append_state(std::string& text, const Editor& editor) {
     append_part(text, "Applying: %s %.0f%%", stage_in_words(step.stage).data(),
                 100.0 * step.fraction);
   }
-  if (editor.shows_live_result()) {
+  if (editor.drag().shows_live_result()) {
     append_part(text, "%s", "Refined while dragging");
-  } else if (editor.surface().source() == SurfaceSource::preview) {
+  } else if (editor.view().device().source() == SurfaceSource::preview) {
     append_part(text, "%s", "Rough preview");
-  } else if (editor.surface().source() == SurfaceSource::exact) {
+  } else if (editor.view().device().source() == SurfaceSource::exact) {
     append_part(text, "%s", "Linear response");
   }
-  if (editor.shown().shows_before()) append_part(text, "%s", "Original");
+  if (editor.view().shown().shows_before()) append_part(text, "%s", "Original");
 }
 
 }  // namespace
@@ -155,11 +155,11 @@ void ViewerApp::draw_over_picture() {
 void ViewerApp::keep_preferences() {
   if (document_) {
     Editor& editor = document_->editor;
-    preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
-    preferences_.grab_radius_pt = editor.grab_tool().radius_pt();
-    preferences_.brush_radius_pt = editor.paint_tool().options().radius_pt;
-    if (editor.row() != nullptr && chooses(*editor.row())) {
-      preferences_.tool = editor.row()->name;
+    preferences_.settles_while_dragging = editor.drag().wants_to_settle();
+    preferences_.grab_radius_pt = editor.tool().tools().grab.radius_pt();
+    preferences_.brush_radius_pt = editor.tool().tools().paint.options().radius_pt;
+    if (editor.tool().row() != nullptr && chooses(*editor.tool().row())) {
+      preferences_.tool = editor.tool().row()->name;
     }
   }
   if (kept_.preferences.empty() || preferences_ == kept_preferences_ || ImGui::IsAnyMouseDown()) {
@@ -211,14 +211,14 @@ const std::string& ViewerApp::status_text() {
   }
   if (!document_) return text = "? shows the controls";
   const Editor& editor = document_->editor;
-  append(text, "%zu vertices", editor.positions().size());
+  append(text, "%zu vertices", editor.view().positions().size());
   if (const std::size_t chosen = editor.state().selection.roi.vertices.size(); chosen > 0) {
     append(text, "  |  Region %zu", chosen);
   }
   if (const std::size_t handles = editor.state().selection.handles.size(); handles > 0) {
     append(text, handles == 1 ? "  |  1 handle" : "  |  %zu handles", handles);
   }
-  if (!preferences_.shows_guide) text.append("  |  ").append(editor.hint());
+  if (!preferences_.shows_guide) text.append("  |  ").append(editor.input().hint());
   return text;
 }
 

@@ -19,7 +19,6 @@ using Eigen::Vector3d;
 
 // A press and release within so many points is a click, not a drag.
 constexpr double kClickPt = 3.0;
-constexpr double kZoomPerNotch = 1.15;
 // Points of a zooming drag that make things e times as large.
 constexpr double kZoomPt = 150.0;
 // Distance from the slider's line within which a press grabs it.
@@ -103,20 +102,21 @@ const Keymap& ViewerApp::keymap() const {
 
 void ViewerApp::use_mouse_of(const std::string& keymap) {
   preferences_.mouse = keymap;
-  if (document_) document_->editor.set_gizmo_keys(gizmo_keys());
+  if (document_) document_->editor.input().set_gizmo_keys(gizmo_keys());
 }
 
 void ViewerApp::frame_all() {
   if (!document_) return;
   const Editor& editor = document_->editor;
-  Positions points = surface_positions(editor.positions(), surface_of(editor.state())->topology());
-  document_->editor.carried().append_positions(points);
+  Positions points =
+      surface_positions(editor.view().positions(), surface_of(editor.state())->topology());
+  document_->editor.view().carried().append_positions(points);
   frame_points(points);
 }
 
 void ViewerApp::frame(std::span<const Index> vertices) {
   if (!document_ || vertices.empty()) return;
-  const Positions& positions = document_->editor.positions();
+  const Positions& positions = document_->editor.view().positions();
   Positions points;
   for (const Index v : vertices) points.push_back(positions[v]);
   // A single vertex is shown with what is around it.
@@ -154,7 +154,7 @@ void ViewerApp::orbit_by(double right, double down, const Vector3d& center) {
 
 Vector3d ViewerApp::focus(const Vector2d& pixel) {
   if (!document_) return camera_.target;
-  const auto point = document_->editor.shown().pick(view_frame(), pixel);
+  const auto point = document_->editor.view().shown().pick(view_frame(), pixel);
   if (!point) return camera_.target;
   camera_ = focused(camera_, point->position);
   return point->position;
@@ -199,7 +199,7 @@ bool ViewerApp::is_covered() const {
 std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
   const auto area = source_area();
   const bool of_pointer = event.kind != InputKind::key && event.kind != InputKind::text;
-  if (!area || !of_pointer || motion_ || document_->editor.is_dragging()) return {};
+  if (!area || !of_pointer || motion_ || document_->editor.tool().is_dragging()) return {};
   SourceView& view = *document_->desk.view();
   if (!view.holds_mouse() && !area->holds(event.position)) return {};
   InputEvent inside = event;
@@ -223,7 +223,7 @@ bool ViewerApp::handle_axis_gizmo(const InputEvent& event) {
   const bool presses = event.kind == InputKind::press;
   const bool is_left = event.button == MouseButton::left;
   if (presses) {
-    on_axis_gizmo_ = center && is_left && !motion_ && !document_->editor.is_dragging() &&
+    on_axis_gizmo_ = center && is_left && !motion_ && !document_->editor.tool().is_dragging() &&
                      (event.position - *center).norm() <= kAxisGizmoPt * pixels_per_point_;
   }
   if (!on_axis_gizmo_ || !center || !is_left) return false;
@@ -253,9 +253,9 @@ void ViewerApp::toggle_slider() {
   if (!document_) return;
   on_slider_ = false;
   if (std::exchange(slider_, slider_ ? std::nullopt : std::optional(0.5))) {
-    document_->editor.shown().release_opened();
+    document_->editor.view().shown().release_opened();
   } else {
-    document_->editor.show_before(false);
+    document_->editor.view().show_before(false);
   }
 }
 
@@ -263,7 +263,7 @@ bool ViewerApp::handle_slider(const InputEvent& event) {
   const auto line = slider_line();
   const bool is_left = event.button == MouseButton::left;
   if (event.kind == InputKind::press) {
-    on_slider_ = line && is_left && !motion_ && !document_->editor.is_dragging() &&
+    on_slider_ = line && is_left && !motion_ && !document_->editor.tool().is_dragging() &&
                  std::abs(event.position.x() - *line) <= kSliderPt * pixels_per_point_;
   }
   if (!on_slider_ || !line || !is_of_pointer(event)) return false;
@@ -295,9 +295,9 @@ bool ViewerApp::handle(const InputEvent& event) {
   }
   if (const auto changed = handle_source(event)) return *changed;
   if (handle_axis_gizmo(event) || handle_slider(event)) return true;
-  Editor::Handled handled;
+  Handled handled;
   if (document_ && !motion_) {
-    handled = document_->editor.handle(event, view_frame());
+    handled = document_->editor.input().handle(event, view_frame());
     cursor_ = event.position;
     if (handled.taken) return true;
   }
@@ -314,7 +314,7 @@ bool ViewerApp::handle(const InputEvent& event) {
       drag_to(event);
       motion_.reset();
       if (document_ && event.button == MouseButton::left && is_click(pressed_at_, event.position)) {
-        document_->editor.click(event.position, view_frame());
+        document_->editor.input().click(event.position, view_frame());
       }
       break;
     case InputKind::scroll:
@@ -378,7 +378,7 @@ void ViewerApp::perform(Action action) {
       return frame_all();
     case Action::frame_selection:
       if (!document_) return;
-      if (const auto vertices = document_->editor.selected(); !vertices.empty()) {
+      if (const auto vertices = document_->editor.tool().selected(); !vertices.empty()) {
         return frame(vertices);
       }
       return frame_all();

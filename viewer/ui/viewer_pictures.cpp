@@ -38,8 +38,8 @@ void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size)
   camera.target_across = 0.0;
   RenderOptions options = picture_options(size);
   options.grid = shown_grid();
-  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera, options,
-                               editor.carried().drawn()));
+  write_png(path, render_image(editor.view().device().shown(), editor.view().device().paint(),
+                               camera, options, editor.view().carried().drawn()));
 }
 
 void ViewerApp::carry_out_order() {
@@ -74,8 +74,8 @@ void ViewerApp::save_turntable(const std::filesystem::path& path) {
   if (options.style.color == SurfaceColor::scalar) {
     framing.legend = legend_share(options.width, options.height);
   }
-  Positions points = editor.positions();
-  editor.carried().append_positions(points);
+  Positions points = editor.view().positions();
+  editor.view().carried().append_positions(points);
   try {
     const Turntable way(points, axes_of(camera_), up_axis_, options.aspect(), framing);
     recording_ = std::make_unique<TurntableRecording>(
@@ -90,7 +90,8 @@ void ViewerApp::record_turntable() {
   if (!recording_) return;
   const Editor& editor = document_->editor;
   try {
-    recording_->go_on(editor.surface().shown(), editor.surface().paint(), editor.carried().drawn());
+    recording_->go_on(editor.view().device().shown(), editor.view().device().paint(),
+                      editor.view().carried().drawn());
     if (!recording_->is_done()) return;
     const auto done = std::exchange(recording_, nullptr);
     const TurntableRecording::Order& order = done->order();

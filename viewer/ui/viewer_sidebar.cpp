@@ -203,13 +203,13 @@ void ViewerApp::draw_result() {
 void ViewerApp::show_vertices(const std::vector<Index>& vertices) {
   if (!view_before_) view_before_ = camera_;
   frame(vertices);
-  document_->editor.point_at(vertices);
+  document_->editor.view().point_at(vertices);
 }
 
 void ViewerApp::look_back() {
   camera_ = *std::exchange(view_before_, std::nullopt);
   camera_.target_across = covered_share();
-  if (document_) document_->editor.point_at({});
+  if (document_) document_->editor.view().point_at({});
 }
 
 void ViewerApp::draw_sidebar() {
