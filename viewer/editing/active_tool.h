@@ -8,7 +8,8 @@
 namespace lapwing::viewer {
 
 /// Holds the tools of an edit: which one is active, the part of the selection that it chooses, and
-/// the handle that the gizmo moves. While a stroke or drag is in progress, none of these change.
+/// the handle that the gizmo moves. `take`, `lend` and `choose` do nothing while a stroke or drag
+/// is in progress.
 class ActiveTool {
  public:
   explicit ActiveTool(const EditSession& session) : session_(session) {}

@@ -43,7 +43,7 @@ class SurfaceView {
   /// Returns the bounds of everything that is drawn, except a surface that a drag has moved.
   Bounds bounds() const { return carried_.united_with(shown_.bounds()); }
 
-  /// Shows the opened mesh, or the edit again. Does nothing during a drag, as the next function.
+  /// Shows the opened mesh, or the edit again. This and the next function do nothing during a drag.
   void show_before(bool before);
   void set_feature_angle(double degrees);
   /// Call this when the active tool has selected other vertices during a stroke.

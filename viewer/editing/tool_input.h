@@ -7,7 +7,7 @@
 namespace lapwing::viewer {
 
 /// Sends the events of the view to the gizmo and the active tool, and carries out their answers. An
-/// event waits while actions are postponed that come before it.
+/// event waits for postponed actions that came before it.
 class ToolInput {
  public:
   ToolInput(const EditSession& session, ActiveTool& active, SurfaceView& view, LiveDrag& drag,
