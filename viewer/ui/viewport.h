@@ -13,14 +13,15 @@ namespace lapwing::viewer {
 /// Largest share of the window's width that the sidebar covers.
 inline constexpr double kMostOfSidebar = 0.5;
 
-/// How far the panels cover the window, in ImGui's units. Those who draw the panels set these.
+/// How far the panels cover the window, in ImGui's units. The code that draws a panel sets its
+/// size.
 struct PanelSizes {
   bool are_shown = true;
   double sidebar = 0.0;      ///< width
   double covered_top = 0.0;  ///< height of menu and tools, while the panels are shown
-  double toolbar = 0.0;      ///< height, as of the following
-  double guide = 0.0;
-  double banner = 0.0;
+  double toolbar = 0.0;      ///< height
+  double guide = 0.0;        ///< height
+  double banner = 0.0;       ///< height
 };
 
 /// The 3D view of the open document: its camera, the scene under the panels, and the line that
