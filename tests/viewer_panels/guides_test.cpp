@@ -210,6 +210,15 @@ TEST_F(Guides, SayThatNothingHoldsTheSurface) {
   viewer_->key('A', kControl);
   drag_disk(20.0);
   expect_says("Nothing holds the surface");
+  // The progress bar would move the button.
+  viewer_->wait_for(
+      [&] {
+        using Phase = PreparationStatus::Phase;
+        const EditSession& session = viewer_->app().document()->editor.session();
+        const Phase phase = session.preparation().status().phase;
+        return phase == Phase::ready || phase == Phase::failed;
+      },
+      "it is prepared");
   viewer_->click("Select fixed border");
   EXPECT_EQ(viewer_->app().document()->editor.tool().part().role, Part::Role::belt);
   viewer_->key('A', kControl);
