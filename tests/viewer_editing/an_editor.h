@@ -55,7 +55,7 @@ class AnEditor : public ::testing::Test {
   void TearDown() override { let_worker_go(); }
   virtual AppState start() { return chosen_tube(); }
 
-  void send(const InputEvent& event) { editor_->handle(event, view_); }
+  void send(const InputEvent& event) { editor_->input().handle(event, view_); }
   void drag_mouse(const Vector2d& from, const Vector2d& to) {
     for (const InputEvent& event : {press(from), move_to(to), release(to)}) send(event);
   }
@@ -65,7 +65,7 @@ class AnEditor : public ::testing::Test {
     send(move_to(middle));
     send(key('G'));
     send(move_to(middle + by));
-    EXPECT_TRUE(editor_->is_dragging());
+    EXPECT_TRUE(editor_->tool().is_dragging());
   }
   // What was ready when it looked is on the screen afterwards.
   void wait_until_ready() {
@@ -85,14 +85,14 @@ class AnEditor : public ::testing::Test {
   void wait_for_columns() {
     update_until([&] {
       return editor_->session().preparation().drag_response().response->handles() ==
-             std::vector<std::size_t>{editor_->handle()};
+             std::vector<std::size_t>{editor_->tool().handle()};
     });
   }
   Vector2d shown_pixel(Index v) const { return *view_.projection().to_pixel(rest()[v]); }
 
   // Until a settled result of the drag is on the screen.
   void wait_for_live_result() {
-    update_until([&] { return editor_->shows_live_result(); });
+    update_until([&] { return editor_->drag().shows_live_result(); });
   }
 
   // The worker prepares anew and is held where the preview is ready, and nothing more.
@@ -113,7 +113,7 @@ class AnEditor : public ::testing::Test {
   }
   // The handle is turned, and the surface has settled.
   void turn_and_settle(double degrees) {
-    editor_->perform(MoveHandle{0, twisted(degrees)});
+    editor_->actions().perform(MoveHandle{0, twisted(degrees)});
     wait_until_ready();
     ASSERT_NE(editor_->state().settled, nullptr);
   }
@@ -121,16 +121,16 @@ class AnEditor : public ::testing::Test {
   void wait_until_drag_is_settled() {
     wait_for_live_result();
     for (int same = 0; same < 20;) {
-      const std::uint64_t version = editor_->surface().version();
+      const std::uint64_t version = editor_->view().device().version();
       editor_->update();
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       const bool rests = editor_->session().preparation().status().phase == Phase::ready;
-      same = rests && editor_->surface().version() == version ? same + 1 : 0;
+      same = rests && editor_->view().device().version() == version ? same + 1 : 0;
     }
   }
   double diagonal() const { return bounds_of(rest()).diagonal(); }
 
-  Positions on_screen() const { return editor_->surface().shown().positions(); }
+  Positions on_screen() const { return editor_->view().device().shown().positions(); }
   const Positions& rest() const { return editor_->state().rest->positions; }
   // How far to the right the head is on the screen.
   double head_moved() const {

@@ -46,7 +46,7 @@ class AnEditorThatCarries : public AnEditor {
     });
     return hats;
   }
-  Positions hat() const { return editor_->carried().drawn()[0].surface->positions(); }
+  Positions hat() const { return editor_->view().carried().drawn()[0].surface->positions(); }
   Positions at_rest() const { return read_mesh(folder_ / "hat.obj").positions; }
   Positions settled() const { return carried_of(editor_->state())[0]->positions(); }
   double moved() const { return largest_distance(hat(), at_rest()); }
@@ -54,7 +54,7 @@ class AnEditorThatCarries : public AnEditor {
 
 TEST_F(AnEditorThatCarries, LetsItFollowTheHandAndLeavesItWhereTheResultHasIt) {
   EXPECT_LT(moved(), kVisible);
-  ASSERT_NE(editor_->carried().drawn()[1].points, nullptr);
+  ASSERT_NE(editor_->view().carried().drawn()[1].points, nullptr);
   begin_drag(kRight);
   update_until([&] { return moved() > 0.2; });
   const Positions last = at_rest_in_the_hand();
@@ -64,15 +64,15 @@ TEST_F(AnEditorThatCarries, LetsItFollowTheHandAndLeavesItWhereTheResultHasIt) {
   EXPECT_LT(largest_distance(hat(), last), kLeftOpen);
   EXPECT_LT(largest_distance(hat(), settled()), kVisible);
 
-  editor_->show_before(true);
+  editor_->view().show_before(true);
   EXPECT_LT(moved(), kVisible);
-  editor_->show_before(false);
+  editor_->view().show_before(false);
   EXPECT_LT(largest_distance(hat(), settled()), kVisible);
-  editor_->undo();
-  editor_->undo();
+  editor_->actions().undo();
+  editor_->actions().undo();
   EXPECT_LT(moved(), kVisible);
-  editor_->redo();
-  editor_->redo();
+  editor_->actions().redo();
+  editor_->actions().redo();
   EXPECT_LT(largest_distance(hat(), settled()), kVisible);
 }
 
@@ -88,17 +88,17 @@ TEST_F(AnEditorThatCarries, PutsItBackWhereADragIsGivenUp) {
 }
 
 TEST_F(AnEditorThatCarries, DrawsWhatIsOnTheListAlone) {
-  editor_->perform(StopCarrying{folder_ / "hat.obj"});
-  ASSERT_EQ(editor_->carried().drawn().size(), 1U);
-  EXPECT_NE(editor_->carried().drawn()[0].points, nullptr);
+  editor_->actions().perform(StopCarrying{folder_ / "hat.obj"});
+  ASSERT_EQ(editor_->view().carried().drawn().size(), 1U);
+  EXPECT_NE(editor_->view().carried().drawn()[0].points, nullptr);
   const Bounds without = editor_->bounds();
-  editor_->undo();
-  EXPECT_EQ(editor_->carried().drawn().size(), 2U);
+  editor_->actions().undo();
+  EXPECT_EQ(editor_->view().carried().drawn().size(), 2U);
   EXPECT_GT(editor_->bounds().max.z(), without.max.z() + 0.2);
 }
 
 TEST_F(AnEditorThatCarries, MakesItAnewOnAnotherDevice) {
-  editor_->perform(MoveHandle{0, bent()});
+  editor_->actions().perform(MoveHandle{0, bent()});
   update_until([&] { return editor_->state().settled != nullptr; });
   editor_->release_device();
   context_ = std::make_shared<gpu::Context>();

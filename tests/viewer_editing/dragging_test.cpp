@@ -16,7 +16,7 @@ TEST_F(AnEditor, DragThatIsGivenUpLeavesNothing) {
     EXPECT_GT(head_moved(), 0.2);
     send(end);
     editor_->update();
-    EXPECT_FALSE(editor_->is_dragging());
+    EXPECT_FALSE(editor_->tool().is_dragging());
     EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
     EXPECT_FALSE(is_moved(editor_->state()));
     EXPECT_EQ(editor_->session().history().done(), 0U);
@@ -74,24 +74,24 @@ TEST_F(AnEditor, ADragIsUndoneAndRedoneWithItsResultAsOneStep) {
   wait_until_ready();
   const Positions settled = on_screen();
   ASSERT_FALSE(needs_settling(editor_->state()));
-  editor_->undo();
+  editor_->actions().undo();
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-  editor_->redo();
+  editor_->actions().redo();
   editor_->update();
   EXPECT_EQ(on_screen(), settled);
   EXPECT_EQ(editor_->session().history().done(), 1U);
 }
 
 TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs) {
-  editor_->perform(Choose{kSecondHandle, box(1.4, 1.7)});
+  editor_->actions().perform(Choose{kSecondHandle, box(1.4, 1.7)});
   wait_until_ready();
-  editor_->choose({Part::Role::handle, 0});
-  editor_->perform(MoveHandle{0, bent()});
+  editor_->tool().choose({Part::Role::handle, 0});
+  editor_->actions().perform(MoveHandle{0, bent()});
   wait_until_ready();
   const Positions before = on_screen();
-  editor_->choose({Part::Role::handle, 1});
-  editor_->take(Action::take_move);
+  editor_->tool().choose({Part::Role::handle, 1});
+  editor_->tool().take(Action::take_move);
   wait_for_columns();
   begin_drag(kRight);
   editor_->update();
@@ -106,15 +106,15 @@ TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs)
 
 TEST_F(AnEditor, AKeyDragsFromTheCursorAlsoIfItMovedWithAnotherTool) {
   const Vector2d middle = 0.5 * kWindow;
-  editor_->take(Action::take_disk);
+  editor_->tool().take(Action::take_disk);
   send(move_to(middle));
-  editor_->take(Action::take_move);
+  editor_->tool().take(Action::take_move);
   send(key('G'));
   send(move_to(middle + Vector2d(1.0, 0.0)));
-  ASSERT_TRUE(editor_->is_dragging());
-  const double way =
-      view_.projection().length_of_pixel(handle_centroid(editor_->state(), editor_->handle()));
-  const auto move = std::get<SimilarityMove>(editor_->gizmo_tool().move().value());
+  ASSERT_TRUE(editor_->tool().is_dragging());
+  const double way = view_.projection().length_of_pixel(
+      handle_centroid(editor_->state(), editor_->tool().handle()));
+  const auto move = std::get<SimilarityMove>(editor_->tool().tools().gizmo.move().value());
   EXPECT_NEAR(move.translate.norm(), way, 0.1 * way);
 }
 
@@ -145,7 +145,7 @@ TEST_F(AnEditor, ASettledHandleTakenHoldOfAgainMovesNothing) {
   turn_and_settle(80.0);
   const Positions before = on_screen();
   for (const bool live : {true, false}) {
-    editor_->set_settles_while_dragging(live);
+    editor_->drag().set_wants_to_settle(live);
     for (const char mode : {'G', 'R', 'S'}) {
       send(move_to(0.5 * kWindow));
       send(key(mode));
@@ -166,7 +166,7 @@ TEST_F(AnEditor, NorDoesItInThePreview) {
   prepare_the_preview_alone();
   begin_drag({0.0, 0.0});
   editor_->update();
-  EXPECT_EQ(editor_->surface().source(), SurfaceSource::preview);
+  EXPECT_EQ(editor_->view().device().source(), SurfaceSource::preview);
   EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal());
   send(move_to(0.5 * kWindow + 0.1 * kRight));
   editor_->update();
@@ -183,7 +183,7 @@ TEST_F(AnEditor, WhatADragShowsIsWhatItComesTo) {
     send(move_to(0.5 * kWindow + share * kRight));
   }
   wait_until_drag_is_settled();
-  EXPECT_TRUE(editor_->shows_live_result());
+  EXPECT_TRUE(editor_->drag().shows_live_result());
   const Positions seen = on_screen();
   hold_worker();
   send(key(kEnter));
@@ -191,7 +191,7 @@ TEST_F(AnEditor, WhatADragShowsIsWhatItComesTo) {
   EXPECT_LT(largest_distance(on_screen(), seen), kNothing * diagonal()) << "until it comes";
   let_worker_go();
   wait_until_ready();
-  EXPECT_EQ(editor_->surface().source(), SurfaceSource::still);
+  EXPECT_EQ(editor_->view().device().source(), SurfaceSource::still);
   EXPECT_LT(largest_distance(on_screen(), seen), kSettled * diagonal());
   EXPECT_EQ(editor_->session().history().done(), 2U) << "two moves, each with its result";
 }
@@ -200,7 +200,7 @@ TEST_F(AnEditor, ATypedMoveGoesOnFromTheSurfaceAsItStands) {
   turn_and_settle(80.0);
   const Positions before = on_screen();
   prepare_the_preview_alone();
-  editor_->perform(MoveHandle{0, twisted(81.0)});
+  editor_->actions().perform(MoveHandle{0, twisted(81.0)});
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), before), 0.05);
 }
@@ -242,12 +242,12 @@ TEST_F(AnEditor, TheBoundsHoldWhatADragShows) {
 }
 
 TEST_F(AnEditor, WithoutSettlingADragIsTheLinearResponse) {
-  editor_->perform(SetParameters{{{.settle = std::nullopt}}});
+  editor_->actions().perform(SetParameters{{{.settle = std::nullopt}}});
   wait_until_ready();
-  EXPECT_FALSE(editor_->settles_while_dragging());
+  EXPECT_FALSE(editor_->drag().settles());
   begin_drag(kRight);
   editor_->update();
-  EXPECT_EQ(editor_->surface().source(), SurfaceSource::exact);
+  EXPECT_EQ(editor_->view().device().source(), SurfaceSource::exact);
   const Positions seen = on_screen();
   send(key(kEnter));
   wait_until_ready();
@@ -260,9 +260,9 @@ TEST_F(AnEditor, PickingInADragAsksNothingOfTheDevice) {
   const Vector2d somewhere = *view_.projection().to_pixel({0.0, 0.0, 1.5});
   const Vector2d middle = somewhere.array().floor() + 0.5;
   const std::uint64_t completed = context_->completed();
-  const auto seen = editor_->shown().pick(view_, middle);
+  const auto seen = editor_->view().shown().pick(view_, middle);
   EXPECT_EQ(context_->completed(), completed);
-  const auto expected = pick_surface(editor_->shown().topology(), on_screen(),
+  const auto expected = pick_surface(editor_->view().shown().topology(), on_screen(),
                                      view_.projection().ray_through(middle));
   ASSERT_TRUE(seen && expected);
   EXPECT_EQ(seen->triangle, expected->triangle);
@@ -285,16 +285,16 @@ class Before : public AnEditor {
 };
 
 TEST_F(Before, ShowsTheMeshThatWasOpened) {
-  editor_->show_before(true);
+  editor_->view().show_before(true);
   editor_->update();
   EXPECT_EQ(on_screen().size(), opened_->vertex_count());
-  editor_->show_before(false);
+  editor_->view().show_before(false);
   editor_->update();
   EXPECT_EQ(on_screen().size(), rest().size());
 }
 
 TEST_F(Before, ADragThatBeginsThereShowsTheSurfaceThatItMoves) {
-  editor_->show_before(true);
+  editor_->view().show_before(true);
   editor_->update();
   begin_drag(kRight);
   editor_->update();

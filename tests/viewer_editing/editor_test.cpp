@@ -9,7 +9,7 @@ namespace lapwing::viewer::test {
 namespace {
 
 TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
-  ASSERT_TRUE(editor_->take(Action::take_pin));
+  ASSERT_TRUE(editor_->tool().take(Action::take_pin));
   // In the middle of the tube, where it is nearest to the eye.
   Index nearest = 0;
   for (Index v = 0; v < rest().size(); ++v) {
@@ -19,8 +19,8 @@ TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
   send(press(front));
   ASSERT_EQ(editor_->state().selection.handles.size(), 2U);
   const Index pinned = editor_->state().selection.handles[1].vertices.front();
-  EXPECT_EQ(editor_->handle(), 1U);
-  EXPECT_TRUE(editor_->is_dragging());
+  EXPECT_EQ(editor_->tool().handle(), 1U);
+  EXPECT_TRUE(editor_->tool().is_dragging());
   wait_until_ready();
   send(move_to(front + 0.3 * kRight));
   wait_for_live_result();
@@ -31,11 +31,11 @@ TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
   ASSERT_NE(editor_->state().settled, nullptr);
   EXPECT_NEAR(on_screen()[pinned].x() - rest()[pinned].x(), dragged, kSettled * diagonal());
   EXPECT_EQ(editor_->session().history().done(), 1U) << "one gesture, one step";
-  editor_->undo();
+  editor_->actions().undo();
   EXPECT_EQ(editor_->state().selection.handles.size(), 1U);
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-  editor_->redo();
-  EXPECT_EQ(editor_->tool().hint(editor_->state(), editor_->part()),
+  editor_->actions().redo();
+  EXPECT_EQ(editor_->tool().scene_tool().hint(editor_->state(), editor_->tool().part()),
             std::string("Drag a pin, or press on another vertex to pin it."));
 }
 
@@ -51,13 +51,13 @@ Index front_of(const Positions& positions, double z) {
 
 TEST_F(AnEditor, GrabsAreOneStepOfTheHistoryEachAndOneOfTheRecipe) {
   expects_notes_ = true;
-  ASSERT_TRUE(editor_->take(Action::take_grab));
+  ASSERT_TRUE(editor_->tool().take(Action::take_grab));
   const auto done = [&] { return editor_->session().history().done(); };
   const auto grab_at = [&](double z) {
-    const Index grabbed = front_of(editor_->positions(), z);
-    const Vector2d from = *view_.projection().to_pixel(editor_->positions()[grabbed]);
+    const Index grabbed = front_of(editor_->view().positions(), z);
+    const Vector2d from = *view_.projection().to_pixel(editor_->view().positions()[grabbed]);
     send(press(from));
-    EXPECT_TRUE(editor_->is_dragging());
+    EXPECT_TRUE(editor_->tool().is_dragging());
     wait_until_ready();
     const double before = on_screen()[grabbed].x();
     send(move_to(from + 0.3 * kRight));
@@ -76,13 +76,13 @@ TEST_F(AnEditor, GrabsAreOneStepOfTheHistoryEachAndOneOfTheRecipe) {
   grab_at(1.0);
   EXPECT_EQ(done(), 2U);
   EXPECT_EQ(editor_->state().steps.size(), 1U);
-  editor_->undo();
+  editor_->actions().undo();
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), first), kVisible);
 }
 
 TEST_F(AnEditor, AGrabThatMovesNothingIsNoStep) {
-  ASSERT_TRUE(editor_->take(Action::take_grab));
+  ASSERT_TRUE(editor_->tool().take(Action::take_grab));
   expects_notes_ = true;
   const EditSelection before = editor_->state().selection;
   const Vector2d front = shown_pixel(front_of(rest(), 1.0));
@@ -94,7 +94,7 @@ TEST_F(AnEditor, AGrabThatMovesNothingIsNoStep) {
   send(press(front));
   send(move_to(front + kRight));
   send(key(kEscape));
-  EXPECT_FALSE(editor_->is_dragging());
+  EXPECT_FALSE(editor_->tool().is_dragging());
   EXPECT_EQ(editor_->state().selection, before);
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
@@ -102,14 +102,14 @@ TEST_F(AnEditor, AGrabThatMovesNothingIsNoStep) {
 
 TEST_F(AnEditor, ChoosesAllOfThePartThatTheToolInHandChooses) {
   const EditSelection& selection = editor_->state().selection;
-  editor_->take(Action::take_disk);
-  editor_->choose(kHandle);
+  editor_->tool().take(Action::take_disk);
+  editor_->tool().choose(kHandle);
   EXPECT_TRUE(perform_on(*editor_, Action::select_all));
   EXPECT_EQ(selection.handles.at(0).vertices, selection.roi.vertices);
-  EXPECT_EQ(editor_->part(), kHandle);
-  editor_->undo();
+  EXPECT_EQ(editor_->tool().part(), kHandle);
+  editor_->actions().undo();
   // The gizmo chooses no part, so all vertices are added to the ROI.
-  editor_->take(Action::take_move);
+  editor_->tool().take(Action::take_move);
   const VertexSet handle = selection.handles.at(0).vertices;
   EXPECT_TRUE(perform_on(*editor_, Action::select_all));
   EXPECT_EQ(selection.roi.vertices.size(), rest().size());
@@ -117,72 +117,72 @@ TEST_F(AnEditor, ChoosesAllOfThePartThatTheToolInHandChooses) {
 }
 
 TEST_F(AnEditor, GoesOnToTheHandleAfterAllOfTheRegion) {
-  editor_->perform(NewEdit{});
-  editor_->take(Action::take_ruler);
+  editor_->actions().perform(NewEdit{});
+  editor_->tool().take(Action::take_ruler);
   EXPECT_TRUE(perform_on(*editor_, Action::select_all));
   EXPECT_EQ(editor_->state().selection.roi.vertices.size(), rest().size());
-  EXPECT_EQ(editor_->part(), kHandle);
-  EXPECT_EQ(editor_->row()->action, Action::take_disk);
+  EXPECT_EQ(editor_->tool().part(), kHandle);
+  EXPECT_EQ(editor_->tool().row()->action, Action::take_disk);
 }
 
 TEST_F(AnEditor, CarriesOutTheRemediesOfWarnings) {
   turn_and_settle(20.0);
   const std::size_t before = editor_->state().selection.roi.vertices.size();
   const std::vector<HandleMove> moves = editor_->state().moves;
-  editor_->carry_out(Remedy::enlarge_region);
+  carry_out(*editor_, Remedy::enlarge_region);
   wait_until_ready();
   EXPECT_GT(editor_->state().selection.roi.vertices.size(), before);
   EXPECT_EQ(editor_->state().moves, moves);
   EXPECT_NE(editor_->state().settled, nullptr) << "refined in the larger region";
   EXPECT_EQ(editor_->session().history().names().back(), "Enlarge region");
-  editor_->carry_out(Remedy::undo);
+  carry_out(*editor_, Remedy::undo);
   EXPECT_EQ(editor_->state().selection.roi.vertices.size(), before);
   const int iterations = editor_->state().parameters.settle->max_iterations;
-  editor_->carry_out(Remedy::raise_iterations);
+  carry_out(*editor_, Remedy::raise_iterations);
   EXPECT_EQ(editor_->state().parameters.settle->max_iterations, 2 * iterations);
-  editor_->carry_out(Remedy::hold_exactly);
+  carry_out(*editor_, Remedy::hold_exactly);
   EXPECT_TRUE(editor_->state().parameters.hard);
-  editor_->carry_out(Remedy::select_region);
-  EXPECT_EQ(editor_->part(), kRoi);
-  EXPECT_TRUE(editor_->chooses_parts());
+  carry_out(*editor_, Remedy::select_region);
+  EXPECT_EQ(editor_->tool().part(), kRoi);
+  EXPECT_TRUE(editor_->tool().chooses_parts());
 }
 
 TEST_F(AnEditor, SelectsOnlyWhatIsSeenAtFirst) {
-  EXPECT_FALSE(editor_->paint_tool().options().through);
+  EXPECT_FALSE(editor_->tool().tools().paint.options().through);
 }
 
 TEST_F(AnEditor, KnowsWhetherSomethingHoldsTheSurface) {
   EXPECT_FALSE(editor_->moves_as_a_whole());
-  editor_->perform(Choose{kRoi, {AllVertices{}}});
+  editor_->actions().perform(Choose{kRoi, {AllVertices{}}});
   EXPECT_FALSE(editor_->moves_as_a_whole()) << "the rim at the foot is the belt";
-  editor_->perform(Choose{kBelt, listed({})});
+  editor_->actions().perform(Choose{kBelt, listed({})});
   EXPECT_TRUE(editor_->moves_as_a_whole());
-  editor_->perform(Choose{kSecondHandle, box(0.0, 0.2)});
+  editor_->actions().perform(Choose{kSecondHandle, box(0.0, 0.2)});
   EXPECT_FALSE(editor_->moves_as_a_whole());
 }
 
 TEST_F(AnEditor, TakesTheDiskWhenAPartIsChosenAndNoToolInHandChoosesParts) {
-  ASSERT_TRUE(editor_->take(Action::take_grab));
-  EXPECT_FALSE(editor_->chooses_parts());
-  editor_->begin_choosing(kRoi);
-  EXPECT_EQ(editor_->row()->action, Action::take_disk);
-  editor_->take(Action::take_brush);
-  editor_->begin_choosing(kRoi);
-  EXPECT_EQ(editor_->row()->action, Action::take_brush);
+  ASSERT_TRUE(editor_->tool().take(Action::take_grab));
+  EXPECT_FALSE(editor_->tool().chooses_parts());
+  editor_->tool().begin_choosing(kRoi);
+  EXPECT_EQ(editor_->tool().row()->action, Action::take_disk);
+  editor_->tool().take(Action::take_brush);
+  editor_->tool().begin_choosing(kRoi);
+  EXPECT_EQ(editor_->tool().row()->action, Action::take_brush);
 }
 
 TEST_F(AnEditor, AnotherFeatureAngleKeepsTheSurfaceAndTheDrag) {
-  const auto normals = [&] { return editor_->surface().shown().normals().size(); };
+  const auto normals = [&] { return editor_->view().device().shown().normals().size(); };
   turn_and_settle(30.0);
   const Positions settled = on_screen();
-  editor_->set_feature_angle(0.5);
+  editor_->view().set_feature_angle(0.5);
   EXPECT_GT(normals(), rest().size()) << "each triangle has its own";
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
-  editor_->set_feature_angle(180.0);
+  editor_->view().set_feature_angle(180.0);
   EXPECT_EQ(normals(), rest().size());
   wait_until_ready();
   begin_drag(kRight);
-  editor_->set_feature_angle(0.5);
+  editor_->view().set_feature_angle(0.5);
   EXPECT_EQ(normals(), rest().size()) << "not during a drag";
   editor_->update();
   EXPECT_GT(largest_distance(on_screen(), settled), kVisible);
@@ -194,8 +194,8 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   turn_and_settle(30.0);
   expects_notes_ = true;
   const Positions settled = on_screen();
-  editor_->choose(kRoi);
-  editor_->take(Action::take_disk);
+  editor_->tool().choose(kRoi);
+  editor_->tool().take(Action::take_disk);
   const Vector2d middle = 0.5 * kWindow;
   send(press(middle));
   send(release(middle));
@@ -208,14 +208,14 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   EXPECT_EQ(roi(), clicked);
   drag_mouse(middle, middle + Vector2d(0.0, 60.0));
   ASSERT_EQ(done(), 3U);
-  editor_->take(Action::take_disk);
+  editor_->tool().take(Action::take_disk);
   const std::size_t dragged = roi();
   for (int notch = 0; notch < 3; ++notch) send(scrolled(middle, 1.0, kSizes));
   EXPECT_EQ(done(), 4U) << "what was dragged is sized in a step of its own";
   EXPECT_GT(roi(), dragged);
-  editor_->undo();
+  editor_->actions().undo();
   EXPECT_EQ(roi(), dragged);
-  editor_->undo();
+  editor_->actions().undo();
   EXPECT_EQ(roi(), clicked);
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
@@ -223,18 +223,18 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
 
 TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
   expects_notes_ = true;
-  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
-  editor_->choose(kRoi);
-  editor_->take(Action::take_disk);
+  editor_->actions().perform(Choose{kRoi, box(2.3, 4.0)});
+  editor_->tool().choose(kRoi);
+  editor_->tool().take(Action::take_disk);
   const Vector2d middle = 0.5 * kWindow + Vector2d(0.0, 60.0);
   const Vector2d rim = middle + Vector2d(0.0, 70.0);
   drag_mouse(middle, rim);
   send(move_to(middle));
-  ASSERT_EQ(editor_->part().role, Part::Role::handle);
+  ASSERT_EQ(editor_->tool().part().role, Part::Role::handle);
   const std::size_t done = editor_->session().history().done();
   const std::size_t before = editor_->state().selection.roi.vertices.size();
   Vector2d lowest = middle;
-  for (const RimGrip& grip : editor_->tool().marks().grips) {
+  for (const RimGrip& grip : editor_->tool().scene_tool().marks().grips) {
     const Vector2d pixel = *view_.projection().to_pixel(grip.position);
     if (grip.faces_eye(view_.projection()) && pixel.y() > lowest.y()) lowest = pixel;
   }
@@ -242,24 +242,24 @@ TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
   drag_mouse(lowest, wider);
   EXPECT_GT(editor_->state().selection.roi.vertices.size(), before);
   EXPECT_EQ(editor_->session().history().done(), done + 1);
-  EXPECT_EQ(editor_->part().role, Part::Role::handle) << "the handle still comes next";
-  editor_->undo();
+  EXPECT_EQ(editor_->tool().part().role, Part::Role::handle) << "the handle still comes next";
+  editor_->actions().undo();
   EXPECT_EQ(editor_->state().selection.roi.vertices.size(), before);
 }
 
 TEST_F(AnEditor, APivotIsPickedOnTheSurfaceAndIsNoStep) {
   const Vector2d somewhere = 0.5 * kWindow;
-  editor_->begin_picking_pivot();
-  EXPECT_NE(std::string(editor_->hint()).find("pivot"), std::string::npos);
+  editor_->input().begin_picking_pivot();
+  EXPECT_NE(std::string(editor_->input().hint()).find("pivot"), std::string::npos);
   send(key(kEscape));
-  EXPECT_FALSE(editor_->picks_pivot());
-  editor_->begin_picking_pivot();
-  const auto seen = editor_->shown().pick(view_, somewhere);
+  EXPECT_FALSE(editor_->input().picks_pivot());
+  editor_->input().begin_picking_pivot();
+  const auto seen = editor_->view().shown().pick(view_, somewhere);
   ASSERT_TRUE(seen);
   send(press(somewhere));
-  EXPECT_EQ(editor_->gizmo_choices().pivot, GizmoPivot::point);
-  EXPECT_EQ(editor_->gizmo_choices().point, seen->position);
-  EXPECT_FALSE(editor_->is_dragging());
+  EXPECT_EQ(editor_->tool().tools().gizmo.choices().pivot, GizmoPivot::point);
+  EXPECT_EQ(editor_->tool().tools().gizmo.choices().point, seen->position);
+  EXPECT_FALSE(editor_->tool().is_dragging());
   EXPECT_EQ(editor_->session().history().done(), 0U);
 }
 
@@ -268,37 +268,37 @@ TEST_F(AnEditor, TheGizmosAxesGoAroundByAKeyAndAreNoStep) {
   std::vector<GizmoAxes> seen;
   for (int k = 0; k < 3; ++k) {
     ASSERT_TRUE(perform_on(*editor_, Action::next_gizmo_axes));
-    seen.push_back(editor_->gizmo_choices().axes);
+    seen.push_back(editor_->tool().tools().gizmo.choices().axes);
     EXPECT_NE(said_, "");
   }
   EXPECT_EQ(seen, (std::vector{GizmoAxes::local, GizmoAxes::normal, GizmoAxes::world}));
   ASSERT_TRUE(perform_on(*editor_, Action::toggle_sticking));
-  EXPECT_TRUE(editor_->gizmo_choices().sticks_to_surface);
+  EXPECT_TRUE(editor_->tool().tools().gizmo.choices().sticks_to_surface);
   EXPECT_EQ(editor_->session().history().done(), 0U);
 }
 
 TEST_F(AnEditor, AMeasureStaysWithOtherToolsAndGoesWithADrag) {
   const auto pixel = [&](double z) { return *view_.projection().to_pixel({0.0, -0.5, z}); };
-  editor_->take(Action::take_ruler);
+  editor_->tool().take(Action::take_ruler);
   for (const double z : {0.2, 2.9}) {
     send(press(pixel(z)));
     send(release(pixel(z)));
   }
-  ASSERT_TRUE(editor_->ruler_tool().has_both_ends());
-  const double before = editor_->ruler_tool().straight();
-  editor_->take(Action::take_move);
+  ASSERT_TRUE(editor_->tool().tools().ruler.has_both_ends());
+  const double before = editor_->tool().tools().ruler.straight();
+  editor_->tool().take(Action::take_move);
   begin_drag(kRight);
   wait_for_live_result();
-  EXPECT_GT(editor_->ruler_tool().straight(), before + 0.02);
+  EXPECT_GT(editor_->tool().tools().ruler.straight(), before + 0.02);
   send(key(kEscape));
   editor_->update();
-  EXPECT_NEAR(editor_->ruler_tool().straight(), before, kVisible);
+  EXPECT_NEAR(editor_->tool().tools().ruler.straight(), before, kVisible);
   EXPECT_EQ(editor_->session().history().done(), 0U);
 }
 
 TEST_F(AnEditor, NothingIsSaidOfAMirrorThatIsOff) {
   expects_notes_ = true;
-  editor_->perform(SetMirror{MirrorPlane{Vector3d::Zero(), Vector3d::UnitX()}});
+  editor_->actions().perform(SetMirror{MirrorPlane{Vector3d::Zero(), Vector3d::UnitX()}});
   EXPECT_NE(said_.find("Mirror on"), std::string::npos) << said_;
   ASSERT_TRUE(perform_on(*editor_, Action::toggle_mirror));
   EXPECT_FALSE(editor_->state().selection.mirror);
@@ -307,7 +307,7 @@ TEST_F(AnEditor, NothingIsSaidOfAMirrorThatIsOff) {
 
 // Of the tube its foot, below z = 0.3, is not in the ROI.
 TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
-  editor_->set_gizmo_choices({.sticks_to_surface = true});
+  editor_->tool().tools().gizmo.set_choices({.sticks_to_surface = true});
   const Vector2d foot = *view_.projection().to_pixel({0.1, -0.5, 0.15});
   send(move_to(0.5 * kWindow));
   send(key('G'));
@@ -324,55 +324,55 @@ TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
 
 // The middle of the tube is away from the head that was turned.
 TEST_F(AnEditor, ADiskElsewhereBeginsANewEditWithANote) {
-  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+  editor_->actions().perform(Choose{kRoi, box(2.3, 4.0)});
   wait_until_ready();
   turn_and_settle(30.0);
   const Positions settled = on_screen();
   expects_notes_ = true;
-  ASSERT_EQ(editor_->part().role, Part::Role::handle);
-  editor_->take(Action::take_disk);
+  ASSERT_EQ(editor_->tool().part().role, Part::Role::handle);
+  editor_->tool().take(Action::take_disk);
   const Vector2d elsewhere = 0.5 * kWindow + Vector2d(0.0, 80.0);
   drag_mouse(elsewhere, elsewhere + Vector2d(0.0, 80.0));
   EXPECT_NE(said_.find("New edit"), std::string::npos) << said_;
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_EQ(editor_->state().steps.size(), 1U) << "the first stays";
-  EXPECT_EQ(editor_->part(), kHandle) << "and its handle comes next";
-  EXPECT_TRUE(editor_->has_in_hand(editor_->tool()) && !editor_->has_gizmo());
+  EXPECT_EQ(editor_->tool().part(), kHandle) << "and its handle comes next";
+  EXPECT_TRUE(editor_->tool().is(editor_->tool().scene_tool()) && !editor_->tool().has_gizmo());
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
   drag_mouse(elsewhere, elsewhere + Vector2d(0.0, 25.0));
   ASSERT_EQ(editor_->state().selection.handles.size(), 1U);
   wait_until_ready();
-  editor_->perform(MoveHandle{0, bent()});
+  editor_->actions().perform(MoveHandle{0, bent()});
   wait_until_ready();
   EXPECT_FALSE(needs_settling(editor_->state()));
-  EXPECT_FALSE(editor_->handles_leave_roi());
+  EXPECT_FALSE(handles_leave_roi(editor_->state().selection));
   EXPECT_GT(largest_distance(on_screen(), settled), 0.01) << "by a handle of few vertices";
 }
 
 TEST_F(AnEditor, AStrokeElsewhereBeginsANewEditOnceTheLastHasMoved) {
-  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+  editor_->actions().perform(Choose{kRoi, box(2.3, 4.0)});
   wait_until_ready();
   turn_and_settle(30.0);
   expects_notes_ = true;
-  editor_->take(Action::take_box);
-  editor_->choose(kRoi);
+  editor_->tool().take(Action::take_box);
+  editor_->tool().choose(kRoi);
   const std::size_t done = editor_->session().history().done();
   const Vector2d corner = 0.5 * kWindow + Vector2d(-60.0, 60.0);
   drag_mouse(corner, corner + Vector2d(120.0, 60.0));
   EXPECT_NE(said_.find("New edit"), std::string::npos) << said_;
   EXPECT_TRUE(editor_->state().selection.handles.empty());
   EXPECT_EQ(editor_->session().history().done(), done + 1) << "one stroke, one step";
-  editor_->undo();
+  editor_->actions().undo();
   EXPECT_EQ(editor_->state().selection.handles.size(), 1U);
 }
 
 TEST_F(AnEditor, PaintedStiffnessIsShownAndSettlesTheEditAgain) {
   turn_and_settle(60.0);
   const Positions usual = on_screen();
-  ASSERT_TRUE(editor_->take(Action::take_stiffness));
-  editor_->stiffness_tool().brush().through = true;
-  EXPECT_FALSE(editor_->chooses_parts());
+  ASSERT_TRUE(editor_->tool().take(Action::take_stiffness));
+  editor_->tool().tools().stiffness.brush().through = true;
+  EXPECT_FALSE(editor_->tool().chooses_parts());
   const Vector2d middle = 0.5 * kWindow;
   drag_mouse(middle - Vector2d(40.0, 0.0), middle + Vector2d(40.0, 0.0));
   wait_until_ready();
@@ -385,7 +385,7 @@ TEST_F(AnEditor, PaintedStiffnessIsShownAndSettlesTheEditAgain) {
     EXPECT_EQ(classes[v], drawn_by_handle(VertexClass::roi, 1.0));
   }
   EXPECT_GT(largest_distance(on_screen(), usual), 1e-3);
-  editor_->undo();
+  editor_->actions().undo();
   wait_until_ready();
   EXPECT_TRUE(editor_->state().selection.stiffness.empty());
   EXPECT_LT(largest_distance(on_screen(), usual), kVisible);
@@ -395,21 +395,21 @@ TEST_F(AnEditor, ANewEditBeginsOnceTheDragHasSettled) {
   expects_notes_ = true;
   begin_drag(kRight);
   send(key(kEnter));
-  editor_->new_edit();
+  new_edit(*editor_);
   update_until([&] { return editor_->state().selection.roi.vertices.empty(); });
   EXPECT_EQ(editor_->state().steps.size(), 1U);
-  EXPECT_EQ(editor_->part(), kRoi);
-  EXPECT_FALSE(editor_->has_gizmo());
+  EXPECT_EQ(editor_->tool().part(), kRoi);
+  EXPECT_FALSE(editor_->tool().has_gizmo());
   EXPECT_EQ(editor_->session().history().done(), 2U);
 }
 
 TEST_F(AnEditor, TheWheelAloneIsTheCameras) {
   turn_and_settle(30.0);
   for (const ToolRow& row : tool_rows()) {
-    editor_->take(row);
+    editor_->tool().take(row);
     for (const Part& part : {kRoi, kHandle}) {
-      editor_->choose(part);
-      EXPECT_FALSE(editor_->handle(scrolled(0.5 * kWindow, 2.0), view_).taken) << row.name;
+      editor_->tool().choose(part);
+      EXPECT_FALSE(editor_->input().handle(scrolled(0.5 * kWindow, 2.0), view_).taken) << row.name;
     }
   }
   EXPECT_EQ(editor_->session().history().done(), 1U);

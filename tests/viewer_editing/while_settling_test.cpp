@@ -14,7 +14,7 @@ class WhileItSettles : public AnEditor {
     AnEditor::SetUp();
     if (!editor_) return;
     expects_notes_ = true;
-    editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+    editor_->actions().perform(Choose{kRoi, box(2.3, 4.0)});
     wait_until_ready();
   }
 
@@ -31,15 +31,16 @@ class WhileItSettles : public AnEditor {
   // Until nothing is left to do; of a new edit nothing may be prepared yet.
   void finish() {
     const auto phase = [&] { return editor_->session().preparation().status().phase; };
-    update_until(
-        [&] { return !editor_->waits() && (phase() == Phase::ready || phase() == Phase::idle); });
+    update_until([&] {
+      return !editor_->actions().waits() && (phase() == Phase::ready || phase() == Phase::idle);
+    });
   }
 
   // The head is turned, and then this is done.
   void turn_and_go_on(const Gesture& go_on) {
-    editor_->choose(kHandle);
-    editor_->take(Action::take_disk);
-    editor_->perform(MoveHandle{0, twisted(30.0)});
+    editor_->tool().choose(kHandle);
+    editor_->tool().take(Action::take_disk);
+    editor_->actions().perform(MoveHandle{0, twisted(30.0)});
     go_on();
     finish();
   }
@@ -50,20 +51,20 @@ class WhileItSettles : public AnEditor {
       go_on();
     });
     const AppState wanted = editor_->state();
-    const Part part = editor_->part();
+    const Part part = editor_->tool().part();
     const std::size_t done = editor_->session().history().done();
-    editor_->go_to(1);
+    editor_->actions().go_to(1);
     finish();
     hold_worker();
     turn_and_go_on([&] {
       go_on();
-      ASSERT_TRUE(editor_->waits());
+      ASSERT_TRUE(editor_->actions().waits());
       EXPECT_EQ(editor_->session().history().done(), 2U) << "nothing before it has settled";
       EXPECT_NE(said_.find("until the last edit is refined"), std::string::npos) << said_;
       let_worker_go();
     });
     EXPECT_TRUE(same(editor_->state(), wanted));
-    EXPECT_EQ(editor_->part(), part);
+    EXPECT_EQ(editor_->tool().part(), part);
     EXPECT_EQ(editor_->session().history().done(), done);
     EXPECT_EQ(editor_->state().steps.size(), wanted.steps.size());
   }
@@ -89,7 +90,7 @@ TEST_F(WhileItSettles, AndItsHandleIsChosenInIt) {
     send_in_frames({press(elsewhere_), move_to(inner), release(inner)});
   });
   EXPECT_EQ(editor_->state().selection.handles.size(), 1U);
-  EXPECT_TRUE(editor_->has_gizmo());
+  EXPECT_TRUE(editor_->tool().has_gizmo());
 }
 
 // A first radius goes by the size of what is seen, which is not settled yet.
@@ -109,8 +110,8 @@ TEST_F(WhileItSettles, ADiskThatIsClickedIsSized) {
 
 TEST_F(WhileItSettles, AStrokeElsewhereBeginsANewEdit) {
   expect_the_same_as_later([&] {
-    editor_->take(Action::take_box);
-    editor_->choose(kRoi);
+    editor_->tool().take(Action::take_box);
+    editor_->tool().choose(kRoi);
     const Vector2d corner = 0.5 * kWindow + Vector2d(-60.0, 60.0);
     const Vector2d opposite = corner + Vector2d(120.0, 60.0);
     send_in_frames({press(corner), move_to(opposite), release(opposite)});
@@ -119,8 +120,8 @@ TEST_F(WhileItSettles, AStrokeElsewhereBeginsANewEdit) {
 
 TEST_F(WhileItSettles, ALoopElsewhereBeginsANewEdit) {
   expect_the_same_as_later([&] {
-    editor_->choose(kRoi);
-    editor_->take(Action::take_loop);
+    editor_->tool().choose(kRoi);
+    editor_->tool().take(Action::take_loop);
     const auto pixel = [&](double x, double z) {
       return *view_.projection().to_pixel({x, -0.3, z});
     };
@@ -137,7 +138,7 @@ TEST_F(WhileItSettles, ALoopElsewhereBeginsANewEdit) {
 TEST_F(WhileItSettles, APinIsSetAndDraggedInOneGesture) {
   std::optional<Vector2d> pin;
   expect_the_same_as_later([&] {
-    editor_->take(Action::take_pin);
+    editor_->tool().take(Action::take_pin);
     if (!pin) {
       const Positions settled = on_screen();
       Index front = 0;
@@ -155,17 +156,17 @@ TEST_F(WhileItSettles, APinIsSetAndDraggedInOneGesture) {
 
 TEST_F(WhileItSettles, UndoGivesUpWhatWaitsAndThenTheDrag) {
   hold_worker();
-  editor_->choose(kHandle);
-  editor_->take(Action::take_disk);
-  editor_->perform(MoveHandle{0, twisted(30.0)});
+  editor_->tool().choose(kHandle);
+  editor_->tool().take(Action::take_disk);
+  editor_->actions().perform(MoveHandle{0, twisted(30.0)});
   const Vector2d rim = elsewhere_ + Vector2d(0.0, 80.0);
   send_in_frames({press(elsewhere_), move_to(rim), release(rim)});
-  ASSERT_TRUE(editor_->has_postponed());
-  editor_->undo();
-  EXPECT_FALSE(editor_->has_postponed());
+  ASSERT_TRUE(editor_->actions().has_postponed());
+  editor_->actions().undo();
+  EXPECT_FALSE(editor_->actions().has_postponed());
   EXPECT_TRUE(is_moved(editor_->state()));
   EXPECT_EQ(editor_->session().history().done(), 2U);
-  editor_->undo();
+  editor_->actions().undo();
   EXPECT_FALSE(is_moved(editor_->state()));
   let_worker_go();
   finish();
@@ -174,10 +175,10 @@ TEST_F(WhileItSettles, UndoGivesUpWhatWaitsAndThenTheDrag) {
 
 // The result comes between the press and the release.
 TEST_F(WhileItSettles, AStrokeUnderWayGoesOnOverTheResult) {
-  editor_->choose(kHandle);
-  editor_->take(Action::take_disk);
+  editor_->tool().choose(kHandle);
+  editor_->tool().take(Action::take_disk);
   hold_worker();
-  editor_->perform(MoveHandle{0, twisted(30.0)});
+  editor_->actions().perform(MoveHandle{0, twisted(30.0)});
   const Vector2d rim = elsewhere_ + Vector2d(0.0, 80.0);
   send_in_frames({press(elsewhere_), move_to(0.5 * (elsewhere_ + rim))});
   let_worker_go();

@@ -50,7 +50,8 @@ class Guides : public ::testing::Test {
     viewer_->type(U'1');
     viewer_->key(kEnter);
     const Editor& editor = viewer_->app().document()->editor;
-    viewer_->wait_for([&] { return editor.state().settled && !editor.waits(); }, "it settles");
+    viewer_->wait_for([&] { return editor.state().settled && !editor.actions().waits(); },
+                      "it settles");
   }
   const ChosenRegion& roi() const {
     return viewer_->app().document()->editor.state().selection.roi;
@@ -177,9 +178,9 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   viewer_->key(kEnter);
   const Document& document = *viewer_->app().document();
   viewer_->wait_for([&] { return !document.transplant.is_open(); }, "the part is applied");
-  ASSERT_NE(document.editor.row(), nullptr);
-  EXPECT_EQ(document.editor.row()->action, Action::take_disk);
-  EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+  ASSERT_NE(document.editor.tool().row(), nullptr);
+  EXPECT_EQ(document.editor.tool().row()->action, Action::take_disk);
+  EXPECT_EQ(document.editor.tool().part().role, Part::Role::roi);
 }
 
 TEST_F(Guides, AWarningOfATransplantOffersToEditItsStep) {
@@ -217,11 +218,11 @@ TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
       drag_source();
     }
     viewer_->key('M');
-    ASSERT_EQ(document.editor.row()->action, Action::take_move);
+    ASSERT_EQ(document.editor.tool().row()->action, Action::take_move);
     viewer_->key(kEnter, kControl);
     viewer_->wait_for([&] { return !document.desk.is_open(); }, "the step is applied");
-    EXPECT_EQ(document.editor.row()->action, Action::take_disk);
-    EXPECT_EQ(document.editor.part().role, Part::Role::roi);
+    EXPECT_EQ(document.editor.tool().row()->action, Action::take_disk);
+    EXPECT_EQ(document.editor.tool().part().role, Part::Role::roi);
   }
   EXPECT_EQ(document.editor.state().steps.size(), 2U);
 }
@@ -233,8 +234,17 @@ TEST_F(Guides, SayThatNothingHoldsTheSurface) {
   viewer_->key('A', kControl);
   drag_disk(20.0);
   expect_says("Nothing holds the surface");
+  // The progress bar would move the button.
+  viewer_->wait_for(
+      [&] {
+        using Phase = PreparationStatus::Phase;
+        const EditSession& session = viewer_->app().document()->editor.session();
+        const Phase phase = session.preparation().status().phase;
+        return phase == Phase::ready || phase == Phase::failed;
+      },
+      "it is prepared");
   viewer_->click("Select fixed border");
-  EXPECT_EQ(viewer_->app().document()->editor.part().role, Part::Role::belt);
+  EXPECT_EQ(viewer_->app().document()->editor.tool().part().role, Part::Role::belt);
   viewer_->key('A', kControl);
   viewer_->look_at();
   EXPECT_FALSE(viewer_->says("Nothing holds the surface"));

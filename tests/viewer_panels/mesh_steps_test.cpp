@@ -88,10 +88,10 @@ TEST_F(MeshSteps, ACancelledPreviewChangesNothing) {
   viewer_->click("Subdivision");
   viewer_->click("Subdivide");
   wait_for_preview();
-  EXPECT_TRUE(viewer_->app().document()->editor.shown().previews());
+  EXPECT_TRUE(viewer_->app().document()->editor.view().shown().previews());
   viewer_->click("Cancel");
   viewer_->look_at();
-  EXPECT_FALSE(viewer_->app().document()->editor.shown().previews());
+  EXPECT_FALSE(viewer_->app().document()->editor.view().shown().previews());
   EXPECT_EQ(steps(), 0U);
 }
 
@@ -102,7 +102,7 @@ TEST_F(MeshSteps, EscapeDiscardsThePreview) {
   viewer_->key(kEscape);
   viewer_->look_at();
   EXPECT_FALSE(viewer_->app().document()->mesh_steps.is_open());
-  EXPECT_FALSE(viewer_->app().document()->editor.shown().previews());
+  EXPECT_FALSE(viewer_->app().document()->editor.view().shown().previews());
 }
 
 TEST_F(MeshSteps, ShowFramesTheRimOfAHole) {
@@ -112,7 +112,7 @@ TEST_F(MeshSteps, ShowFramesTheRimOfAHole) {
   const Document& document = *viewer_->app().document();
   std::vector<std::vector<Index>> rims;
   for (const Hole& hole : *document.mesh_steps.holes()) rims.push_back(hole.rim);
-  EXPECT_THAT(rims, ::testing::Contains(document.editor.pointed_at()));
+  EXPECT_THAT(rims, ::testing::Contains(document.editor.view().pointed_at()));
 }
 
 TEST_F(MeshSteps, TheMeshIsDecimatedSubdividedAndRemeshed) {

@@ -76,7 +76,7 @@ class MonkeyTest : public ::testing::TestWithParam<std::uint64_t> {
     const Draft draft = draft_of(state);
     const Draft written = journalled().value_or(Draft{});
     EXPECT_EQ(written, draft) << "journal and history:\n" << in_words(written) << in_words(draft);
-    for (const Eigen::Vector3d& position : editor().positions()) {
+    for (const Eigen::Vector3d& position : editor().view().positions()) {
       ASSERT_TRUE(position.allFinite());
     }
   }
@@ -87,8 +87,9 @@ class MonkeyTest : public ::testing::TestWithParam<std::uint64_t> {
     if (document() == nullptr) viewer_->open(folder_ / "tube.obj");
     viewer_->wait_for(
         [&] {
-          return !viewer_->app().asks_for_path() && document() != nullptr && !editor().waits() &&
-                 !editor().session().is_carrying_out() && !editor().session().awaits_result();
+          return !viewer_->app().asks_for_path() && document() != nullptr &&
+                 !editor().actions().waits() && !editor().session().is_carrying_out() &&
+                 !editor().session().awaits_result();
         },
         "the viewer comes to rest");
   }

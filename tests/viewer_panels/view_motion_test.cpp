@@ -30,7 +30,7 @@ class ViewMotion : public ::testing::Test {
     return {camera(), Vector2d(viewer_->look().size.width, viewer_->look().size.height)};
   }
   std::optional<SurfacePoint> surface_at(const Vector2d& pixel) {
-    const ShownSurface& shown = viewer_->app().document()->editor.shown();
+    const ShownSurface& shown = viewer_->app().document()->editor.view().shown();
     return pick_surface(shown.topology(), shown.positions(),
                         view().projection().ray_through(pixel));
   }

@@ -83,7 +83,7 @@ void DetailTransferTool::close(Editor& editor) {
   committed_.reset();
   committed_from_.reset();
   previewed_.reset();
-  editor.shown().end_preview();
+  editor.view().shown().end_preview();
 }
 
 void DetailTransferTool::cancel(Editor& editor) {
@@ -138,10 +138,10 @@ void DetailTransferTool::paint_weight(bool on, Editor& editor) {
   is_painting_ = on;
   if (on) {
     pick(Picking::none, editor);
-    editor.lend(weight_paint_);
+    editor.tool().lend(weight_paint_);
   } else {
-    editor.give_back(weight_paint_);
-    editor.shown().end_preview();
+    editor.tool().give_back(weight_paint_);
+    editor.view().shown().end_preview();
     previewed_.reset();
   }
 }
@@ -158,9 +158,9 @@ void DetailTransferTool::pick(Picking what, Editor& editor) {
     if (view) view->take(picks ? SourceTool::point : SourceTool::disk);
   }
   if (picks) {
-    editor.lend(point_tool_);
+    editor.tool().lend(point_tool_);
   } else {
-    editor.give_back(point_tool_);
+    editor.tool().give_back(point_tool_);
   }
 }
 
@@ -186,13 +186,13 @@ void DetailTransferTool::update(Editor& editor) {
     applies_ = false;
     if (editor.state().steps != steps_before_) {
       close(editor);
-      editor.begin_choosing({Part::Role::roi});
+      editor.tool().begin_choosing({Part::Role::roi});
       return;
     }
   }
   // The user has taken another tool.
-  if (is_painting_ && !editor.has_in_hand(weight_paint_)) paint_weight(false, editor);
-  if (picking_ != Picking::none && !editor.has_in_hand(point_tool_)) pick(Picking::none, editor);
+  if (is_painting_ && !editor.tool().is(weight_paint_)) paint_weight(false, editor);
+  if (picking_ != Picking::none && !editor.tool().is(point_tool_)) pick(Picking::none, editor);
   take_read();
   read_next();
   if (needs_settling(editor.state())) return;
@@ -204,12 +204,12 @@ void DetailTransferTool::update(Editor& editor) {
   if (is_painting_) return show_weight(editor, target);
   const bool wanted = wants_preview(editor);
   if (wanted) preview_.follow(target, draft_);
-  if (preview_.update() || wanted != editor.shown().previews()) show_preview(editor);
+  if (preview_.update() || wanted != editor.view().shown().previews()) show_preview(editor);
 }
 
 // A user who chooses or picks must see the mesh without the preview.
 bool DetailTransferTool::wants_preview(const Editor& editor) const {
-  return previews_ && picking_ == Picking::none && !editor.is_dragging();
+  return previews_ && picking_ == Picking::none && !editor.tool().is_dragging();
 }
 
 // Replaces a field that belongs to another mesh.
@@ -226,7 +226,7 @@ void DetailTransferTool::take_weight(const Mesh& target) {
 
 void DetailTransferTool::show_weight(Editor& editor, const std::shared_ptr<const Mesh>& target) {
   previewed_.reset();
-  editor.shown().show_preview(
+  editor.view().shown().show_preview(
       target, classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
 }
 
@@ -329,15 +329,15 @@ void DetailTransferTool::add_pair(const Editor& editor) {
 
 void DetailTransferTool::show_preview(Editor& editor) {
   if (!wants_preview(editor) || !preview_.has_result()) {
-    if (std::exchange(previewed_, nullptr)) editor.shown().end_preview();
+    if (std::exchange(previewed_, nullptr)) editor.view().shown().end_preview();
     return;
   }
   const auto mesh = preview_.mesh();
-  if (!previewed_ || !previewed_->shares_faces_with(*mesh) || !editor.shown().previews()) {
-    editor.shown().show_preview(mesh);
+  if (!previewed_ || !previewed_->shares_faces_with(*mesh) || !editor.view().shown().previews()) {
+    editor.view().shown().show_preview(mesh);
     previewed_ = mesh;
   }
-  editor.shown().show_preview(preview_.positions());
+  editor.view().shown().show_preview(preview_.positions());
 }
 
 void DetailTransferTool::apply(Editor& editor) {
@@ -346,9 +346,9 @@ void DetailTransferTool::apply(Editor& editor) {
   if (!say_errors(say_, [&] { step = step_of(draft_); })) return;
   say_({"", Tone::error});
   if (taken_up_) {
-    editor.replace_step(*taken_up_, step);
+    editor.actions().replace_step(*taken_up_, step);
   } else {
-    editor.carry_out(step);
+    editor.actions().carry_out(step);
   }
   steps_before_ = editor.state().steps;
   applies_ = editor.session().is_carrying_out();

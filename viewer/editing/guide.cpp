@@ -16,8 +16,8 @@ const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, boo
   if (desk.is_painting())
     return "Paint where the second source appears. Ctrl + wheel resizes the brush.";
   if (!has_target && !desk.taken_up()) {
-    return editor.part().role == Part::Role::roi && editor.chooses_parts()
-               ? editor.hint()
+    return editor.tool().part().role == Part::Role::roi && editor.tool().chooses_parts()
+               ? editor.input().hint()
                : "Press I, then select the region that gets the detail.";
   }
   if (!has_patch(desk, desk.current())) {
@@ -58,12 +58,12 @@ Guide guide_of_transplant(const TransplantTool& desk, const Editor& editor) {
   const bool stands = desk.tool().stage() == Stage::set_down;
   Guide guide;
   guide.steps = {{{"Part", desk.has_part()}, {"Place", stands}, {"Apply", false}, {"", false}}};
-  const bool is_in_hand = editor.has_in_hand(desk.tool());
+  const bool is_in_hand = editor.tool().is(desk.tool());
   guide.current = stands && is_in_hand ? 2 : desk.has_part() ? 1 : 0;
   guide.what = !desk.has_part() ? "Reading the part."
                : !is_in_hand
                    ? "Click \"Place by hand\" in the Transplant tab to continue placing the part."
-                   : editor.hint();
+                   : editor.input().hint();
   return guide;
 }
 
@@ -92,15 +92,16 @@ Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplan
   if (transplant.is_open()) return guide_of_transplant(transplant, editor);
   if (layers.is_open()) return guide_of_layers(layers, editor);
   // These tools take no part in the steps.
-  const Action tool = editor.row() != nullptr ? editor.row()->action : Action::take_move;
+  const Action tool =
+      editor.tool().row() != nullptr ? editor.tool().row()->action : Action::take_move;
   if (tool == Action::take_grab || tool == Action::take_ruler || tool == Action::take_stiffness ||
-      editor.picks_pivot()) {
-    return {.count = 0, .what = editor.hint()};
+      editor.input().picks_pivot()) {
+    return {.count = 0, .what = editor.input().hint()};
   }
-  const bool moves = editor.has_in_hand(editor.gizmo_tool());
+  const bool moves = editor.tool().is(editor.tool().tools().gizmo);
   // A pin is a handle, whichever part was chosen before.
-  const Part part = tool == Action::take_pin ? Part{Part::Role::handle} : editor.part();
-  return guide_of(editor.state(), part, editor.tool(), moves);
+  const Part part = tool == Action::take_pin ? Part{Part::Role::handle} : editor.tool().part();
+  return guide_of(editor.state(), part, editor.tool().scene_tool(), moves);
 }
 
 }  // namespace lapwing::viewer

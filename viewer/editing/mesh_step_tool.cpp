@@ -21,7 +21,7 @@ void MeshStepTool::preview(const Step& step) {
 }
 
 void MeshStepTool::close(Editor& editor) {
-  if (shown_) editor.shown().end_preview();
+  if (shown_) editor.view().shown().end_preview();
   give_way();
 }
 
@@ -36,11 +36,11 @@ void MeshStepTool::apply(Editor& editor) {
   if (!step_ || preview_.result() == nullptr) return;
   const Apply applied{*step_, preview_.result()->result};
   close(editor);
-  editor.perform(applied);
+  editor.actions().perform(applied);
 }
 
 void MeshStepTool::start(const Editor& editor) {
-  if (!step_ || rest_ || needs_settling(editor.state()) || editor.is_dragging()) return;
+  if (!step_ || rest_ || needs_settling(editor.state()) || editor.tool().is_dragging()) return;
   rest_ = editor.state().rest;
   settled_ = editor.state().settled;
   preview_.start(editor.state(), *step_);
@@ -68,17 +68,17 @@ void MeshStepTool::update(Editor& editor, bool others_preview) {
   if (!step_) return;
   const bool is_changed =
       rest_ && (editor.state().rest != rest_ || editor.state().settled != settled_);
-  if (others_preview || is_changed || (shown_ && !editor.shown().previews())) {
+  if (others_preview || is_changed || (shown_ && !editor.view().shown().previews())) {
     return others_preview ? give_way() : close(editor);
   }
   start(editor);
   if (!preview_.update()) return;
   const std::shared_ptr<const Mesh> mesh = preview_.mesh();
   if (mesh != nullptr) {
-    editor.shown().show_preview(mesh);
+    editor.view().shown().show_preview(mesh);
     shown_ = true;
   } else if (std::exchange(shown_, false)) {
-    editor.shown().end_preview();
+    editor.view().shown().end_preview();
   }
 }
 

@@ -137,6 +137,11 @@ class ShownSurface {
   /// Returns the visible surface point at `pixel`, or nullopt if the surface does not cover the
   /// pixel. Also works during a drag. Casts a ray on the CPU, so it does not wait for the device.
   std::optional<SurfacePoint> pick(const ViewFrame& view, const Eigen::Vector2d& pixel);
+  /// Returns only its position.
+  std::optional<Eigen::Vector3d> place_at(const ViewFrame& view, const Eigen::Vector2d& pixel) {
+    const auto point = pick(view, pixel);
+    return point ? std::optional(point->position) : std::nullopt;
+  }
   /// Returns the displayed positions, also during a drag. Valid until the next non-const call.
   const Positions& positions_on_screen();
   /// Returns the triangle index at each pixel (SurfacePicker).

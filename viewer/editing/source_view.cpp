@@ -1,26 +1,18 @@
 #include "editing/source_view.h"
 
-#include <cmath>
-
-#include "navigation/camera_motion.h"
-
 namespace lapwing::viewer {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 constexpr Part kPatch{Part::Role::roi};
-
-// As in the main view.
-constexpr double kZoomPerNotch = 1.15;
-constexpr double kZoomPt = 150.0;
 
 }  // namespace
 
 SourceView::SourceView(std::shared_ptr<const Mesh> mesh, UpAxis up_axis,
                        const std::shared_ptr<gpu::Context>& context)
-    : state_(open_state(mesh)), up_axis_(up_axis), shown_(std::move(mesh)) {
+    : state_(open_state(mesh)), shown_(std::move(mesh)) {
+  camera_.set_up_axis(up_axis);
   // A coat takes the mesh as it is.
   state_.parameters.seams = SeamPolicy::leave;
   // A patch has no belt to show.
@@ -41,16 +33,15 @@ void SourceView::choose_patch(const RegionSpec& region) {
 }
 
 void SourceView::resize(const Vector2d& size, double pixels_per_point) {
-  size_ = size;
-  pixels_per_point_ = pixels_per_point;
+  camera_.resize(size, pixels_per_point);
   if (is_framed_) return;
   is_framed_ = true;
-  camera_ = fit(surface_positions(shown_.positions(), surface_of(state_)->topology()),
-                view_axes(View::three_quarter, up_axis_), size.x() / size.y());
+  camera_.set_camera(fit(surface_positions(shown_.positions(), surface_of(state_)->topology()),
+                         view_axes(View::three_quarter, camera_.up_axis()), size.x() / size.y()));
 }
 
 ViewFrame SourceView::view_frame() const {
-  ViewFrame view{camera_, size_, pixels_per_point_};
+  ViewFrame view{camera_.camera(), camera_.size(), camera_.pixels_per_point()};
   fit_depth(view.camera, shown_.bounds());
   return view;
 }
@@ -70,71 +61,20 @@ ToolAnswer SourceView::choose(const InputEvent& event) {
   return disk_.handle(event, {state_, shown_.positions(), projection, pick, {}, kPatch});
 }
 
-Editor::Handled SourceView::handle(const InputEvent& event, const Keymap& keymap) {
-  if (!motion_) {
+Handled SourceView::handle(const InputEvent& event, const Keymap& keymap) {
+  const bool was_moving = camera_.is_moving();
+  if (!was_moving) {
     const ToolAnswer answer = choose(event);
     if (answer.command) state_ = apply(std::move(state_), *answer.command);
     if (answer.taken) {
       classes_are_old_ = true;
-      cursor_ = event.position;
+      camera_.set_cursor(event.position);
       return {true, true};
     }
   }
-  const bool was_moving = motion_.has_value();
-  move_camera(event, keymap);
-  return {true, was_moving || motion_ || event.kind == InputKind::scroll};
-}
-
-void SourceView::move_camera(const InputEvent& event, const Keymap& keymap) {
-  switch (event.kind) {
-    case InputKind::press:
-      motion_ = motion_of(keymap, event.button, event.modifiers);
-      cursor_ = pressed_at_ = event.position;
-      if (motion_) orbit_center_ = focus(event.position);
-      break;
-    case InputKind::move:
-      drag_to(event.position);
-      break;
-    case InputKind::release:
-      drag_to(event.position);
-      motion_.reset();
-      break;
-    case InputKind::scroll:
-      focus(event.position);
-      camera_ = zoomed(camera_, std::pow(kZoomPerNotch, event.scroll), event.position, size_,
-                       zoom_range(shown_.bounds().diagonal()));
-      break;
-    case InputKind::key:
-    case InputKind::text:
-      break;
-  }
-}
-
-Vector3d SourceView::focus(const Vector2d& pixel) {
-  const auto point = shown_.pick(view_frame(), pixel);
-  if (!point) return camera_.target;
-  camera_ = focused(camera_, point->position);
-  return point->position;
-}
-
-void SourceView::drag_to(const Vector2d& pixel) {
-  const Vector2d moved = pixel - cursor_;
-  cursor_ = pixel;
-  if (!motion_) return;
-  switch (*motion_) {
-    case Motion::orbit:
-      camera_ =
-          orbited(camera_, moved, size_,
-                  up_axis_ == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ(), orbit_center_);
-      break;
-    case Motion::pan:
-      camera_ = panned(camera_, moved, size_);
-      break;
-    case Motion::zoom:
-      camera_ = zoomed(camera_, std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)),
-                       pressed_at_, size_, zoom_range(shown_.bounds().diagonal()));
-      break;
-  }
+  const auto pick = [this](const Vector2d& pixel) { return shown_.place_at(view_frame(), pixel); };
+  camera_.handle(event, keymap, {shown_.bounds().diagonal(), pick});
+  return {true, was_moving || camera_.is_moving() || event.kind == InputKind::scroll};
 }
 
 void SourceView::update() {

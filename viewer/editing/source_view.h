@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "editing/editor.h"
-#include "navigation/keymap.h"
+#include "navigation/camera_controller.h"
 #include "tools/disk_tool.h"
 
 namespace lapwing::viewer {
@@ -34,9 +34,9 @@ class SourceView {
 
   /// Sets its size in pixels, and the pixels per point (Projection).
   void resize(const Eigen::Vector2d& size, double pixels_per_point);
-  Editor::Handled handle(const InputEvent& event, const Keymap& keymap);
+  Handled handle(const InputEvent& event, const Keymap& keymap);
   /// Returns whether a button that was pressed on it is still down.
-  bool holds_mouse() const { return motion_.has_value() || disk_.is_dragging(); }
+  bool holds_mouse() const { return camera_.is_moving() || disk_.is_dragging(); }
   /// Returns the vertex that was picked last, once.
   std::optional<Index> take_point() { return std::exchange(point_, std::nullopt); }
 
@@ -48,26 +48,14 @@ class SourceView {
 
  private:
   ToolAnswer choose(const InputEvent& event);
-  void move_camera(const InputEvent& event, const Keymap& keymap);
-  void drag_to(const Eigen::Vector2d& pixel);
-  /// Focuses the camera on the surface point at `pixel` and returns it. If no surface is there,
-  /// returns the camera's target.
-  Eigen::Vector3d focus(const Eigen::Vector2d& pixel);
 
   AppState state_;
-  UpAxis up_axis_;
   ShownSurface shown_;
-  Camera camera_;
-  Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
-  double pixels_per_point_ = 1.0;
+  CameraController camera_;
   bool is_framed_ = false;
   SourceTool tool_ = SourceTool::disk;
   DiskTool disk_;
   std::optional<Index> point_;
-  std::optional<Motion> motion_;  // of the camera, under way
-  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
-  Eigen::Vector3d orbit_center_ = Eigen::Vector3d::Zero();
   bool classes_are_old_ = true;
 };
 

@@ -123,12 +123,12 @@ void TransplantTool::close(Editor& editor) {
   reader_.cancel();
   preview_.stop();
   tool_.end();
-  editor.give_back(tool_);
+  editor.tool().give_back(tool_);
   taken_up_.reset();
   mesh_.reset();
   hole_.clear();
   applies_.reset();
-  if (std::exchange(shown_, Shown::nothing) != Shown::nothing) editor.shown().end_preview();
+  if (std::exchange(shown_, Shown::nothing) != Shown::nothing) editor.view().shown().end_preview();
 }
 
 void TransplantTool::take_roi(bool on) {
@@ -178,7 +178,7 @@ void TransplantTool::take_read(Editor& editor) {
   preview_.stop();
   shown_ = Shown::nothing;
   tool_.begin(std::move(hand->draft), std::move(hand->host));
-  if (lends_) editor.lend(tool_);
+  if (lends_) editor.tool().lend(tool_);
 }
 
 bool TransplantTool::stands_on_other_surface(const AppState& now) const {
@@ -194,7 +194,7 @@ void TransplantTool::reset_history(Editor& editor) {
   preview_.stop();
   shown_ = Shown::nothing;
   begin_ = Begin{surface_now, [draft = tool_.draft()](const AppState&) { return draft; }};
-  lends_ = editor.has_in_hand(tool_);
+  lends_ = editor.tool().is(tool_);
   tool_.end();
 }
 
@@ -240,10 +240,11 @@ bool TransplantTool::finish_applying(Editor& editor) {
 
 void TransplantTool::show(Editor& editor) {
   // The preview was ended elsewhere.
-  if (!editor.shown().previews()) shown_ = Shown::nothing;
-  if (!editor.has_in_hand(tool_)) {
+  if (!editor.view().shown().previews()) shown_ = Shown::nothing;
+  if (!editor.tool().is(tool_)) {
     // Another tool works on the surface as it is.
-    if (std::exchange(shown_, Shown::nothing) != Shown::nothing) editor.shown().end_preview();
+    if (std::exchange(shown_, Shown::nothing) != Shown::nothing)
+      editor.view().shown().end_preview();
     return;
   }
   if (!tool_.draft().stands) return;
@@ -268,9 +269,9 @@ void TransplantTool::show_carried(Editor& editor) {
     positions_[first + v] = tool_.draft().placement * part.positions[v];
   }
   if (std::exchange(shown_, Shown::carried) != Shown::carried) {
-    editor.shown().show_preview(mesh_, classes_of(first, positions_.size()));
+    editor.view().shown().show_preview(mesh_, classes_of(first, positions_.size()));
   }
-  editor.shown().show_preview(positions_);
+  editor.view().shown().show_preview(positions_);
   shown_version_ = tool_.version();
 }
 
@@ -278,12 +279,12 @@ void TransplantTool::show_result(Editor& editor) {
   const TransplantResult& result = *preview_.result();
   hole_ = result.hole;
   if (const auto* made = std::get_if<std::shared_ptr<const Mesh>>(&*result.carried_out.result)) {
-    editor.shown().show_preview(*made);
+    editor.view().shown().show_preview(*made);
   } else {
     Positions positions = tool_.host().state.rest->positions;
     place(std::get<MovedVertices>(*result.carried_out.result), positions);
-    editor.shown().show_preview(tool_.host().state.rest);
-    editor.shown().show_preview(positions);
+    editor.view().shown().show_preview(tool_.host().state.rest);
+    editor.view().shown().show_preview(positions);
   }
   shown_ = Shown::result;
   shown_version_ = tool_.version();
@@ -297,15 +298,15 @@ void TransplantTool::apply(Editor& editor) {
   preview_.follow(tool_.host().state, step);
   const TransplantResult* result = preview_.result();
   if (taken_up_) {
-    editor.replace_step(*taken_up_, step);
+    editor.actions().replace_step(*taken_up_, step);
   } else if (result != nullptr) {
     const std::vector<std::string> warnings = result->carried_out.warnings;
-    editor.perform(Apply{step, result->carried_out.result});
+    editor.actions().perform(Apply{step, result->carried_out.result});
     for (const std::string& warning : warnings) {
       say_({warning, Tone::warning, editor.state().steps.back()});
     }
   } else {
-    editor.carry_out(step);
+    editor.actions().carry_out(step);
   }
   if (editor.session().is_carrying_out()) {
     applies_ = done;
@@ -317,7 +318,7 @@ void TransplantTool::apply(Editor& editor) {
 // The user goes on with another region.
 void TransplantTool::close_applied(Editor& editor) {
   close(editor);
-  editor.begin_choosing({Part::Role::roi});
+  editor.tool().begin_choosing({Part::Role::roi});
 }
 
 void TransplantTool::release_device() {

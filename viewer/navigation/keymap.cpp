@@ -1,5 +1,6 @@
 #include "navigation/keymap.h"
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -177,6 +178,11 @@ std::string row(const std::vector<std::string>& cells) {
 std::span<const Keymap> keymaps() {
   return kKeymaps;
 }
+const Keymap& keymap_named(std::string_view name) {
+  const auto found = std::ranges::find(kKeymaps, name, &Keymap::name);
+  return found == std::end(kKeymaps) ? *std::begin(kKeymaps) : *found;
+}
+
 std::span<const KeyBinding> key_bindings() {
   return kKeyBindings;
 }

@@ -49,6 +49,12 @@ struct InputEvent {
   double scroll = 0.0;  ///< for scroll events; positive away from the user
 };
 
+/// What became of an event.
+struct Handled {
+  bool taken = false;    ///< no other receiver should act on the event
+  bool changed = false;  ///< the view must be drawn again
+};
+
 /// Returns by how many steps the event resizes a disk or a brush: [ and ], or the wheel with
 /// kSizes. Returns 0 if it does not.
 inline double size_steps(const InputEvent& event) {

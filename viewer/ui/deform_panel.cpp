@@ -64,10 +64,11 @@ void draw_orientation(Editor& editor, std::size_t handle) {
   const HandleMove& to = state.moves[handle];
   bool is_free = to.orientation == HandleOrientation::free;
   if (ImGui::Checkbox("Free rotation", &is_free)) {
-    editor.perform(MoveHandle{handle,
-                              {is_free ? to.move : shown_move(state, handle),
-                               is_free ? HandleOrientation::free : HandleOrientation::kept,
-                               {}}});
+    editor.actions().perform(
+        MoveHandle{handle,
+                   {is_free ? to.move : shown_move(state, handle),
+                    is_free ? HandleOrientation::free : HandleOrientation::kept,
+                    {}}});
   }
   explain(
       "The surface determines the rotation of the handle. Pulling the handle turns this on. The "
@@ -88,16 +89,16 @@ HandleMove typed_move(const AppState& state, std::size_t handle, const Similarit
 // Draws fields for the handle's move from rest.
 void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   const AppState& state = editor.state();
-  const std::size_t handle = editor.handle();
+  const std::size_t handle = editor.tool().handle();
   if (handle >= state.moves.size()) return;
   ImGui::AlignTextToFramePadding();
   ImGui::Text("Handle %zu", handle + 1);
   ImGui::SameLine();
-  if (ImGui::SmallButton("Reset")) editor.perform(MoveHandle{handle, SimilarityMove{}});
+  if (ImGui::SmallButton("Reset")) editor.actions().perform(MoveHandle{handle, SimilarityMove{}});
   explain("Moves the handle back to its rest position.");
   draw_gizmo_panel(editor);
-  const Move now =
-      editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : shown_move(state, handle);
+  const Move now = editor.tool().tools().gizmo.move() ? *editor.tool().tools().gizmo.move()
+                                                      : shown_move(state, handle);
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
     ImGui::TextWrapped("Scaled along tilted axes. The values cannot be edited.");
@@ -118,7 +119,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   if (!let_go) return;
   drafts.move.reset();
   if (move.rotate.axis.norm() > 0.0 && move.scale.minCoeff() > 0.0)
-    editor.perform(MoveHandle{handle, typed_move(state, handle, move)});
+    editor.actions().perform(MoveHandle{handle, typed_move(state, handle, move)});
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {
@@ -132,7 +133,7 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   if (panel.edited()) drafts.parameters = parameters;
   if (!panel.chosen()) return;
   drafts.parameters.reset();
-  editor.perform(SetParameters{parameters});
+  editor.actions().perform(SetParameters{parameters});
 }
 
 }  // namespace
@@ -143,12 +144,12 @@ void draw_deform_panel(Editor& editor, PanelDrafts& drafts, const std::string& u
     // Beside "Free rotation", if that is drawn.
     constexpr const char* kLabel = "Refine while dragging";
     const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
-    const bool is_beside = editor.handle() < editor.state().moves.size() &&
+    const bool is_beside = editor.tool().handle() < editor.state().moves.size() &&
                            allows_free_handles(editor.state().parameters);
     if (is_beside) stay_on_line(button_width(kLabel) + ImGui::GetFrameHeight(), right);
-    bool continuous = editor.settles_while_dragging();
+    bool continuous = editor.drag().settles();
     if (ImGui::Checkbox(kLabel, &continuous)) {
-      editor.set_settles_while_dragging(continuous);
+      editor.drag().set_wants_to_settle(continuous);
     }
     explain("Shows the final result during a drag, as far as time allows. Off: a rough preview.");
   }

@@ -76,9 +76,9 @@ std::optional<PoseMeasure> measure_of(Coloring coloring) {
 SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
   SurfaceStyle style = choices.style;
   style.color = choices.coloring == Coloring::plain ? SurfaceColor::plain : SurfaceColor::regions;
-  if (measure_of(choices.coloring) && editor.shown().is_measured()) {
+  if (measure_of(choices.coloring) && editor.view().shown().is_measured()) {
     style.color = SurfaceColor::scalar;
-    style.range = editor.shown().measure_range();
+    style.range = editor.view().shown().measure_range();
   }
   return style;
 }
@@ -105,13 +105,13 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
     stay_on_line(button_width(label) + ImGui::GetFrameHeight(), right_end());
   };
   next_to("Original");
-  bool before = editor.shown().shows_before();
-  if (ImGui::Checkbox("Original", &before)) editor.show_before(before);
+  bool before = editor.view().shown().shows_before();
+  if (ImGui::Checkbox("Original", &before)) editor.view().show_before(before);
   explain("Shows the mesh as it was opened.", "Shortcut: C");
   next_to("Ground grid");
   ImGui::Checkbox("Ground grid", &choices.grid);
   explain("A grid under the mesh as it was opened. The red line is the x axis.");
-  if (editor.shown().has_file_colors()) {
+  if (editor.view().shown().has_file_colors()) {
     next_to("File colours");
     ImGui::Checkbox("File colours", &style.file_colors);
   }
@@ -119,15 +119,15 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SliderFloat("##feature", &choices.feature_angle, 0.0F, 180.0F, "%.0f°",
                      ImGuiSliderFlags_AlwaysClamp);
   // A new angle rebuilds the surface, which takes too long to do in every frame of the slider drag.
-  if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_feature_angle(choices.feature_angle);
+  if (ImGui::IsItemDeactivatedAfterEdit()) editor.view().set_feature_angle(choices.feature_angle);
   explain("Edges between faces at a larger angle are shaded sharp.");
   choose_coloring(choices.coloring);
   const auto measure = measure_of(choices.coloring);
-  editor.shown().color_by(measure);
-  if (measure && !editor.shown().is_comparable()) {
+  editor.view().shown().color_by(measure);
+  if (measure && !editor.view().shown().is_comparable()) {
     ImGui::TextDisabled("The triangles have changed, so there is\nnothing to compare with.");
   }
-  if (measure && editor.shown().is_measured()) {
+  if (measure && editor.view().shown().is_measured()) {
     std::string title(legend_title(*measure));
     std::replace(title.begin(), title.end(), '\n', ' ');
     ImGui::TextDisabled("%s", in_window_words(title).c_str());

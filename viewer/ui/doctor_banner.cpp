@@ -63,16 +63,16 @@ void DoctorBanner::update(Editor& editor, bool others_preview) {
   try {
     if (auto result = job_.take(); result && state_ == State::repairing) {
       repaired_ = std::move(result);
-      editor.shown().show_preview(repaired_->mesh);
+      editor.view().shown().show_preview(repaired_->mesh);
       state_ = State::previewing;
     }
   } catch (const Error& error) {
     trouble_ = in_window_words(error.what());
     state_ = State::offering;
   }
-  if (!has_picture() || (editor.shown().previews() && !others_preview)) return;
+  if (!has_picture() || (editor.view().shown().previews() && !others_preview)) return;
   // An edit, an undo or another preview has replaced the picture.
-  if (state_ == State::marking) editor.point_at({});
+  if (state_ == State::marking) editor.view().point_at({});
   state_ = State::offering;
   repaired_.reset();
 }
@@ -85,9 +85,9 @@ void DoctorBanner::mark(Editor& editor) {
   for (const Index v : faulty.others) classes[v] = VertexClass::handle;
   for (const Index v : places_) classes[v] = VertexClass::handle;
   for (const Index v : faulty.hindering) classes[v] = VertexClass::belt;
-  editor.shown().show_preview(mesh_, std::move(classes));
+  editor.view().shown().show_preview(mesh_, std::move(classes));
   // The edit may have other vertices by now, and only its vertices can be framed and ringed.
-  std::erase_if(places_, [&](Index v) { return v >= editor.positions().size(); });
+  std::erase_if(places_, [&](Index v) { return v >= editor.view().positions().size(); });
   std::vector<Index> ringed = places_;
   if (ringed.size() > kMostRings) {
     std::vector<unsigned char> has_face(mesh_->vertex_count(), 0);
@@ -95,13 +95,13 @@ void DoctorBanner::mark(Editor& editor) {
     std::erase_if(ringed, [&](Index v) { return has_face[v] != 0; });
     ringed.resize(std::min(ringed.size(), kMostLooseRings));
   }
-  editor.point_at(std::move(ringed));
+  editor.view().point_at(std::move(ringed));
   state_ = State::marking;
 }
 
 void DoctorBanner::show_as_before(Editor& editor) {
-  editor.point_at({});
-  editor.shown().end_preview();
+  editor.view().point_at({});
+  editor.view().shown().end_preview();
   repaired_.reset();
   state_ = State::offering;
 }

@@ -38,15 +38,15 @@ void draw_pivot(Editor& editor, GizmoChoices& choices) {
   if (ImGui::Combo("##pivot", &pivot, kPivots.data(), static_cast<int>(kPivots.size()))) {
     // There is no pivot point before it is picked.
     if (static_cast<GizmoPivot>(pivot) == GizmoPivot::point) {
-      editor.begin_picking_pivot();
+      editor.input().begin_picking_pivot();
     } else {
       choices.pivot = static_cast<GizmoPivot>(pivot);
     }
   }
-  if (editor.picks_pivot()) ImGui::TextWrapped("%s", editor.hint());
-  if (choices.pivot == GizmoPivot::point && !editor.picks_pivot() &&
+  if (editor.input().picks_pivot()) ImGui::TextWrapped("%s", editor.input().hint());
+  if (choices.pivot == GizmoPivot::point && !editor.input().picks_pivot() &&
       ImGui::SmallButton("Pick another point")) {
-    editor.begin_picking_pivot();
+    editor.input().begin_picking_pivot();
   }
 }
 
@@ -68,8 +68,8 @@ void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& 
 }
 
 void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout) {
-  const GizmoTool& tool = editor.gizmo_tool();
-  const Gizmo gizmo = tool.gizmo(editor.state(), editor.handle());
+  const GizmoTool& tool = editor.tool().tools().gizmo;
+  const Gizmo gizmo = tool.gizmo(editor.state(), editor.tool().handle());
   draw_gizmo(pen, gizmo, tool.part(), lines);
   if (!tool.is_dragging()) return;
   if (const auto center = pen.projection().to_pixel(gizmo.center)) {
@@ -79,21 +79,21 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
 }
 
 void draw_gizmo_panel(Editor& editor) {
-  GizmoMode mode = editor.gizmo_tool().mode();
+  GizmoMode mode = editor.tool().tools().gizmo.mode();
   if (choose("Gizmo", mode,
              {{"Move", GizmoMode::translate},
               {"Rotate", GizmoMode::rotate},
               {"Scale", GizmoMode::scale}})) {
-    editor.show_gizmo(mode);
+    editor.tool().tools().gizmo.show(mode);
   }
-  GizmoChoices choices = editor.gizmo_choices();
+  GizmoChoices choices = editor.tool().tools().gizmo.choices();
   choose("Orientation", choices.axes,
          {{"World", GizmoAxes::world}, {"Local", GizmoAxes::local}, {"Normal", GizmoAxes::normal}});
   draw_pivot(editor, choices);
   ImGui::Checkbox("Snap to surface", &choices.sticks_to_surface);
   explain("Keeps the centre of the handle on the surface beside the region while you move it.",
           "Shortcut: Shift+Tab");
-  editor.set_gizmo_choices(choices);
+  editor.tool().tools().gizmo.set_choices(choices);
 }
 
 }  // namespace lapwing::viewer

@@ -15,8 +15,8 @@ constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
 constexpr ImU32 kMirror = IM_COL32(90, 190, 255, 28);
 
 void draw_ruler(Pen& pen, const Editor& editor, std::string& readout) {
-  const RulerTool& ruler = editor.ruler_tool();
-  if (!ruler.has_both_ends() || !editor.shown().has_triangles_of_state()) return;
+  const RulerTool& ruler = editor.tool().tools().ruler;
+  if (!ruler.has_both_ends() || !editor.view().shown().has_triangles_of_state()) return;
   const auto line = pen.pixels_of(ruler.line());
   if (line.size() < 2) return;
   const std::array<Vector2d, 2> ends{line.front(), line.back()};
@@ -30,17 +30,17 @@ void draw_ruler(Pen& pen, const Editor& editor, std::string& readout) {
 
 // Pins are too small to be seen by their colour.
 void draw_pins(Pen& pen, const Editor& editor) {
-  if (!editor.shown().has_triangles_of_state()) return;
+  if (!editor.view().shown().has_triangles_of_state()) return;
   const AppState& state = editor.state();
-  const auto& followed = editor.shown().followed();
+  const auto& followed = editor.view().shown().followed();
   const auto draw = [&](std::size_t h, const VertexSet& vertices) {
     if (vertices.size() != 1) return;
     const Index v = vertices.front();
     const Eigen::Vector3d place = h < followed.size()
                                       ? Eigen::Vector3d(followed[h] * state.rest->positions[v])
-                                      : editor.positions()[v];
+                                      : editor.view().positions()[v];
     const auto pixel = pen.projection().to_pixel(place);
-    if (pixel) pen.dot(*pixel, editor.handle() == h ? kHighlight : kLine);
+    if (pixel) pen.dot(*pixel, editor.tool().handle() == h ? kHighlight : kLine);
   };
   if (state.mirrored) {
     const std::vector<VertexSet>& handles = state.mirrored->region.handles;
@@ -55,7 +55,7 @@ void draw_pins(Pen& pen, const Editor& editor) {
 void draw_mirror(Pen& pen, const Editor& editor) {
   const auto& plane = editor.state().selection.mirror;
   if (!plane) return;
-  const Bounds& bounds = editor.shown().opened_bounds();
+  const Bounds& bounds = editor.view().shown().opened_bounds();
   const Eigen::Vector3d normal = plane->normal.normalized();
   const Eigen::Vector3d center =
       bounds.center() - normal.dot(bounds.center() - plane->point) * normal;
@@ -70,13 +70,13 @@ void draw_mirror(Pen& pen, const Editor& editor) {
 }
 
 void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
-  const ToolMarks marks = editor.tool().marks();
+  const ToolMarks marks = editor.tool().scene_tool().marks();
   const ImU32 color = marks.line_is_done ? kHighlight : kLine;
   pen.line(pen.pixels_of(editor, marks.line), false, color, kThickPt);
   for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
   for (std::size_t k = 0; k < marks.grips.size(); ++k) {
     // On a surface that is being moved the grips would stay behind.
-    if (editor.shown().follows() || !marks.grips[k].faces_eye(pen.projection())) continue;
+    if (editor.view().shown().follows() || !marks.grips[k].faces_eye(pen.projection())) continue;
     const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
     if (!pixel) continue;
     pen.dot(*pixel, marks.grip == k ? kHighlight : kLine);
@@ -117,9 +117,9 @@ void EditMarks::draw(const DetailTransferTool& desk, const Editor& editor, const
   Pen beside(desk.view()->view_frame(), pixels_per_unit, points_, corner);
   draw_ends(beside, source, 0, desk.picked_source(), desk.view()->shown().positions());
   // On other triangles the vertex numbers mean nothing.
-  if (!editor.shown().has_triangles_of_state()) return;
+  if (!editor.view().shown().has_triangles_of_state()) return;
   Pen pen(view, pixels_per_unit, points_);
-  draw_ends(pen, source, 1, desk.picked_target(), editor.positions());
+  draw_ends(pen, source, 1, desk.picked_target(), editor.view().positions());
 }
 
 void EditMarks::draw_pane_names(const DetailTransferTool& desk, const std::string& target,
@@ -139,15 +139,15 @@ void EditMarks::draw_pane_names(const DetailTransferTool& desk, const std::strin
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
                      const Vector2d& cursor) {
   Pen pen(view, pixels_per_unit, points_);
-  const bool pulls = editor.gizmo_tool().orientation() == HandleOrientation::free;
-  if (editor.has_gizmo() || (editor.gizmo_tool().is_dragging() && !pulls)) {
+  const bool pulls = editor.tool().tools().gizmo.orientation() == HandleOrientation::free;
+  if (editor.tool().has_gizmo() || (editor.tool().tools().gizmo.is_dragging() && !pulls)) {
     draw_gizmo(pen, editor, gizmo_, readout_);
   }
   draw_mirror(pen, editor);
   draw_pins(pen, editor);
   draw_ruler(pen, editor, readout_);
   draw_marks(pen, editor, cursor);
-  for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {
+  for (const Vector2d& pixel : pen.pixels_of(editor, editor.view().pointed_at())) {
     pen.circle(pixel, 14.0, kPointer);
   }
 }

@@ -26,11 +26,11 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
   const History& history = editor.session().history();
   const std::size_t done = history.done();
   if (draw_step_button("Undo", Action::undo, done > 0 ? &history.name(done - 1) : nullptr)) {
-    editor.undo();
+    editor.actions().undo();
   }
   ImGui::SameLine();
   if (draw_step_button("Redo", Action::redo, history.can_redo() ? &history.name(done) : nullptr)) {
-    editor.redo();
+    editor.actions().redo();
   }
   std::optional<PathPurpose> purpose;
   const float right = right_end();
@@ -56,7 +56,7 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
   if (drafts.history_shown != history.done()) ImGui::SetScrollHereY(1.0F);
   drafts.history_shown = history.done();
   ImGui::EndChild();
-  if (chosen) editor.go_to(*chosen);
+  if (chosen) editor.actions().go_to(*chosen);
   return purpose;
 }
 

@@ -165,7 +165,7 @@ void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   if (handles.empty()) {
     ImGui::TextWrapped("Select a handle (H) where the second source appears.");
   } else if (ImGui::Button("Use the handle")) {
-    ramp.region = spec_of(handles[editor.handle()], "weight");
+    ramp.region = spec_of(handles[editor.tool().handle()], "weight");
   }
 }
 

@@ -120,9 +120,9 @@ std::optional<Action> draw_carried_panel(Editor& editor) {
   if (pressed) {
     const CarriedObject object = objects[*pressed];
     if (object.follows) {
-      editor.perform(StopCarrying{object.file()});
+      editor.actions().perform(StopCarrying{object.file()});
     } else {
-      editor.perform(CarryAlong{object.rest});
+      editor.actions().perform(CarryAlong{object.rest});
     }
   }
   return wanted;

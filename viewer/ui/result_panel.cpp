@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "editing/editor_actions.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "work/window_words.h"
@@ -41,8 +42,8 @@ const char* words(Phase phase, const Preparation& preparation, bool has_handle) 
 }
 
 const char* words_of_surface(const Editor& editor) {
-  if (editor.shows_live_result()) return "Refined surface";
-  switch (editor.surface().source()) {
+  if (editor.drag().shows_live_result()) return "Refined surface";
+  switch (editor.view().device().source()) {
     case SurfaceSource::still:
       return "Current surface";
     case SurfaceSource::preview:
@@ -57,11 +58,12 @@ void draw_progress(Editor& editor) {
   EditSession& session = editor.session();
   PreparationStatus status = session.preparation().status();
   // During a drag the surface settles in every frame, so the phase would flicker.
-  if (status.phase == Phase::settling && editor.is_dragging()) status.phase = Phase::ready;
+  if (status.phase == Phase::settling && editor.tool().is_dragging()) status.phase = Phase::ready;
   ImGui::TextWrapped(
       "%s", words(status.phase, session.preparation(), !editor.state().selection.handles.empty()));
   if (!status.message.empty()) ImGui::TextWrapped("%s", in_window_words(status.message).c_str());
-  if (editor.handles_leave_roi() && ImGui::Button("Enlarge region")) editor.enlarge_roi();
+  if (handles_leave_roi(editor.state().selection) && ImGui::Button("Enlarge region"))
+    enlarge_roi(editor);
   const bool prepares = status.phase == Phase::previewing || status.phase == Phase::solving;
   if (prepares || status.phase == Phase::settling) {
     const float share = static_cast<float>(status.fraction);
@@ -72,8 +74,8 @@ void draw_progress(Editor& editor) {
       prepares ? session.cancel_preparation() : session.cancel_settling();
     }
   } else if (status.phase == Phase::ready && needs_settling(editor.state()) &&
-             !editor.is_dragging()) {
-    if (ImGui::Button("Refine")) editor.settle();
+             !editor.tool().is_dragging()) {
+    if (ImGui::Button("Refine")) editor.session().prepare();
   } else if (status.phase == Phase::idle && !editor.state().selection.handles.empty()) {
     if (ImGui::Button("Prepare")) session.prepare();
   }
@@ -84,7 +86,7 @@ void draw_missing_hold(Editor& editor) {
   draw_colored(Tone::warning,
                "Nothing holds the surface, so it moves as a whole with the handle. Select a fixed "
                "border, add a second handle, or select a smaller region.");
-  if (ImGui::SmallButton("Select fixed border")) editor.begin_choosing({Part::Role::belt});
+  if (ImGui::SmallButton("Select fixed border")) editor.tool().begin_choosing({Part::Role::belt});
   explain(Action::choose_belt);
 }
 
@@ -165,7 +167,7 @@ ResultWish draw_result_panel(Editor& editor, bool points) {
     if (of_warning.remedy) remedy = of_warning.remedy;
     ImGui::PopID();
   }
-  if (remedy) editor.carry_out(*remedy);  // replaces the warnings
+  if (remedy) carry_out(editor, *remedy);  // replaces the warnings
   return wish;
 }
 

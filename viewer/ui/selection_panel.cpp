@@ -16,8 +16,8 @@ using Role = Part::Role;
 void draw_part(Editor& editor, const char* name, const Part& part) {
   ImGui::PushID(name);
   draw_swatch(kHandleColor);
-  if (ImGui::RadioButton(name, editor.part() == part)) editor.choose(part);
-  const std::size_t count = editor.count(part);
+  if (ImGui::RadioButton(name, editor.tool().part() == part)) editor.tool().choose(part);
+  const std::size_t count = editor.tool().count(part);
   if (count > 0) {
     ImGui::SameLine();
     ImGui::TextDisabled("%zu", count);
@@ -50,11 +50,12 @@ void draw_handles(Editor& editor) {
 }
 
 void draw_parts(Editor& editor) {
-  const std::size_t roi = editor.count({Role::roi});
+  const std::size_t roi = editor.tool().count({Role::roi});
   if (roi == 0) {
     ImGui::TextDisabled("Nothing selected");
   } else {
-    ImGui::TextDisabled("Region %zu, fixed border %zu vertices", roi, editor.count({Role::belt}));
+    ImGui::TextDisabled("Region %zu, fixed border %zu vertices", roi,
+                        editor.tool().count({Role::belt}));
   }
   draw_handles(editor);
 }
@@ -73,7 +74,7 @@ void draw_paint_options(PaintTool::Options& options) {
 }
 
 void draw_stiffness_options(Editor& editor) {
-  StiffnessPaint& paint = editor.stiffness_tool();
+  StiffnessPaint& paint = editor.tool().tools().stiffness;
   ImGui::Checkbox("Rigid", &paint.is_rigid);
   explain("Each connected rigid part, such as a bone or a tooth, moves as one body.");
   if (!paint.is_rigid) {
@@ -87,7 +88,7 @@ void draw_stiffness_options(Editor& editor) {
   }
   draw_paint_options(paint.brush());
   if (editor.state().selection.stiffness.empty()) return;
-  if (ImGui::Button("Remove stiffness")) editor.perform(SetStiffness{});
+  if (ImGui::Button("Remove stiffness")) editor.actions().perform(SetStiffness{});
 }
 
 // A whole drag of the slider is one step of the history.
@@ -101,7 +102,7 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   if (ImGui::IsItemActive()) drafts.belt_percent = static_cast<double>(percent);
   if (!ImGui::IsItemDeactivated()) return;
   const auto chosen = std::exchange(drafts.belt_percent, std::nullopt);
-  if (chosen) editor.perform(SetBeltWidth{0.01 * *chosen});
+  if (chosen) editor.actions().perform(SetBeltWidth{0.01 * *chosen});
 }
 
 // Draws a checkbox that makes a handle soft and, for a soft handle, a slider for its weight. Sets
@@ -129,7 +130,7 @@ bool draw_handle_weight(std::optional<double>& weight, bool& let_go) {
 
 // Draws how firmly the current handle holds. A whole drag of a slider is one step of the history.
 void draw_falloff(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
-  const std::size_t handle = editor.handle();
+  const std::size_t handle = editor.tool().handle();
   if (handle >= editor.state().selection.handles.size()) return;
   const Falloff& now = editor.state().selection.handles[handle].falloff;
   if (!now.field.empty()) {
@@ -140,7 +141,8 @@ void draw_falloff(Editor& editor, PanelDrafts& drafts, const std::string& unit) 
   Falloff falloff = drafts.falloff ? drafts.falloff->falloff : now;
   const Transition transition = falloff.transition.value_or(Transition{});
   float width = static_cast<float>(transition.width);
-  const float longest = 0.25F * static_cast<float>(editor.shown().opened_bounds().diagonal());
+  const float longest =
+      0.25F * static_cast<float>(editor.view().shown().opened_bounds().diagonal());
   bool let_go = false;
   label_field("Falloff");
   const std::string format = width > 0.0F ? with_unit("%.3g", unit) : "None";
@@ -157,7 +159,7 @@ void draw_falloff(Editor& editor, PanelDrafts& drafts, const std::string& unit) 
   }
   if (!let_go) return;
   const auto chosen = std::exchange(drafts.falloff, std::nullopt);
-  if (chosen) editor.perform(*chosen);
+  if (chosen) editor.actions().perform(*chosen);
 }
 
 enum class MirrorChoice { off, x, y, z, shape };
@@ -182,13 +184,13 @@ void draw_mirror(Editor& editor) {
                               {"Shape", MirrorChoice::shape}});
   explain("Symmetry plane of the shape.", "Shortcut: Shift+M");
   if (!chosen) return;
-  if (choice == MirrorChoice::shape) return editor.mirror_by_shape();
+  if (choice == MirrorChoice::shape) return mirror_by_shape(editor);
   SetMirror command;
   if (choice != MirrorChoice::off) {
     const int axis = static_cast<int>(choice) - static_cast<int>(MirrorChoice::x);
     command.plane = MirrorPlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)};
   }
-  editor.perform(command);
+  editor.actions().perform(command);
 }
 
 void draw_buttons(Editor& editor) {
@@ -202,7 +204,7 @@ void draw_buttons(Editor& editor) {
       Button{"Shrink", Action::shrink},       Button{"Invert", Action::invert},
       Button{"Remove", Action::remove_handle}};
   const float right = right_end();
-  const Part& part = editor.part();
+  const Part& part = editor.tool().part();
   const bool has_handle =
       part.role == Role::handle && part.handle < editor.state().selection.handles.size();
   bool first = true;
@@ -219,8 +221,9 @@ void draw_buttons(Editor& editor) {
 
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
   draw_parts(editor);
-  if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor.paint_tool().options());
-  if (editor.has_in_hand(editor.stiffness_tool())) draw_stiffness_options(editor);
+  if (editor.tool().is(editor.tool().tools().paint))
+    draw_paint_options(editor.tool().tools().paint.options());
+  if (editor.tool().is(editor.tool().tools().stiffness)) draw_stiffness_options(editor);
   draw_buttons(editor);
   draw_belt_width(editor, drafts);
   draw_falloff(editor, drafts, unit);

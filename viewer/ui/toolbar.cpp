@@ -12,8 +12,8 @@ using Role = Part::Role;
 void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color,
                Action action) {
   draw_swatch(color);
-  const bool chosen = editor.part().role == part.role && editor.chooses_parts();
-  if (toggle_button(name, chosen)) editor.begin_choosing(part);
+  const bool chosen = editor.tool().part().role == part.role && editor.tool().chooses_parts();
+  if (toggle_button(name, chosen)) editor.tool().begin_choosing(part);
   explain(action);
 }
 
@@ -37,9 +37,10 @@ double draw_toolbar(Editor& editor, const PictureArea& area) {
     const float right = ImGui::GetWindowPos().x + across - style.WindowPadding.x;
     const float swatch = swatch_width();
     const auto& handles = editor.state().selection.handles;
-    const std::size_t handle = editor.part().role == Role::handle ? editor.part().handle
-                               : handles.empty()                  ? 0
-                                                                  : editor.handle();
+    const std::size_t handle = editor.tool().part().role == Role::handle
+                                   ? editor.tool().part().handle
+                               : handles.empty() ? 0
+                                                 : editor.tool().handle();
     draw_part(editor, "Region", {Role::roi}, kRoiColor, Action::choose_roi);
     stay_on_line(button_width("Handle") + swatch, right);
     draw_part(editor, "Handle", {Role::handle, handle}, kHandleColor, Action::choose_handle);
@@ -52,7 +53,7 @@ double draw_toolbar(Editor& editor, const PictureArea& area) {
       const bool is_at_start = ImGui::GetCursorPosX() <= style.WindowPadding.x;
       if (first && !is_at_start) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
       first = false;
-      if (toggle_button(row.name, editor.row() == &row)) editor.take(row);
+      if (toggle_button(row.name, editor.tool().row() == &row)) editor.tool().take(row);
       explain(row.action);
     }
     height = ImGui::GetWindowHeight();

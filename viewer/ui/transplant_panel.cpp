@@ -126,8 +126,8 @@ std::optional<PathPurpose> draw_more_parts(TransplantTool& desk, Editor& editor,
 
 void draw_place(TransplantTool& desk, Editor& editor) {
   PlaceTool& tool = desk.tool();
-  if (!editor.has_in_hand(tool)) {
-    if (ImGui::Button("Place by hand")) editor.lend(tool);
+  if (!editor.tool().is(tool)) {
+    if (ImGui::Button("Place by hand")) editor.tool().lend(tool);
     ImGui::SameLine();
     ImGui::TextDisabled("Another tool is active.");
   } else if (tool.stage() == Stage::set_down) {
@@ -139,7 +139,7 @@ void draw_place(TransplantTool& desk, Editor& editor) {
             {"Scale", GizmoMode::scale}});
     tool.show(mode);
   } else {
-    ImGui::TextWrapped("%s", editor.hint());
+    ImGui::TextWrapped("%s", editor.input().hint());
     ImGui::Checkbox("Snap rim to surface", &tool.snaps);
   }
 }

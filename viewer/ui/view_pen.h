@@ -101,7 +101,8 @@ class Pen {
                                              std::span<const Index> vertices) {
     points_.clear();
     for (const Index v : vertices) {
-      if (const auto pixel = projection_.to_pixel(editor.positions()[v])) points_.push_back(*pixel);
+      if (const auto pixel = projection_.to_pixel(editor.view().positions()[v]))
+        points_.push_back(*pixel);
     }
     return points_;
   }

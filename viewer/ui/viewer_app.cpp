@@ -1,48 +1,57 @@
 #include "ui/viewer_app.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
 #include <utility>
 
-#include "editing/kernels_like.h"
-#include "lapwing/base/errors.h"
-#include "lapwing/render/render_image.h"
+#include "editing/editor_actions.h"
 #include "window/window.h"
-#include "work/window_words.h"
 
 namespace lapwing::viewer {
+namespace {
+
+constexpr auto kAskedPaths = std::to_array<std::pair<Action, PathPurpose>>(
+    {{Action::open, PathPurpose::open},
+     {Action::save_as, PathPurpose::save_mesh},
+     {Action::save_recipe, PathPurpose::save_recipe},
+     {Action::replay_recipe, PathPurpose::replay_recipe},
+     {Action::carry_file, PathPurpose::carry_file}});
+
+}  // namespace
 
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept)
-    : context_(context),
-      kept_(std::move(kept)),
-      loader_(kernels_like(context), &Window::wake),
-      chooser_(&Window::wake),
-      recent_(kept_.recent),
-      samples_(find_samples()) {
-  if (kept_.preferences.empty()) return;
-  ReadPreferences read = read_preferences(kept_.preferences);
+    : context_(std::move(context)),
+      preferences_file_(std::move(kept.preferences)),
+      dialogs_(document_, preferences_, kept.recent, messages_, toasts()),
+      files_(document_, context_, std::move(kept.journals), dialogs_, messages_, toasts(),
+             [this](bool is_restored) { begin(is_restored); }),
+      viewport_(document_, preferences_, display_),
+      recorder_(document_, context_, viewport_, display_, dialogs_, files_, toasts()),
+      sidebar_(document_, viewport_, preferences_, display_) {
+  if (preferences_file_.empty()) return;
+  ReadPreferences read = read_preferences(preferences_file_);
   preferences_ = kept_preferences_ = std::move(read.preferences);
   for (std::string& trouble : read.troubles) say({std::move(trouble), Tone::warning});
 }
 
-void ViewerApp::offer_interrupted() {
-  interrupted_ = find_interrupted(kept_.journals);
-  // An empty edit has nothing to restore.
-  std::erase_if(interrupted_, [](const InterruptedEdit& edit) {
-    if (edit.is_empty()) discard(edit);
-    return edit.is_empty();
-  });
+void ViewerApp::order(PictureOrder picture) {
+  order_ = std::move(picture);
+  files_.rethrow_errors();
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
-  give_up_turntable("The graphics device stopped responding");
-  part_pictures_.release();
+  recorder_.give_up("The graphics device stopped responding");
+  sidebar_.release_device();
   if (document_) {
     document_->mesh_steps.release_device();
     document_->transplant.release_device();
     document_->desk.release_device();
     document_->editor.release_device();
   }
-  loader_.use_kernels(kernels_like(context));
   context_ = std::move(context);
+  files_.use_device();
   if (document_) {
     document_->editor.use_device(context_);
     document_->desk.use_device(context_);
@@ -52,85 +61,14 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   say("The graphics device failed and was restarted: " + context_->description().name);
 }
 
-void ViewerApp::open(const std::filesystem::path& file,
-                     const std::vector<std::filesystem::path>& carry,
-                     std::optional<PathPurpose> asked_for) {
-  // A file dropped on the window answers the dialog.
-  if (chooser_.is_open() && chooser_.purpose() == PathPurpose::open) chooser_.close();
-  leave_for([this, file, carry, asked_for] {
-    load({file, asked_for}, [file, carry](Kernels& kernels, const Progress& progress) {
-      return load_file(file, carry, kernels, progress);
-    });
-  });
-}
-
-void ViewerApp::load(Loading what, Load load) {
-  show_start_ = false;
-  start_trouble_.clear();
-  loading_ = std::move(what);
-  load_again_ = load;
-  loader_.start(
-      [load = std::move(load)](const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
-        return load(*kernels, progress);
-      });
-}
-
-void ViewerApp::take_loaded() {
-  if (order_failure_) std::rethrow_exception(order_failure_);
-  bool can_load_again = false;
-  try {
-    std::optional<LoadedFile> file = loader_.take();
-    if (!file) return;
-    if (file->replayed_from) {
-      go_on_with(std::move(*file));
-    } else {
-      const bool is_restored = file->restored.has_value();
-      can_load_again = !is_restored && load_again_ != nullptr;
-      show(std::move(*file));
-      // Without the crash, the user would still have this tool.
-      if (is_restored && preferences_.tool == "Grab") document_->editor.take(Action::take_grab);
-      if (!is_restored && !order_) recent_.add(loading_.file);
-    }
-  } catch (const Error& error) {
-    if (can_load_again && dynamic_cast<const GpuError*>(&error) != nullptr) {
-      // Load again, for the device that the main loop opens next.
-      load(loading_, load_again_);
-      load_again_ = {};
-      throw;
-    }
-    if (order_) {
-      order_failure_ = std::current_exception();
-      throw;
-    }
-    if (loading_.asked_for) {
-      ask_again(*loading_.asked_for, loading_.file, error.what());
-    } else {
-      document_ ? say(Message(error)) : messages_.record(Message(error));
-      start_trouble_ = in_window_words(error.what());
-    }
-  }
-  show_start_ = !document_;
-}
-
-void ViewerApp::show(LoadedFile file) {
-  give_up_turntable("Another mesh was opened");
-  // Two meshes at a time may not fit on the device.
-  if (document_) document_->editor.session().close();
-  document_.reset();
-  slider_.reset();
-  saving_ = nullptr;
-  document_ = std::make_unique<Document>(
-      std::move(file), kept_.journals, context_,
-      [this](Message message) { hear(std::move(message)); }, &Window::wake);
-  take_preferred_tools();
-  up_axis_ = document_->opened.up_axis;
+// Shows a document that was just opened.
+void ViewerApp::begin(bool is_restored) {
+  recorder_.give_up("Another mesh was opened");
+  take_preferred_tools(is_restored);
   frames_shown_ = 0;
-  show_start_ = false;
   messages_.close_all();
-  view_before_.reset();
-  task_to_show_ = begun_task_ = Task::deform;
-  look_from(View::three_quarter);
-  frame_all();
+  sidebar_.begin();
+  viewport_.begin();
   say_of_colors();
 }
 
@@ -145,46 +83,26 @@ void ViewerApp::say_of_colors() {
           : notes[0] + " (" + std::to_string(notes.size() - 1) + " more in Help > Messages)");
 }
 
-void ViewerApp::take_preferred_tools() {
+void ViewerApp::take_preferred_tools(bool is_restored) {
   Editor& editor = document_->editor;
-  editor.set_gizmo_keys(gizmo_keys());
-  editor.set_feature_angle(display_.feature_angle);
-  editor.set_settles_while_dragging(preferences_.settles_while_dragging);
-  editor.grab_tool().set_radius_pt(preferences_.grab_radius_pt);
-  editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
-  // An edit that has begun goes on with its gizmo.
-  if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
+  editor.view().set_feature_angle(display_.feature_angle);
+  editor.drag().set_wants_to_settle(preferences_.settles_while_dragging);
+  editor.tool().tools().grab.set_radius_pt(preferences_.grab_radius_pt);
+  editor.tool().tools().paint.options().radius_pt = preferences_.brush_radius_pt;
+  // An edit that has begun goes on with its gizmo, except if a crash took the Grab tool away.
+  const bool goes_on_with_grab = is_restored && preferences_.tool == "Grab";
+  if (editor.tool().row() == nullptr) return;
+  if (editor.tool().row()->action == Action::take_move && !goes_on_with_grab) return;
   for (const ToolRow& row : tool_rows()) {
-    if (row.name == preferences_.tool && chooses(row)) editor.take(row);
-  }
-}
-
-void ViewerApp::go_on_with(LoadedFile replay) {
-  if (!document_) return;
-  Editor& editor = document_->editor;
-  if (editor.session().history().done() != *replay.replayed_from || editor.is_dragging()) {
-    return say({"The mesh was edited while the recipe ran. Replay it again.", Tone::error});
-  }
-  editor.continue_with(std::move(replay.history));
-}
-
-void ViewerApp::leave_for(std::function<void()> action) {
-  if (document_ && document_->editor.session().history().unsaved()) {
-    leaving_for_ = std::move(action);
-  } else {
-    action();
+    if (row.name == preferences_.tool && chooses(row)) editor.tool().take(row);
   }
 }
 
 void ViewerApp::ask_to_close() {
-  leave_for([this] {
+  files_.leave_for([this] {
     if (document_) document_->editor.session().close();
     quit_ = true;
   });
-}
-
-double ViewerApp::now() const {
-  return 1e-3 * started_.elapsed_ms();
 }
 
 void ViewerApp::say(Message message) {
@@ -197,66 +115,121 @@ std::string_view ViewerApp::title() const {
                                                          : document_->title;
 }
 
-// Whether the eye is inside `bounds`.
-bool ViewerApp::is_inside(const Bounds& bounds) const {
-  return (bounds.min.array() <= camera_.eye.array()).all() &&
-         (camera_.eye.array() <= bounds.max.array()).all();
+void ViewerApp::resize(const Eigen::Vector2d& size, double pixels_per_point) {
+  viewport_.resize(size, pixels_per_point);
+  preferences_.window_width = static_cast<int>(std::lround(size.x() / pixels_per_point));
+  preferences_.window_height = static_cast<int>(std::lround(size.y() / pixels_per_point));
 }
 
-SurfaceStyle ViewerApp::shown_style() const {
-  SurfaceStyle style = style_of(display_, document_->editor);
-  // The doctor marks its places in the colours of regions.
-  if (document_->banner.marks()) style.color = SurfaceColor::regions;
-  return style;
+// Whether a dialog waits for an answer. Then it gets the keys.
+bool ViewerApp::asks() const {
+  return files_.asks() || dialogs_.asks() || recorder_.asks() || recorder_.is_recording();
 }
 
-// The grid is placed under the mesh as it was opened, so that an edit does not move it.
-std::optional<GroundGrid> ViewerApp::shown_grid() const {
-  if (!display_.grid) return {};
-  return ground_grid(document_->editor.shown().opened_bounds(), up_axis_);
+// Whether a list or menu is open, which Escape closes before it reaches the tool.
+bool ViewerApp::is_covered() const {
+  return show_controls_ || files_.is_start_over_document() ||
+         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-Scene ViewerApp::scene() {
-  Scene scene;
-  scene.background = display_.background;
-  if (!document_) return scene;
-  Editor& editor = document_->editor;
-  scene.surface = &editor.surface().shown();
-  scene.paint = &editor.surface().paint();
-  scene.carried = editor.carried().drawn();
-  scene.camera = view_frame().camera;
-  scene.grid = shown_grid();
-  scene.style = shown_style();
-  scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
-  scene.moving = motion_.has_value() || on_slider_ || editor.is_dragging();
-  if (const auto line = slider_line()) {
-    const EditSurface& opened = editor.shown().opened_on_device();
-    LeftScene& left = scene.left.emplace();
-    left.surface = &opened.shown();
-    left.paint = &opened.paint();
-    left.style = scene.style;
-    // The opened mesh has no measured values.
-    if (left.style.color == SurfaceColor::scalar) left.style.color = SurfaceColor::regions;
-    left.width = *line;
+bool ViewerApp::handle(const InputEvent& event) {
+  if (event.kind != InputKind::move) messages_.acted(now());
+  const bool escapes = event.kind == InputKind::key && event.key == kEscape;
+  if (recorder_.is_recording()) {
+    // The scene must not change while it is being saved.
+    if (escapes) escape();
+    return true;
   }
-  const bool closed = document_->closed_outward && editor.shown().is_comparable();
-  if (scene.moving && closed && !is_inside(editor.bounds())) {
-    scene.style.sides = Sides::front;
+  if (asks() && !is_of_pointer(event)) {
+    escapes ? escape() : dialogs_.take(event);
+    return true;
   }
-  if (const auto area = source_area()) {
-    const SourceView& view = *document_->desk.view();
-    SideScene& beside = scene.beside.emplace();
-    beside.surface = &view.shown().device().shown();
-    beside.paint = &view.shown().device().paint();
-    beside.camera = view.view_frame().camera;
-    beside.style = display_.style;
-    beside.style.color = SurfaceColor::regions;
-    beside.style.pixels_per_point = scene.style.pixels_per_point;
-    beside.corner = area->corner;
-    beside.size = area->size;
-    scene.moving = scene.moving || view.holds_mouse();
+  if (escapes && is_covered()) {
+    escape();
+    return true;
   }
-  return scene;
+  if (const auto changed = viewport_.handle(event)) return *changed;
+  if (escapes) {
+    if (cancel_layers()) return true;
+    escape();
+  }
+  if (const auto action = action_of(event)) perform(*action);
+  return true;
+}
+
+// Ends the picking or painting of a coat or mix, or else its step under way, or else the coat or
+// mix. Returns false if there is none, or if something that Escape closes is open in front of it.
+bool ViewerApp::cancel_layers() {
+  const bool is_behind =
+      viewport_.shows_vertices() || show_machine_ || show_messages_ || files_.is_loading();
+  if (!document_ || !document_->desk.is_open() || is_behind) return false;
+  document_->desk.cancel(document_->editor);
+  return true;
+}
+
+void ViewerApp::escape() {
+  if (recorder_.is_recording()) return recorder_.give_up("Cancelled");
+  if (dialogs_.asks_to_overwrite()) {
+    dialogs_.close();
+    return;
+  }
+  if (viewport_.shows_vertices()) viewport_.look_back();
+  show_controls_ = false;
+  show_machine_ = false;
+  show_messages_ = false;
+  recorder_.close_plans();
+  // Close one thing at a time, so that what led to the chooser shows again.
+  if (dialogs_.close()) return;
+  if (document_ && document_->mesh_steps.is_open()) {
+    return document_->mesh_steps.close(document_->editor);
+  }
+  files_.cancel();
+}
+
+void ViewerApp::perform(Action action) {
+  if (document_ && perform_on(document_->editor, action)) return;
+  if (document_ && perform_on(document_->desk, document_->editor, action)) return;
+  if (viewport_.perform(action)) return;
+  for (const auto& [own, purpose] : kAskedPaths) {
+    if (own == action) return dialogs_.ask_for(purpose);
+  }
+  switch (action) {
+    case Action::toggle_wireframe:
+      display_.style.wireframe = !display_.style.wireframe;
+      display_.style.xray = false;
+      return;
+    case Action::toggle_xray:
+      display_.style.xray = !display_.style.xray;
+      return;
+    case Action::toggle_flat:
+      display_.style.flat = !display_.style.flat;
+      return;
+    case Action::toggle_controls:
+      show_controls_ = !show_controls_;
+      return;
+    case Action::take_part:
+      if (document_) document_->transplant.take_next_part();
+      return;
+    case Action::take_up_part:
+      if (document_) document_->transplant.take_up_last(document_->editor);
+      return;
+    case Action::save:
+      return files_.save();
+    case Action::open_source:
+      if (document_ && document_->desk.is_open()) dialogs_.ask_for(PathPurpose::open_source);
+      return;
+    case Action::save_carried:
+      if (document_) files_.save_carried();
+      return;
+    case Action::save_picture:
+      return recorder_.plan_picture();
+    case Action::save_turntable:
+      return recorder_.plan_turntable();
+    case Action::quit:
+      return ask_to_close();
+    default:
+      return;  // an action of the editor, but no mesh is open
+  }
 }
 
 }  // namespace lapwing::viewer

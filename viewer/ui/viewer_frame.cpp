@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "ui/draw_axis_gizmo.h"
 #include "ui/viewer_app.h"
 #include "ui/widgets.h"
 #include "work/window_words.h"
@@ -39,7 +38,7 @@ void append_state(std::string& text, const Editor& editor) {
       break;
     case At::settling:
       // During a drag the surface settles in every frame, so the text would flicker.
-      if (!editor.is_dragging()) append_part(text, "Refining %.0f%%", percent);
+      if (!editor.tool().is_dragging()) append_part(text, "Refining %.0f%%", percent);
       break;
     case At::failed:
       append_part(text, "%s", "The edit cannot be prepared");
@@ -53,14 +52,14 @@ void append_state(std::string& text, const Editor& editor) {
     append_part(text, "Applying: %s %.0f%%", stage_in_words(step.stage).data(),
                 100.0 * step.fraction);
   }
-  if (editor.shows_live_result()) {
+  if (editor.drag().shows_live_result()) {
     append_part(text, "%s", "Refined while dragging");
-  } else if (editor.surface().source() == SurfaceSource::preview) {
+  } else if (editor.view().device().source() == SurfaceSource::preview) {
     append_part(text, "%s", "Rough preview");
-  } else if (editor.surface().source() == SurfaceSource::exact) {
+  } else if (editor.view().device().source() == SurfaceSource::exact) {
     append_part(text, "%s", "Linear response");
   }
-  if (editor.shown().shows_before()) append_part(text, "%s", "Original");
+  if (editor.view().shown().shows_before()) append_part(text, "%s", "Original");
 }
 
 }  // namespace
@@ -70,24 +69,23 @@ float status_height() {
 }
 
 void ViewerApp::draw_ui(const FrameTimings& last) {
-  measure_panels();
-  take_loaded();
+  sidebar_.measure();
+  files_.take_loaded();
   update_document();
-  take_settled();
-  take_recipe_check();
-  record_turntable();
+  files_.take_settled();
+  recorder_.update();
   carry_out_order();
   draw_menu();
   draw_status();
   if (document_) {
-    draw_marks();
-    if (show_panels_) draw_sidebar();
+    viewport_.draw_marks();
+    if (viewport_.panels.are_shown) draw_sidebar();
     draw_over_picture();
   }
   draw_dialogs();
-  PictureArea free = picture_area();
-  free.corner.y() += banner_height_;
-  free.size.y() -= banner_height_ + guide_height_;
+  PictureArea free = viewport_.free_area();
+  free.corner.y() += viewport_.panels.banner;
+  free.size.y() -= viewport_.panels.banner + viewport_.panels.guide;
   std::span<const std::shared_ptr<const Step>> steps;
   if (document_) steps = document_->editor.state().steps;
   if (const auto step = draw_toasts(messages_, free, steps)) document_->edit_step(*step);
@@ -101,78 +99,96 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   keep_preferences();
 }
 
-double ViewerApp::pixels_per_unit() const {
-  return std::max(1.0, size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x));
+void ViewerApp::draw_sidebar() {
+  const Sidebar::Wish wish = sidebar_.draw();
+  if (wish.path) dialogs_.ask_for(*wish.path);
+  if (wish.action) perform(*wish.action);
 }
 
-// Returns the part of the picture that the panels leave free.
-PictureArea ViewerApp::picture_area() const {
-  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  const double left = sidebar_pixels() / pixels_per_unit();
-  const Eigen::Vector2d corner(left + static_cast<double>(viewport.WorkPos.x),
-                               static_cast<double>(viewport.WorkPos.y) + toolbar_height_);
-  const Eigen::Vector2d end(
-      static_cast<double>(viewport.WorkPos.x + viewport.WorkSize.x),
-      static_cast<double>(viewport.WorkPos.y + viewport.WorkSize.y - status_height()));
-  return {corner, (end - corner).cwiseMax(0.0)};
+void ViewerApp::carry_out_order() {
+  // The first frame has been shown when the second one is laid out.
+  if (!order_ || !document_ || frames_shown_ < 1) return;
+  const Eigen::Vector2d& size = viewport_.camera().size();
+  const VkExtent2D window{static_cast<std::uint32_t>(size.x()),
+                          static_cast<std::uint32_t>(size.y())};
+  recorder_.save_picture(order_->path, order_->size.value_or(window));
+  document_->editor.session().close();
+  quit_ = true;
 }
 
-void ViewerApp::draw_marks() {
-  const double per_unit = pixels_per_unit();
-  marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
-  marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
-  if (const auto line = slider_line()) {
-    marks_.draw_slider(view_frame(), per_unit, *line,
-                       per_unit * (picture_area().corner.y() + banner_height_));
-  }
-  if (const auto center = axis_gizmo_center()) {
-    draw_axis_gizmo(camera_, *center / per_unit, pixels_per_point_ / per_unit);
-  }
-  const auto area = source_area();
-  if (!area) return;
-  marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
-  marks_.draw_pane_names(document_->desk, document_->opened.name, picture_area(),
-                         area->size.x() / per_unit);
+void ViewerApp::draw_dialogs() {
+  files_.draw_start();
+  recorder_.draw_plans();
+  if (const auto chosen = dialogs_.draw(); chosen && !recorder_.use(*chosen)) files_.use(*chosen);
+  files_.draw_unsaved();
+  recorder_.draw_progress();
+  if (show_controls_) draw_controls_list(keymap_named(preferences_.mouse), show_controls_);
 }
 
 void ViewerApp::draw_over_picture() {
-  toolbar_height_ = guide_height_ = banner_height_ = 0.0;
+  PanelSizes& panels = viewport_.panels;
+  panels.toolbar = panels.guide = panels.banner = 0.0;
   const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture() &&
                      !document_->mesh_steps.has_picture();
   // Drawn also while the banner has the picture, so that the banner does not move under the cursor.
-  if (show_panels_ && !document_->banner.is_empty()) {
-    toolbar_height_ = draw_toolbar(document_->editor, picture_area());
+  if (panels.are_shown && !document_->banner.is_empty()) {
+    panels.toolbar = draw_toolbar(document_->editor, viewport_.free_area());
   }
   const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
-  const PictureArea area = picture_area();
+  const PictureArea area = viewport_.free_area();
   const Eigen::Vector2d inside(gap, gap);
   const double taken = draw_banner(area.corner + inside, area.corner + area.size - inside);
-  if (taken > 0.0) banner_height_ = taken + gap;
-  if (!show_panels_ || !edits || !preferences_.shows_guide) return;
+  if (taken > 0.0) panels.banner = taken + gap;
+  if (!panels.are_shown || !edits || !preferences_.shows_guide) return;
   const Guide guide = guide_of(document_->desk, document_->transplant, document_->editor);
-  guide_height_ = draw_guide(guide, picture_area());
+  panels.guide = draw_guide(guide, viewport_.free_area());
+}
+
+double ViewerApp::draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end) {
+  const bool others = document_->desk.is_open() || document_->transplant.is_open();
+  if (others && !document_->banner.is_empty()) return 0.0;
+  DoctorBanner& banner = document_->banner;
+  const bool had_picture = banner.has_picture();
+  const auto wish = banner.draw(document_->editor, corner, end - corner);
+  if (!had_picture && banner.has_picture()) document_->mesh_steps.give_way();
+  if (!wish) return banner.height();
+  switch (*wish) {
+    case BannerWish::look_at_places:
+      viewport_.look_at_places();
+      break;
+    case BannerWish::look_back:
+      viewport_.look_back_from_places();
+      break;
+    case BannerWish::keep_repair:
+      dialogs_.ask_for(PathPurpose::save_repaired);
+      break;
+    case BannerWish::open_another:
+      dialogs_.ask_for(PathPurpose::open);
+      break;
+  }
+  return banner.height();
 }
 
 // Writes changed preferences once no mouse button is down.
 void ViewerApp::keep_preferences() {
   if (document_) {
     Editor& editor = document_->editor;
-    preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
-    preferences_.grab_radius_pt = editor.grab_tool().radius_pt();
-    preferences_.brush_radius_pt = editor.paint_tool().options().radius_pt;
-    if (editor.row() != nullptr && chooses(*editor.row())) {
-      preferences_.tool = editor.row()->name;
+    preferences_.settles_while_dragging = editor.drag().wants_to_settle();
+    preferences_.grab_radius_pt = editor.tool().tools().grab.radius_pt();
+    preferences_.brush_radius_pt = editor.tool().tools().paint.options().radius_pt;
+    if (editor.tool().row() != nullptr && chooses(*editor.tool().row())) {
+      preferences_.tool = editor.tool().row()->name;
     }
   }
-  if (kept_.preferences.empty() || preferences_ == kept_preferences_ || ImGui::IsAnyMouseDown()) {
+  if (preferences_file_.empty() || preferences_ == kept_preferences_ || ImGui::IsAnyMouseDown()) {
     return;
   }
   kept_preferences_ = preferences_;
   try {
-    write_preferences(preferences_, kept_.preferences);
+    write_preferences(preferences_, preferences_file_);
   } catch (const Error& error) {
     say({error.what(), Tone::warning});
-    kept_.preferences.clear();  // so that it is said only once
+    preferences_file_.clear();  // so that it is said only once
   }
 }
 
@@ -192,34 +208,25 @@ void ViewerApp::update_document() {
   const bool others = desk.is_open() || transplant.is_open();
   document_->banner.update(editor, others || document_->mesh_steps.is_open());
   document_->mesh_steps.update(editor, others);
-  part_pictures_.renew(transplant.library(), *context_);
-  const auto area = source_area();
-  if (area) document_->desk.view()->resize(area->size, pixels_per_point_);
-  camera_.target_across = covered_share();
-  // The free part of the window has changed.
-  if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
+  sidebar_.update(*context_);
+  viewport_.update();
 }
 
 // Returns what is open and chosen, and what to do if no guide says it.
 const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
   text.clear();
-  if (const WorkStatus loading = loader_.status(); loading.busy) {
-    text.append("Opening ").append(loading_.file.filename().string());
-    if (!loading.stage.empty()) text.append(": ").append(stage_in_words(loading.stage));
-    text.append(" (Escape cancels)");
-    return text;
-  }
+  if (files_.append_status(text)) return text;
   if (!document_) return text = "? shows the controls";
   const Editor& editor = document_->editor;
-  append(text, "%zu vertices", editor.positions().size());
+  append(text, "%zu vertices", editor.view().positions().size());
   if (const std::size_t chosen = editor.state().selection.roi.vertices.size(); chosen > 0) {
     append(text, "  |  Region %zu", chosen);
   }
   if (const std::size_t handles = editor.state().selection.handles.size(); handles > 0) {
     append(text, handles == 1 ? "  |  1 handle" : "  |  %zu handles", handles);
   }
-  if (!preferences_.shows_guide) text.append("  |  ").append(editor.hint());
+  if (!preferences_.shows_guide) text.append("  |  ").append(editor.input().hint());
   return text;
 }
 

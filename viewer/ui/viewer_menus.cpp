@@ -79,26 +79,26 @@ void ViewerApp::draw_file_menu() {
                               kDivider};
   if (ImGui::MenuItem("Open...", "Ctrl+O")) perform(Action::open);
   draw_recent_menu();
-  if (ImGui::MenuItem("Samples and primitives...")) show_start_ = true;
+  if (ImGui::MenuItem("Samples and primitives...")) files_.show_start();
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
 }
 
 void ViewerApp::draw_recent_menu() {
   if (!begin_menu("Open recent")) return;
-  if (ImGui::IsWindowAppearing()) recent_.reload();
+  if (ImGui::IsWindowAppearing()) dialogs_.recent().reload();
   std::optional<std::filesystem::path> chosen;
-  for (const RecentFiles::Item& item : recent_.items()) {
+  for (const RecentFiles::Item& item : dialogs_.recent().items()) {
     if (ImGui::MenuItem(with_tilde(item.path).c_str(), nullptr, false, item.is_there)) {
       chosen = item.path;
     }
   }
-  if (recent_.items().empty()) ImGui::TextDisabled("No recent files.");
+  if (dialogs_.recent().items().empty()) ImGui::TextDisabled("No recent files.");
   ImGui::Separator();
-  if (ImGui::MenuItem("Clear recent files", nullptr, false, !recent_.items().empty()))
-    recent_.clear();
+  if (ImGui::MenuItem("Clear recent files", nullptr, false, !dialogs_.recent().items().empty()))
+    dialogs_.recent().clear();
   ImGui::EndMenu();
-  if (chosen) open(*chosen);
+  if (chosen) files_.open(*chosen);
 }
 
 void ViewerApp::draw_edit_menu() {
@@ -140,20 +140,22 @@ void ViewerApp::draw_view_menu() {
                               Item{"Three-quarter", Action::view_three_quarter},
                               kDivider};
   if (const auto action = draw_items(kItems, true)) perform(*action);
-  if (ImGui::MenuItem("Orthographic", "5", camera_.orthographic)) {
+  if (ImGui::MenuItem("Orthographic", "5", viewport_.camera().camera().orthographic)) {
     perform(Action::toggle_projection);
   }
   if (ImGui::MenuItem("Wireframe", "Shift+Z", display_.style.wireframe)) {
     perform(Action::toggle_wireframe);
   }
   if (ImGui::MenuItem("X-ray", "Alt+Z", display_.style.xray)) perform(Action::toggle_xray);
-  if (ImGui::MenuItem("Compare with original", "Shift+C", slider_.has_value())) toggle_slider();
-  ImGui::MenuItem("Ground grid", nullptr, &display_.grid);
-  if (ImGui::MenuItem("Z up", nullptr, up_axis_ == UpAxis::z)) {
-    up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;
-    look_from(View::three_quarter);
+  if (ImGui::MenuItem("Compare with original", "Shift+C", viewport_.has_slider())) {
+    perform(Action::toggle_slider);
   }
-  if (ImGui::MenuItem("Panels", "Tab", show_panels_)) perform(Action::toggle_panels);
+  ImGui::MenuItem("Ground grid", nullptr, &display_.grid);
+  const bool is_z_up = viewport_.camera().up_axis() == UpAxis::z;
+  if (ImGui::MenuItem("Z up", nullptr, is_z_up)) {
+    viewport_.set_up_axis(is_z_up ? UpAxis::y : UpAxis::z);
+  }
+  if (ImGui::MenuItem("Panels", "Tab", viewport_.panels.are_shown)) perform(Action::toggle_panels);
   if (begin_menu("Theme")) {
     for (const auto& [name, theme] : {std::pair{"Dark", Theme::dark}, {"Light", Theme::light}}) {
       if (ImGui::MenuItem(name, nullptr, preferences_.theme == theme)) preferences_.theme = theme;
@@ -163,7 +165,8 @@ void ViewerApp::draw_view_menu() {
   if (!begin_menu("Mouse navigation")) return;
   for (const Keymap& each : keymaps()) {
     const std::string name(each.name);
-    if (ImGui::MenuItem(name.c_str(), nullptr, preferences_.mouse == name)) use_mouse_of(name);
+    if (ImGui::MenuItem(name.c_str(), nullptr, preferences_.mouse == name))
+      preferences_.mouse = name;
   }
   ImGui::EndMenu();
 }

@@ -1,4 +1,4 @@
-// The sidebar: tabs by task, the result of the task, and the history, each in a fixed place.
+#include "ui/sidebar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "ui/viewer_app.h"
 #include "ui/widgets.h"
 
 namespace lapwing::viewer {
@@ -20,7 +19,6 @@ constexpr float kResultLines = 8.0F;
 constexpr float kHistoryLines = 5.0F;
 // Largest share of the height. On a low window the tabs keep the greater part.
 constexpr float kMostOfHeight = 0.27F;
-constexpr double kMostOfWidth = 0.5;
 
 struct Tab {
   const char* name;
@@ -62,23 +60,22 @@ float height_of_lines(float lines, float most) {
 
 }  // namespace
 
-void ViewerApp::measure_panels() {
-  sidebar_width_ = std::max(preferences_.sidebar_letters, least_letters()) *
-                   static_cast<double>(ImGui::GetFontSize());
+void Sidebar::measure() {
+  viewport_.panels.sidebar = std::max(preferences_.sidebar_letters, least_letters()) *
+                             static_cast<double>(ImGui::GetFontSize());
   // Menu and tools are not there yet in the first frame.
   const double row = static_cast<double>(ImGui::GetFrameHeight());
   const double menu = static_cast<double>(ImGui::GetMainViewport()->WorkPos.y);
   const double one_row = row + 2.0 * static_cast<double>(ImGui::GetStyle().FramePadding.y);
-  covered_top_ = std::max(menu, row) + std::max(toolbar_height_, one_row);
+  viewport_.panels.covered_top = std::max(menu, row) + std::max(viewport_.panels.toolbar, one_row);
 }
 
-double ViewerApp::sidebar_pixels() const {
-  if (!show_panels_ || !document_) return 0.0;
-  return std::min(pixels_per_unit() * sidebar_width_, kMostOfWidth * size_.x());
+void Sidebar::update(gpu::Context& context) {
+  part_pictures_.renew(document_->transplant.library(), context);
 }
 
 // Draws the edge by which the user resizes the sidebar.
-void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
+void Sidebar::draw_edge(float right, float top, float height) {
   const float grip = kGripLetters * ImGui::GetFontSize();
   ImGui::SetNextWindowPos({right - grip, top});
   ImGui::SetNextWindowSize({grip, height});
@@ -95,8 +92,8 @@ void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
     }
     if (ImGui::IsItemActive()) {
       const double letters = static_cast<double>(ImGui::GetIO().MousePos.x / ImGui::GetFontSize());
-      const double most = kMostOfWidth * static_cast<double>(ImGui::GetMainViewport()->Size.x /
-                                                             ImGui::GetFontSize());
+      const double most = kMostOfSidebar * static_cast<double>(ImGui::GetMainViewport()->Size.x /
+                                                               ImGui::GetFontSize());
       preferences_.sidebar_letters = std::clamp(letters, std::min(least_letters(), most), most);
     }
   }
@@ -105,7 +102,7 @@ void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
 }
 
 // Brings a task to the front that a key or a menu has begun.
-void ViewerApp::follow_task() {
+void Sidebar::follow_task() {
   const DetailTransferTool& desk = document_->desk;
   const Task begun = document_->transplant.is_open()                         ? Task::transplant
                      : !desk.is_open()                                       ? Task::deform
@@ -115,7 +112,7 @@ void ViewerApp::follow_task() {
   task_to_show_ = begun;
 }
 
-void ViewerApp::draw_tabs() {
+void Sidebar::draw_tabs() {
   follow_task();
   const ImVec2 padding{padding_of_tabs(), ImGui::GetStyle().FramePadding.y};
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
@@ -138,7 +135,7 @@ void ViewerApp::draw_tabs() {
   ImGui::EndTabBar();
 }
 
-void ViewerApp::draw_task(Task task) {
+void Sidebar::draw_task(Task task) {
   Editor& editor = document_->editor;
   switch (task) {
     case Task::deform:
@@ -150,13 +147,13 @@ void ViewerApp::draw_task(Task task) {
     case Task::coat:
     case Task::mix:
       if (const auto purpose = draw_layer_panel(document_->desk, editor, task, preferences_.unit)) {
-        ask_for_path(*purpose);
+        wish_.path = purpose;
       }
       break;
     case Task::transplant:
       if (const auto purpose =
               draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_)) {
-        ask_for_path(*purpose);
+        wish_.path = purpose;
       }
       break;
     case Task::mesh:
@@ -164,58 +161,45 @@ void ViewerApp::draw_task(Task task) {
       draw_mesh_commands();
       if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
       if (ImGui::CollapsingHeader("Attached objects")) {
-        if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
+        if (const auto wanted = draw_carried_panel(editor)) wish_.action = wanted;
       }
       break;
     case Task::display:
       draw_display_panel(display_, editor);
       if (ImGui::CollapsingHeader("Preferences", kOpen)) {
-        const std::string mouse = preferences_.mouse;
         draw_preferences_panel(preferences_);
-        if (preferences_.mouse != mouse) use_mouse_of(preferences_.mouse);
       }
       break;
   }
 }
 
-void ViewerApp::draw_mesh_commands() {
+void Sidebar::draw_mesh_commands() {
   if (document_->desk.is_open() || document_->transplant.is_open()) {
     ImGui::TextDisabled("Apply or cancel the open operation before you change the triangles.");
     return;
   }
   const double size = document_->report.statistics.bounds.diagonal();
   const auto hole = draw_mesh_steps(document_->mesh_steps, document_->editor, size);
-  if (hole) show_vertices(*hole);
+  if (hole) viewport_.show_vertices(*hole);
 }
 
 // Draws the result of what is open, always in the same place.
-void ViewerApp::draw_result() {
+void Sidebar::draw_result() {
   Editor& editor = document_->editor;
   if (document_->desk.is_open()) return draw_layer_result(document_->desk, editor);
   if (document_->transplant.is_open()) {
     return draw_transplant_result(document_->transplant, editor);
   }
   if (document_->mesh_steps.is_open()) return draw_mesh_step_result(document_->mesh_steps, editor);
-  const ResultWish wish = draw_result_panel(editor, view_before_.has_value());
-  if (wish.back) look_back();
-  if (wish.show) show_vertices(*wish.show);
+  const ResultWish wish = draw_result_panel(editor, viewport_.shows_vertices());
+  if (wish.back) viewport_.look_back();
+  if (wish.show) viewport_.show_vertices(*wish.show);
 }
 
-void ViewerApp::show_vertices(const std::vector<Index>& vertices) {
-  if (!view_before_) view_before_ = camera_;
-  frame(vertices);
-  document_->editor.point_at(vertices);
-}
-
-void ViewerApp::look_back() {
-  camera_ = *std::exchange(view_before_, std::nullopt);
-  camera_.target_across = covered_share();
-  if (document_) document_->editor.point_at({});
-}
-
-void ViewerApp::draw_sidebar() {
+Sidebar::Wish Sidebar::draw() {
+  wish_ = {};
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  const float width = static_cast<float>(sidebar_pixels() / pixels_per_unit());
+  const float width = static_cast<float>(viewport_.sidebar_width());
   const float height = viewport.WorkSize.y - status_height();
   ImGui::SetNextWindowPos(viewport.WorkPos);
   ImGui::SetNextWindowSize({width, height});
@@ -233,10 +217,11 @@ void ViewerApp::draw_sidebar() {
     draw_result();
     ImGui::EndChild();
     ImGui::Separator();
-    if (const auto purpose = draw_history_panel(document_->editor, drafts_)) ask_for_path(*purpose);
+    if (const auto purpose = draw_history_panel(document_->editor, drafts_)) wish_.path = purpose;
   }
   ImGui::End();
-  draw_sidebar_edge(viewport.WorkPos.x + width, viewport.WorkPos.y, height);
+  draw_edge(viewport.WorkPos.x + width, viewport.WorkPos.y, height);
+  return wish_;
 }
 
 }  // namespace lapwing::viewer
