@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 // ring has edges of length h is held with the weight (h / reach)^2. It decreases from this fraction
 // of the template's diagonal to this fraction of the mean edge length.
 constexpr double kFirstReach = 0.5;
-constexpr double kLastReach = 0.7;
+constexpr double kLastReach = 0.5;
 constexpr int kReaches = 12;
 constexpr int kStepsPerReach = 4;
 
@@ -46,6 +46,9 @@ constexpr SettleOptions kStep{.tolerance = 1e-2, .max_iterations = 20};
 
 // Number of vertices of the decimated copy of a larger template.
 constexpr std::size_t kCoarseVertices = 3000;
+
+// Denser scans are sampled with this number of points per vertex of the template.
+constexpr std::size_t kSamplesPerVertex = 4;
 
 // The distance of the scan from the result is measured at no fewer points than this.
 constexpr std::size_t kMeasured = 10000;
@@ -154,7 +157,7 @@ class Wrapping {
         edge_(mean_edge_length(topology.rings, *rest_)) {
     region_.roi = surface_vertices(topology);
     region_.stiffness = std::move(stiffness);
-    samples_ = scan.samples(region_.roi.size());
+    samples_ = scan.samples(kSamplesPerVertex * region_.roi.size());
     is_landmark_.resize(topology.vertex_count(), 0);
     for (const Target& landmark : landmarks_) {
       if (landmark.is_vertex()) is_landmark_[landmark.corners[0]] = 1;
@@ -249,13 +252,16 @@ class Wrapping {
     }
   }
 
-  // Springs from the samples of the scan to points of the template.
+  // Springs from the samples of the scan to points of the template. All samples together pull at
+  // most as much as the vertices of the template.
   void add_pull_from(std::span<const Counterpart> on_surface, double weight) {
     const double scale = std::max(kFar * median_distance(on_surface), tolerated_);
+    const double share = std::min(
+        1.0, static_cast<double>(region_.roi.size()) / static_cast<double>(on_surface.size()));
     for (std::size_t s = 0; s < on_surface.size(); ++s) {
       const Counterpart& c = on_surface[s];
       if (!c.agrees) continue;
-      const double of_pair = weight * std::sqrt(robust_factor(c.distance, scale));
+      const double of_pair = weight * std::sqrt(share * robust_factor(c.distance, scale));
       if (of_pair < kMinWeight) continue;
       region_.targets.push_back({c.point.corners, c.point.weights, samples_.points[s], of_pair});
     }
@@ -271,7 +277,7 @@ class Wrapping {
   const double edge_;
   EditRegion region_;
   DeformOptions options_;
-  SurfaceSamples samples_;  // of the scan, as many as the template has vertices
+  SurfaceSamples samples_;  // of the scan
   std::vector<char> is_landmark_;
   std::vector<Index> hints_;
   std::vector<Index> scan_hints_;
