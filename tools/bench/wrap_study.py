@@ -30,7 +30,7 @@ SCANS = {
     "dense": "remeshed with half the edge length",
     "coarse": "remeshed with twice the edge length",
     "noisy": "remeshed, with normal noise of 0.2 edge lengths",
-    "cut": "remeshed, without the fifth with the largest x",
+    "cut": "remeshed, without the 20% of the points with the largest x",
     "points": "the vertices of the dense scan, with normals and without faces",
 }
 EDGE_SCALES = {"plain": 0.8, "dense": 0.5, "coarse": 2.0, "noisy": 1.0, "cut": 1.0, "points": 0.5}
@@ -127,7 +127,7 @@ def spread_vertices(vertices, count):
 
 
 def similarity(source, goal):
-    """Returns the similarity that maps points closest to others (Umeyama 1991), as a function."""
+    """Returns the best-fitting similarity transformation (Umeyama 1991), as a function."""
     p, q = source - source.mean(axis=0), goal - goal.mean(axis=0)
     u, s, vt = np.linalg.svd(q.T @ p)
     flip = np.diag([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
@@ -202,7 +202,7 @@ def text_of(row):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("meshes", nargs="+", type=Path)
-    parser.add_argument("--json", type=Path, help="write the rows here")
+    parser.add_argument("--json", type=Path, help="write the rows to this file")
     parser.add_argument("--scans", default=",".join(SCANS), help=", ".join(SCANS))
     parser.add_argument("--landmarks", default="0,4,8,20", help="counts")
     parser.add_argument("--plain-loop", action="store_true", help="measure the plain loop, too")

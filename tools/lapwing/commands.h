@@ -7,8 +7,8 @@ namespace lapwing::cli {
 /// Each function adds a subcommand to `app`. CLI11 runs the subcommand that the arguments name.
 /// Errors are thrown as exceptions.
 void add_run(CLI::App& app);
-/// Adds one command per operation of a recipe, such as "deform" and "coat", except those with
-/// commands of their own.
+/// Adds one command per operation of a recipe, such as "deform" and "coat". Other functions add the
+/// remaining operations, such as "wrap".
 void add_steps(CLI::App& app);
 void add_batch(CLI::App& app);
 void add_peel(CLI::App& app);

@@ -197,7 +197,7 @@ void print_written(const RunResult& result, const std::filesystem::path& target)
 CLI::Option* EditOutput::add_to(CLI::App& command, const std::string& save_flag) {
   std::vector<std::string> colors{"regions", kFileColor, kPlainColor};
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
-  auto* saved = command.add_option(save_flag, save, "write the edited mesh here");
+  auto* saved = command.add_option(save_flag, save, "write the edited mesh to this file");
   command.add_flag("--vertex-motion", vertex_motion,
                    "save the total motion of each vertex as properties of the PLY: dx, dy, dz, the "
                    "rotation qw, qx, qy, qz, and stretch");

@@ -167,12 +167,12 @@ void add_transfer(CLI::App& app) {
   auto* command = app.add_subcommand(
       "transfer", "transfers poses of a mesh to another mesh, such as those of a horse to a camel");
   auto a = std::make_shared<TransferArguments>();
-  command->add_option("REST", a->rest, "the mesh that was posed, at rest")->required();
+  command->add_option("REST", a->rest, "the source mesh, at rest")->required();
   command
       ->add_option("POSED", a->poses,
-                   "poses of REST, with the same vertices in the same order; or folders of them")
+                   "poses of REST, with the same vertices in the same order, or folders of poses")
       ->required();
-  command->add_option("--onto", a->target, "the mesh at rest that gets the poses")->required();
+  command->add_option("--onto", a->target, "the target mesh, at rest")->required();
   command
       ->add_option("-o,--output", a->output,
                    "the target in the pose; for several poses, a folder with a file for each")

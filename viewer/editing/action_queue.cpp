@@ -37,7 +37,7 @@ bool ActionQueue::attempt(const std::function<void()>& change) {
       say_("The step was cancelled because the surface has changed. Apply it again.");
     }
   });
-  if (is_done) say_({"", Tone::error});  // what failed before is done, or no longer wanted
+  if (is_done) say_({"", Tone::error});  // clears an error that no longer applies
   changed_(false);
   return is_done;
 }
@@ -79,16 +79,16 @@ void ActionQueue::say_what_was_let_go(std::size_t handles_before) {
                     : "Handles outside the region were removed. Undo restores them.");
 }
 
-// A state that waits for its result looks the same however the user came to it.
+// A state without a result looks the same for every path through the history that leads to it.
 void ActionQueue::step_through_history(const std::function<void()>& change) {
   if (active_.is_dragging()) return;
   give_up_postponed();
   view_.shown().follow_from(nullptr);
-  say_("");  // the last message belongs to the step that is left
+  say_("");  // the last message is about the previous position in the history
   attempt(change);
 }
 
-// Postponed actions were done last, so undo drops them first.
+// The postponed actions are the latest, so undo discards them first.
 void ActionQueue::undo() {
   if (has_postponed() && !active_.is_dragging()) {
     give_up_postponed();
@@ -109,7 +109,8 @@ void ActionQueue::continue_with(History history) {
   step_through_history([&] { session_.continue_with(std::move(history)); });
 }
 
-// What is shown, perhaps a preview of the step, stays until the result is ready.
+// The view keeps showing the same surface, such as a preview of the step, until the result is
+// ready.
 void ActionQueue::carry_out(const Step& step) {
   say_errors(say_, [&] { session_.carry_out(step); });
 }

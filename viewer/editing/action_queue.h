@@ -12,16 +12,16 @@ namespace lapwing::viewer {
 /// Returns whether the command makes the settled surface the rest shape first (`apply`).
 bool commits(const Command& command);
 
-/// Reports that a choice has begun another edit.
+/// The message that a selection has begun another edit.
 inline constexpr const char* kBeginsNewEdit = "New edit. Undo returns to the last one.";
 
-/// Carries out what the user does as undoable actions, in order. Actions that need the result of
+/// Carries out the user's actions in order and makes them undoable. Actions that need the result of
 /// the last edit are postponed until it has settled. An action that fails reports its error to
 /// `say` and changes nothing.
 class ActionQueue {
  public:
-  /// `changed` is called after each change of the state. Its argument is true if a result of the
-  /// background thread has changed it.
+  /// `changed` is called after each change of the state. Its argument is true if the change is a
+  /// result of the background thread.
   ActionQueue(EditSession& session, const ActiveTool& active, SurfaceView& view, LiveDrag& drag,
               Say say, std::function<void(bool by_result)> changed);
 

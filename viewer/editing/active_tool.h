@@ -17,13 +17,13 @@ class ActiveTool {
   Tools& tools() { return tools_; }
   const Tools& tools() const { return tools_; }
 
-  /// The active one.
+  /// Returns the active tool.
   const SceneTool& scene_tool() const { return *tool_; }
   SceneTool& scene_tool() { return *tool_; }
   bool is(const SceneTool& tool) const { return tool_ == &tool; }
   /// Its row of `tool_rows`; null for a panel's tool.
   const ToolRow* row() const { return row_; }
-  /// Returns whether a stroke or drag is in progress, also a drag of the gizmo.
+  /// Returns whether a stroke or drag is in progress, including a drag of the gizmo.
   bool is_dragging() const { return tools_.gizmo.is_dragging() || tool_->is_dragging(); }
   bool has_gizmo() const { return is(tools_.gizmo) && handle_ < handle_count(); }
 
@@ -41,7 +41,8 @@ class ActiveTool {
   bool chooses_parts() const { return is(tools_.disk) || is(tools_.loop) || is(tools_.paint); }
   /// Calls `choose`, and activates the disk unless the active tool chooses parts.
   void begin_choosing(const Part& part);
-  /// Goes on to the usual next part: from the ROI to a handle, from there to moving it.
+  /// Goes on to the usual next task: from choosing the ROI to choosing a handle, and then to moving
+  /// it.
   void go_on();
   /// Returns the number of vertices of `part`, including those that are being chosen.
   std::size_t count(const Part& part) const;

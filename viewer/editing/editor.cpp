@@ -73,7 +73,7 @@ void Editor::update() {
 void Editor::state_changed(bool by_result) {
   active_.limit_to_handles();
   Tools& tools = active_.tools();
-  // A result must not reset the tools of a user who already chooses elsewhere.
+  // A result must not reset the tools while the user is already dragging or selecting.
   const bool goes_on = by_result && (active_.is_dragging() || actions_.has_postponed() ||
                                      !tools.loop.corners().empty());
   if (view_.take_state() && !goes_on) {

@@ -22,7 +22,7 @@ struct EditStart {
 };
 
 /// Edits one mesh in a window. Owns the session and the parts that work on it. Each part uses only
-/// those above it in the list of members, and calls of the window go to the parts.
+/// the members declared before it. The window calls the parts directly.
 class Editor {
  public:
   /// The worker creates its kernels on `context`. It calls `wake` when its status has changed.

@@ -28,8 +28,8 @@ void mirror_by_shape(Editor& editor);
 
 /// Returns whether handles have vertices outside the ROI.
 bool handles_leave_roi(const EditSelection& selection);
-/// Adds these vertices and some rings of neighbours to the ROI. If the handles are inside, adds a
-/// margin of half as many vertices as the ROI has. The handles keep their moves.
+/// Adds the handle vertices outside the ROI, and some rings of neighbours, to the ROI. If there are
+/// none, adds a margin of half as many vertices as the ROI has. The handles keep their moves.
 void enlarge_roi(Editor& editor);
 /// Carries out the advice of a warning.
 void carry_out(Editor& editor, Remedy remedy);

@@ -21,7 +21,7 @@ void LiveDrag::begin(bool is_of_last_step) {
   view_.shown().end_preview();
   view_.shown().show_before(false);
   view_.point_at({});
-  // The result under way is outdated, and it delays the exact response.
+  // The result that is being computed is outdated, and it delays the exact response.
   session_.cancel_settling();
   live_.reset();
   dragged_from_ = view_.shown().pose();
@@ -53,7 +53,7 @@ void LiveDrag::update() {
   const std::size_t handle = active_.handle();
   ShownSurface& shown = view_.shown();
   const bool dragging = gizmo.is_dragging();
-  // A settled surface is a pose from which to start.
+  // The drag starts from the rest pose if the surface shows no pose and has not settled.
   const bool from_rest = shown.pose() == nullptr && needs_settling(state());
   dragged_handles(state(), handle, from_rest, dragged_);
   session_.drag_by(dragged_);
@@ -84,7 +84,7 @@ Eigen::Vector3d LiveDrag::centroid_of(std::size_t handle) const {
   return state().mirrored ? state().mirrored->centroids[handle] : handle_centroid(state(), handle);
 }
 
-// Shows handles with free orientation turned as in the settled pose.
+// Shows handles with free orientation rotated as in the settled pose.
 void LiveDrag::turn_free_handles() {
   if (!view_.shown().pose()) return;
   const GizmoTool& gizmo = active_.tools().gizmo;
@@ -101,8 +101,8 @@ void LiveDrag::turn_free_handles() {
   }
 }
 
-// A linear response shears and swells under large turns and moves. Until a settled pose catches up,
-// the surface follows the hand only as far as it looks right.
+// A linear response shears and swells the surface under large rotations and translations. Until a
+// settled pose is ready, the surface follows the mouse only up to a limit.
 void LiveDrag::limit_lead() {
   double share = 1.0;
   const auto keep = [&share](double amount, double most) {
@@ -125,8 +125,8 @@ void LiveDrag::limit_lead() {
   }
 }
 
-// Takes the settled pose of the drag, and asks for another if the hand has moved on or something is
-// left to settle.
+// Takes the settled pose of the drag. Requests another if the mouse has moved on or the surface has
+// not settled completely.
 void LiveDrag::settle() {
   const GizmoTool& gizmo = active_.tools().gizmo;
   moves_.assign(state().moves.begin(), state().moves.end());
@@ -140,7 +140,7 @@ void LiveDrag::settle() {
     live_ = std::move(result);
   }
   if (resting_moves_ && *resting_moves_ != moves_) {
-    // The worker may be factorizing, and the hand must not wait for that.
+    // The worker may be factorizing, and the drag must not wait for that.
     session_.cancel_settling();
     resting_moves_.reset();
   }

@@ -19,7 +19,7 @@ class LiveDrag {
   /// the drag has also chosen the handle, so that both are one step.
   void begin(bool is_of_last_step = false);
   bool is_of_last_step() const { return is_of_last_step_; }
-  /// Call this when the gizmo has given up its drag: requests the result of the earlier moves.
+  /// Requests the result of the earlier moves. Call this when the gizmo has cancelled its drag.
   void give_up();
   /// Lets the next motion start from the present surface.
   void hold_pose();

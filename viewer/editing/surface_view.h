@@ -22,15 +22,15 @@ class SurfaceView {
               std::shared_ptr<const Mesh> opened, FileColoring coloring, Say say,
               std::function<void()> wake);
 
-  /// Release everything on the device, or make it there. In between only `take_state` may be
-  /// called.
+  /// Release all device resources, and create them again. Between these calls, only `take_state`
+  /// may be called.
   void release_device();
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
-  /// Takes the state of the session; ends drag and preview. Returns true if the surface has other
-  /// triangles or positions than before.
+  /// Takes the state of the session, and ends drag and preview. Returns true if the triangles or
+  /// positions of the surface have changed.
   bool take_state();
-  /// Moves the carried objects with a drag and renews the colours. Call this once per frame, after
+  /// Moves the carried objects with a drag and updates the colours. Call this once per frame, after
   /// LiveDrag::update.
   void update();
 
@@ -48,7 +48,7 @@ class SurfaceView {
   void set_feature_angle(double degrees);
   /// Call this when the active tool has selected other vertices during a stroke.
   void renew_classes() { classes_are_old_ = true; }
-  /// Highlights vertices, until something is edited.
+  /// Highlights vertices until the next edit.
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
 

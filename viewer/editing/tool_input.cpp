@@ -39,7 +39,7 @@ ToolScene ToolInput::gizmo_scene(const Projection& projection) const {
 
 Handled ToolInput::handle(const InputEvent& event, const ViewFrame& view) {
   if (is_of_pointer(event)) active_.tools().gizmo.move_cursor(event.position);
-  // Alt and the left button turn the view with every tool.
+  // Alt and the left button rotate the view with every tool.
   if (event.kind == InputKind::press && event.modifiers.alt && !active_.is_dragging()) return {};
   if (postpones(event, view)) return {true, false};
   if (picks_pivot_ && pick_pivot(event, view)) return {true, true};
@@ -81,7 +81,7 @@ std::optional<Handled> ToolInput::handle_by_gizmo(const InputEvent& event, const
   if (answer.taken) {
     const bool gives_up = was_dragging && !gizmo.is_dragging() && !answer.command;
     if (gives_up && drag_.is_of_last_step() && active_.is(active_.tools().grab)) {
-      actions_.undo();  // a grab that moves nothing is no step
+      actions_.undo();  // a grab that moves nothing is not a step
       return Handled{true, true};
     }
     return act_on(answer, drag_.is_of_last_step() ? Joining::with_last : Joining::own_step,
@@ -105,7 +105,7 @@ ToolAnswer ToolInput::send_to_gizmo(const InputEvent& event, const Projection& p
   return answer;
 }
 
-// Drags a handle by its surface, beside its gizmo.
+// Drags a handle by its surface instead of its gizmo.
 bool ToolInput::pull_handle(const InputEvent& event, const ViewFrame& view,
                             const Projection& projection) {
   const bool is_plain = !event.modifiers.control && !event.modifiers.shift && !event.modifiers.alt;
@@ -124,7 +124,7 @@ bool ToolInput::pull_handle(const InputEvent& event, const ViewFrame& view,
   return false;
 }
 
-// Leaves out the ROI, which may move or hide the place for the handle.
+// Ignores the ROI, which may move away from the cursor or hide the new handle.
 std::optional<SurfacePoint> ToolInput::pick_beside_roi(const Ray& ray) const {
   const VertexSet& roi =
       state().mirrored ? state().mirrored->region.roi : state().selection.roi.vertices;
@@ -151,7 +151,7 @@ bool ToolInput::pick_pivot(const InputEvent& event, const ViewFrame& view) {
   return true;
 }
 
-// The user must see the surface on which a tool chooses.
+// A tool may select vertices only on the surface that the user sees.
 void ToolInput::return_to_triangles_of_state() {
   if (view_.shown().has_triangles_of_state() || active_.scene_tool().draws_preview()) return;
   view_.shown().end_preview();
@@ -211,8 +211,8 @@ void ToolInput::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel
   drag_.begin(answer.command.has_value());
 }
 
-// Postpones the actions of a user who goes on while the last edit settles. Later actions wait, too,
-// so that their order stays the same; the camera does not.
+// Postpones actions while the last edit settles. Later actions also wait, so that their order stays
+// the same. Camera motions do not wait.
 bool ToolInput::postpones(const InputEvent& event, const ViewFrame& view) {
   const bool begins = event.kind == InputKind::press && event.button == MouseButton::left &&
                       actions_.has_postponed() && view_.shown().pick(view, event.position);

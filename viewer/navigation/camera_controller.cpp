@@ -10,9 +10,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A press and release within so many points is a click, not a drag.
+// A press and release within this many points is a click, not a drag.
 constexpr double kClickPt = 3.0;
-// Points of a zooming drag that make things e times as large.
+// A zooming drag of this many points magnifies the view by the factor e.
 constexpr double kZoomPt = 150.0;
 
 }  // namespace

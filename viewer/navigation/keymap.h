@@ -110,8 +110,8 @@ struct Keymap {
 /// Returns the keymaps of Blender, Maya and MeshLab. They differ only in the mouse controls of the
 /// camera; `key_bindings` is the same for all of them.
 std::span<const Keymap> keymaps();
-/// Returns the keymap with this name, or the first one if there is none, because preferences of
-/// another version may name one that does not exist here.
+/// Returns the keymap with this name, or the first one if the name is unknown. Preferences of
+/// another version may contain an unknown name.
 const Keymap& keymap_named(std::string_view name);
 std::span<const KeyBinding> key_bindings();
 

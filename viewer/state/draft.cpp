@@ -66,8 +66,8 @@ bool is_chosen(const AppState& state, const DeformRequest& step) {
                             &MovedHandle::region);
 }
 
-// Returns whether the regions are those of a Grab: a disk, perhaps with what it cuts off, and a
-// falloff about the centre of this disk.
+// Returns whether the regions are those of a Grab: a disk, possibly with the vertices that it cuts
+// off, and a falloff about the centre of this disk.
 bool is_grab(const DeformRequest& step) {
   if (step.handles.size() != 1 || !step.handles[0].falloff.transition) return false;
   const auto* both = std::get_if<UnionRegion>(&step.roi.form);
@@ -77,8 +77,8 @@ bool is_grab(const DeformRequest& step) {
   return roi != nullptr && handle != nullptr && roi->center == handle->center;
 }
 
-// Carries out a Grab as one step, as it was made. Returns false if the step is none, or if it also
-// changes other settings of the edit.
+// Carries out a Grab as one step, as it was made. Returns false if the step is not a Grab, or if it
+// also changes other settings of the edit.
 bool perform_grab(History& history, const DeformRequest& step) {
   if (!is_grab(step)) return false;
   const AppState next = apply(history.state(), NewEdit{});
@@ -169,7 +169,7 @@ void carry_along(History& history, const std::vector<CarrySpec>& files) {
 
 namespace {
 
-// Chooses and moves by the commands that a user would give.
+// Chooses regions and moves handles by the same commands as a user.
 void perform_by_hand(History& history, const DeformRequest& step) {
   history.perform(Commit{});
   carry_along(history, step.carry);

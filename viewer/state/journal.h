@@ -86,7 +86,7 @@ struct InterruptedEdit {
   KeptResults results;                        ///< positions in the results file
   std::filesystem::file_time_type last_step;  ///< time at which the last step was recorded
 
-  /// Returns whether nothing was done, or undone.
+  /// Returns true if nothing was done and nothing was undone.
   bool is_empty() const { return draft == Draft{} && !undone; }
   /// Returns whether `mesh` is a copy, because the result was saved to the opened file.
   bool has_copy() const { return mesh.path != opened; }

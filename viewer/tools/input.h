@@ -49,7 +49,7 @@ struct InputEvent {
   double scroll = 0.0;  ///< for scroll events; positive away from the user
 };
 
-/// What became of an event.
+/// The outcome of an event.
 struct Handled {
   bool taken = false;    ///< no other receiver should act on the event
   bool changed = false;  ///< the view must be drawn again

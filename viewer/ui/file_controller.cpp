@@ -108,7 +108,7 @@ void FileController::take_loaded() {
 
 void FileController::show(LoadedFile file) {
   const bool is_restored = file.restored.has_value();
-  // Two meshes at a time may not fit on the device.
+  // Two meshes at once may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
   saving_ = nullptr;
@@ -139,13 +139,13 @@ void FileController::leave_for(std::function<void()> action) {
 void FileController::once_settled(std::function<void()> action) {
   EditSession& session = document_->editor.session();
   if (!needs_settling(session.state())) return action();
-  // Settling that was cancelled begins again, because half of a step is never saved.
+  // Cancelled settling must start again, because a step is saved only when it is complete.
   if (!session.awaits_result()) session.prepare();
   saving_ = std::move(action);
   say_("The last move is being refined. The mesh will be saved when that is done.");
 }
 
-// Warns if running the saved recipe makes another surface.
+// Warns if running the saved recipe gives a different surface.
 void FileController::take_recipe_check() {
   constexpr double kSameSurface = 1e-3;
   if (!document_) return;

@@ -27,7 +27,7 @@ class FileController {
   /// loading fails, the user is asked for another file for the purpose `asked_for`.
   void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry = {},
             std::optional<PathPurpose> asked_for = {});
-  /// From now on, the exception of a file that cannot be loaded leaves `take_loaded`.
+  /// From now on, `take_loaded` throws the exception if a file cannot be loaded.
   void rethrow_errors() { rethrows_ = true; }
   /// Offers to restore edits that a crash interrupted.
   void offer_interrupted();
@@ -44,8 +44,8 @@ class FileController {
   /// Shows a document that has been loaded. Call this once per frame, before the document is
   /// updated.
   void take_loaded();
-  /// Saves what waits for the surface to settle, and reports a saved recipe that does not make it.
-  /// Call this once per frame, after the document is updated.
+  /// Performs a save that waits for the surface to settle. Warns if a saved recipe does not
+  /// reproduce the surface. Call this once per frame, after the document is updated.
   void take_settled();
   void show_start() { show_start_ = true; }
   /// Whether the start panel covers a document.

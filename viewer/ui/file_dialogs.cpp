@@ -145,7 +145,8 @@ void FileDialogs::take(const InputEvent& event) {
 
 std::optional<ChosenPath> FileDialogs::draw() {
   if (asks_to_overwrite()) {
-    // Before the dialogs that lead to it, because a key pressed there is no answer here.
+    // Draw this panel before the dialogs that open it, so that a key pressed in them does not
+    // answer it.
     if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
     return {};
   }

@@ -45,7 +45,7 @@ class FileDialogs {
   bool asks() const { return asks_for_path() || asks_to_overwrite(); }
   /// Closes the dialog in front. Returns false if none is open.
   bool close();
-  /// Takes a key or letter that no field had the keyboard for.
+  /// Takes a key or letter that no text field has received.
   void take(const InputEvent& event);
   /// Lays out one frame. Returns the user's choice once.
   std::optional<ChosenPath> draw();

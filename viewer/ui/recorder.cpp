@@ -33,7 +33,7 @@ RenderOptions Recorder::render_options(VkExtent2D size) const {
   options.height = size.height;
   options.background = display_.background;
   options.style = viewport_.style();
-  // Scale the line widths with the image size, so that they look as in the window.
+  // Scale the line widths with the image size, so that they look the same as in the window.
   options.style.pixels_per_point =
       static_cast<float>(viewport_.camera().pixels_per_point() * static_cast<double>(size.height) /
                          viewport_.camera().size().y());
@@ -133,7 +133,7 @@ void Recorder::update() {
   }
 }
 
-// Stops the recording and says how far it came.
+// Stops the recording and reports how many frames were saved.
 void Recorder::give_up(const std::string& why) {
   if (!recording_) return;
   const auto given_up = std::exchange(recording_, nullptr);

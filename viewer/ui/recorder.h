@@ -17,7 +17,7 @@ class Recorder {
            const Viewport& viewport, const DisplayChoices& display, FileDialogs& dialogs,
            FileController& files, Say say);
 
-  /// Open the dialogs for the sizes, with that of the window.
+  /// Open the dialogs for the sizes, which start with the size of the window.
   void plan_picture() { picture_plan_ = window_picture(); }
   void plan_turntable() { turntable_plan_.picture = window_picture(); }
   void close_plans() { picture_plan_.open = turntable_plan_.picture.open = false; }
@@ -32,7 +32,7 @@ class Recorder {
   /// Renders the next image of a turntable. Call this once per frame.
   void update();
   void draw_progress();
-  /// Stops the recording and says how far it came.
+  /// Stops the recording and reports how many frames were saved.
   void give_up(const std::string& why);
 
  private:

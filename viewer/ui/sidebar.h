@@ -15,15 +15,15 @@ class Sidebar {
           DisplayChoices& display)
       : document_(document), viewport_(viewport), preferences_(preferences), display_(display) {}
 
-  /// What the user wants of other parts.
+  /// What the user has requested from other parts of the window.
   struct Wish {
     std::optional<PathPurpose> path;
     std::optional<Action> action;
   };
 
-  /// Starts with the first tab, for a document that was just opened.
+  /// Selects the first tab. Call this when a document has been opened.
   void begin() { task_to_show_ = begun_task_ = Task::deform; }
-  /// Measures the panels by the font of this frame, which may be gone outside of frames.
+  /// Measures the panels with the font of this frame, which may not exist outside a frame.
   void measure();
   /// Call this once per frame, after the document is updated.
   void update(gpu::Context& context);

@@ -89,7 +89,7 @@ void ViewerApp::take_preferred_tools(bool is_restored) {
   editor.drag().set_wants_to_settle(preferences_.settles_while_dragging);
   editor.tool().tools().grab.set_radius_pt(preferences_.grab_radius_pt);
   editor.tool().tools().paint.options().radius_pt = preferences_.brush_radius_pt;
-  // An edit that has begun goes on with its gizmo, except if a crash took the Grab tool away.
+  // Continue an open edit with its gizmo, unless a crash interrupted the Grab tool.
   const bool goes_on_with_grab = is_restored && preferences_.tool == "Grab";
   if (editor.tool().row() == nullptr) return;
   if (editor.tool().row()->action == Action::take_move && !goes_on_with_grab) return;
@@ -157,8 +157,9 @@ bool ViewerApp::handle(const InputEvent& event) {
   return true;
 }
 
-// Ends the picking or painting of a coat or mix, or else its step under way, or else the coat or
-// mix. Returns false if there is none, or if something that Escape closes is open in front of it.
+// Ends the first of these that is in progress: picking or painting for a coat or mix, its step, or
+// the coat or mix. Returns false if none is, or if Escape must first close something in front of
+// it.
 bool ViewerApp::cancel_layers() {
   const bool is_behind =
       viewport_.shows_vertices() || show_machine_ || show_messages_ || files_.is_loading();
@@ -178,7 +179,7 @@ void ViewerApp::escape() {
   show_machine_ = false;
   show_messages_ = false;
   recorder_.close_plans();
-  // Close one thing at a time, so that what led to the chooser shows again.
+  // Close one thing at a time, so that the panel from which the chooser was opened shows again.
   if (dialogs_.close()) return;
   if (document_ && document_->mesh_steps.is_open()) {
     return document_->mesh_steps.close(document_->editor);

@@ -27,9 +27,9 @@ struct KeptFiles {
   std::filesystem::path recent;
 };
 
-/// Runs the viewer. Owns the open document and the parts of the window, and decides which of them
-/// gets a key or an action, and in which order they draw a frame. viewer_menus draws the menu bar,
-/// and viewer_frame the rest of a frame.
+/// Runs the viewer. Owns the open document and the parts of the window. Decides which part receives
+/// a key or an action, and in which order the parts draw a frame. viewer_menus draws the menu bar,
+/// and viewer_frame draws the rest of a frame.
 class ViewerApp final : public App {
  public:
   ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);

@@ -188,7 +188,7 @@ void ViewerApp::keep_preferences() {
     write_preferences(preferences_, preferences_file_);
   } catch (const Error& error) {
     say({error.what(), Tone::warning});
-    preferences_file_.clear();  // so that it is said only once
+    preferences_file_.clear();  // so that it is reported only once
   }
 }
 

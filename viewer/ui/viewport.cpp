@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 constexpr double kSliderPt = 5.0;
 // Distance of the axis gizmo from the edges of the 3D view.
 constexpr double kAxisGapPt = 6.0;
-// Arrow keys turn by a twelfth of a half turn, 15 degrees.
+// Arrow keys rotate the view by 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
 // Smallest free share of half the window's height.
 constexpr double kLeastFree = 0.5;
@@ -48,14 +48,14 @@ constexpr std::array kOrbits{
     Orbit{Action::orbit_left, 1.0, 0.0}, Orbit{Action::orbit_right, -1.0, 0.0},
     Orbit{Action::orbit_up, 0.0, 1.0}, Orbit{Action::orbit_down, 0.0, -1.0}};
 
-// Returns a camera that looks from `side`, turned a little towards the view before, so that the
-// user sees where it is.
+// Returns a camera that looks from `side`, rotated a little towards the previous view, so that the
+// change of view is easy to follow.
 Camera looking_at_side(const Camera& camera, const Vector3d& side, const Vector3d& up) {
   constexpr double kTowardsBefore = 0.4;
   constexpr double kParallel = 0.98;
   const ViewAxes before = axes_of(camera);
   const Vector3d toward_eye = (side + kTowardsBefore * before.toward_eye).normalized();
-  // If the view goes along the mesh's up axis, keep what is up on the screen.
+  // If the camera looks along the mesh's up axis, keep the up direction of the previous view.
   const bool along_up = std::abs(toward_eye.dot(up)) > kParallel;
   return looking_from(camera, {toward_eye, along_up ? before.up : up});
 }
@@ -91,7 +91,7 @@ void Viewport::update() {
   if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
 }
 
-// The middle of the view is that of the part of the window that is not covered.
+// The view is centred in the part of the window that is not covered.
 void Viewport::set_camera(Camera camera) {
   camera.target_across = covered_share();
   camera_.set_camera(camera);
@@ -99,7 +99,7 @@ void Viewport::set_camera(Camera camera) {
 
 SurfaceStyle Viewport::style() const {
   SurfaceStyle style = style_of(display_, document_->editor);
-  // The doctor marks its places in the colours of regions.
+  // The doctor marks defects in the colours of regions.
   if (document_->banner.marks()) style.color = SurfaceColor::regions;
   return style;
 }
@@ -362,8 +362,8 @@ std::optional<bool> Viewport::handle(const InputEvent& event) {
   return event.kind != InputKind::move || camera_.is_moving() || handled.changed;
 }
 
-// Handles an event over the source, unless a drag that began elsewhere goes on there. Returns
-// whether the picture changes; nullopt if the event is not the source's.
+// Handles an event over the source, unless a drag that began elsewhere is in progress. Returns
+// whether the picture changes; nullopt if the event is not for the source.
 std::optional<bool> Viewport::handle_source(const InputEvent& event) {
   const auto area = source_area();
   if (!area || !is_of_pointer(event) || camera_.is_moving() ||

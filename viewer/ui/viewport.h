@@ -52,7 +52,8 @@ class Viewport {
   void set_up_axis(UpAxis axis);
 
   const CameraController& camera() const { return camera_; }
-  /// The camera with fitted near and far planes. Needs a document, as the next two.
+  /// Returns the camera with fitted near and far planes. This and the next two functions need a
+  /// document.
   ViewFrame frame() const;
   SurfaceStyle style() const;
   std::optional<GroundGrid> grid() const;
@@ -65,7 +66,7 @@ class Viewport {
   void show_vertices(const std::vector<Index>& vertices);
   bool shows_vertices() const { return view_before_.has_value(); }
   void look_back();
-  /// Shows the faulty places of the banner, or the view before that.
+  /// Show the defects of the banner, or the view before that.
   void look_at_places();
   void look_back_from_places();
 
@@ -94,7 +95,7 @@ class Viewport {
   CameraController camera_;
   EditMarks marks_;
   std::optional<Camera> view_before_;  // before vertices were shown
-  Camera camera_before_;               // before the doctor showed its places
+  Camera camera_before_;               // before the doctor showed its defects
   // Position of the slider's line in the area that the panels do not cover, from 0 at its left edge
   // to 1 at its right edge.
   std::optional<double> slider_;

@@ -50,8 +50,8 @@ bool moves_same_handles(DeformRequest a, const DeformRequest& b) {
   return a == b;
 }
 
-// Moves the handles on, then carries out the later steps of the draft, and undoes all of this.
-// Returns false if the draft does not begin with the committed steps of the history.
+// Restores the undone steps for redo: performs the later moves and steps of the draft, then undoes
+// them. Returns false if the draft does not begin with the committed steps of the history.
 bool add_undone_steps(History& history, const Draft& undone, const CarryOut& carry_out) {
   const Draft now = draft_of(history.state());
   const std::size_t common = now.steps.size();

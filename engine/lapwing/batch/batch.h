@@ -16,8 +16,8 @@ struct BatchRequest {
   std::filesystem::path recipe = {};  ///< recipe of jobs that do not name one
   std::filesystem::path folder = {};  ///< folder for the results
   BatchOutput output = {};
-  /// The file for the vertices of all meshes (write_vertex_array), in the order of the jobs; empty
-  /// if it is not written.
+  /// The file for the vertices of all meshes (write_vertex_array), in the order of the jobs. If the
+  /// path is empty, no file is written.
   std::filesystem::path vertices = {};
   bool resume = false;                 ///< run only the jobs without a result in the folder
   std::filesystem::path sandbox = {};  ///< the only folder that recipes may use; empty: any folder

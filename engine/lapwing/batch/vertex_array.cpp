@@ -34,7 +34,7 @@ void write_vertex_array(const fs::path& path, std::span<const fs::path> meshes) 
     if (positions.size() != count) {
       throw InputError(mesh.string() + " has " + std::to_string(positions.size()) +
                        " vertices, but " + first->string() + " has " + std::to_string(count) +
-                       "; the vertices of all jobs form an array only if their numbers are equal");
+                       "; all results must have the same number of vertices");
     }
     file.write(npy_rows(positions, Scalar::float64));
   }

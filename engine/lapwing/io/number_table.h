@@ -88,7 +88,7 @@ std::string_view table_extension(const std::filesystem::path& path);
 /// InputError if numbers of a .npy file of integers changed.
 std::string with_numbers(const NumberTable& table, std::span<const double> numbers);
 
-/// Returns the header of a .npy file (version 1.0) of an array in C order, little endian. `type` is
+/// Returns the header of a .npy file (version 1.0) for a little-endian array in C order. `type` is
 /// float32 or float64.
 std::string npy_header(std::span<const std::size_t> shape, Scalar type);
 /// Returns the bytes of the rows in a .npy file.

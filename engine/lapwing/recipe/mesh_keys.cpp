@@ -75,7 +75,7 @@ void describe(WrapStep& step, KeyVisitor& visitor) {
        .absent = "none"},
       step.landmarks);
   visitor.boolean(
-      {.name = "aligned", .help = "the template is already in place, so that it is only deformed"},
+      {.name = "aligned", .help = "the template is already in place; do not align it first"},
       step.aligned);
   visitor.stiffness(
       {.name = "stiffness",

@@ -18,8 +18,8 @@ struct WeightedEdge {
 ///     (A x)_i = sum_j w_ij (x_i - x_j) + held_i x_i.
 class GraphLaplacian {
  public:
-  /// Some vertex of each connected component of the graph must be held. `held` has one number per
-  /// vertex. Throws NotPositiveDefinite.
+  /// `held` has one number per vertex. Each connected component of the graph must contain a vertex
+  /// whose number is positive. Throws NotPositiveDefinite.
   GraphLaplacian(std::vector<WeightedEdge> edges, std::span<const double> held);
 
   /// Solves A X = B in place. X contains `columns` vectors, one after the other. Threads may share

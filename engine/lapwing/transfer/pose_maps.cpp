@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMapsPerTask = 512;
 
-// Rounding errors determine the map of a triangle whose double area is less than this fraction of
-// its squared longest side.
+// If twice the area of a triangle is less than this fraction of its squared longest side, rounding
+// errors dominate its map.
 constexpr double kFlatTriangle = 1e-10;
 
 // Returns [e1 e2 m].

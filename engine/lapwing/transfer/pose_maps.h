@@ -44,8 +44,8 @@ class PoseMaps {
   PoseMaps(const Topology& topology, const Rest& rest, std::span<const Eigen::Vector3d> posed);
 
   /// Returns the map at the point of a triangle with these barycentric coordinates. It is
-  /// continuous over the surface, and that of the triangle at its centroid. The triangle must have
-  /// an area at rest.
+  /// continuous over the surface. At the centroid it equals the map of the triangle. The area of
+  /// the triangle at rest must be positive.
   LinearMap at(Index triangle, const std::array<double, 3>& weights) const;
 
  private:
@@ -54,8 +54,8 @@ class PoseMaps {
   std::vector<LinearMap> of_vertex_;  // sums whose weights sum to 1
 };
 
-/// Returns for each vertex the mean of the maps of its triangles, weighted by area, as a sum whose
-/// weights sum to 1. If all areas are 0, the sum is zero.
+/// Returns the area-weighted mean of the triangle maps at each vertex, as a sum whose weights sum
+/// to 1. If all areas are 0, the sum is zero.
 std::vector<LinearMap> maps_of_vertices(const Topology& topology, std::span<const double> areas,
                                         std::span<const LinearMap> of_triangle);
 

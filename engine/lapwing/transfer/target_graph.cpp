@@ -17,14 +17,14 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kTrianglesPerTask = 512;
 
-// The weight of a tie; the mean weight of the edges is 1. It is so small that a tie deforms
-// nothing, and large enough for the pivots of the factor.
+// The weight of a tie; the mean weight of the edges is 1. It is small enough not to deform the
+// surface, and large enough to keep the pivots of the factor positive.
 constexpr double kTieWeight = 1e-5;
 
 // The weight of a held vertex, relative to the diagonal of the matrix.
 constexpr double kHeldWeight = 1e6;
 
-// The entries of R and S, each of which is a column of the harmonic system.
+// Each entry of R and S is a column of the harmonic system.
 constexpr std::size_t kEntries = 18;
 
 std::size_t entry_of(const Adjacency& rings, Index i, Index j) {
@@ -93,7 +93,8 @@ void TargetGraph::split_components() {
   unknowns_ = Unknowns(std::move(solved), topology_.vertex_count());
 }
 
-// Joins the vertices of a part that are near the main component to the nearest vertices there.
+// Adds ties from the vertices of `part` that are close to the main component to its nearest
+// vertices.
 void TargetGraph::add_ties(const VertexSet& part, const ClosestPoint& main) {
   std::vector<TrianglePoint> nearest;
   std::vector<double> distances;

@@ -41,8 +41,8 @@ class TargetGraph {
   const std::vector<Index>& solved() const { return unknowns_.vertices; }
   const std::vector<VertexSet>& loose() const { return loose_; }
 
-  /// Replaces the maps of solved triangles without a map. R and S are harmonic over the surface
-  /// between the vertices that have a map. Returns the maps of all vertices, as sums.
+  /// Fills in the maps of solved triangles that have none. Their R and S are harmonic over the
+  /// surface, between the vertices that have a map. Returns the maps of all vertices, as sums.
   std::vector<LinearMap> complete(std::span<LinearMap> of_triangle) const;
 
   /// Returns the displacements. They are 0 for vertices that are not solved. If no vertex is held,

@@ -26,10 +26,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kTargetTrianglesPerTask = 256;
-// The fraction of the target without counterpart above which a warning is given.
+// Warn if more than this fraction of the target has no counterpart.
 constexpr double kMuchUnmatched = 0.5;
 
-// A point of the source whose map a triangle of the target gets.
+// The point of the source that supplies the map of a target triangle.
 struct MapPlace {
   Index triangle = kNoIndex;
   std::array<double, 3> weights{};
@@ -173,7 +173,8 @@ void TransferSolver::State::find_counterparts(const Mesh& source,
   }
 }
 
-// Finds the similarity that maps counterparts to the target, and their positions after it.
+// Finds the similarity transformation that maps the counterparts to the target, and applies it to
+// them.
 void TransferSolver::State::align(const Mesh& source) {
   Positions from;
   Positions to;
@@ -186,8 +187,8 @@ void TransferSolver::State::align(const Mesh& source) {
     into_target = align_points(from, to).map;
   } catch (const InputError&) {
     throw InputError(
-        "Fewer than three vertices of the target have a counterpart on the source, or they are on "
-        "one line. Add landmarks, or give other counterparts.");
+        "Fewer than three vertices of the target have a counterpart on the source, or these lie "
+        "on one line. Add landmarks, or give other counterparts.");
   }
 }
 
@@ -205,8 +206,8 @@ Positions TransferSolver::State::counterpart_positions(std::span<const Vector3d>
   return positions;
 }
 
-// Finds for each triangle of the target the point of the source that is closest to the centroid of
-// the counterparts of its corners. A triangle has none if a corner has none.
+// Takes the centroid of the counterparts of each target triangle's corners, and finds the closest
+// point of the source. A triangle has no such point if a corner has no counterpart.
 void TransferSolver::State::find_places(std::span<const Vector3d> source_positions) {
   const ClosestPoint surface(source_topology->triangles, source_positions);
   places.resize(topology->triangles.size());
@@ -225,7 +226,7 @@ void TransferSolver::State::find_places(std::span<const Vector3d> source_positio
   });
 }
 
-// Returns the areas of the target's triangles with a map, and 0 for all others.
+// Returns the area of each target triangle that has a map, and 0 for all others.
 std::vector<double> TransferSolver::State::mapped_areas() {
   double whole = 0.0;
   double mapped = 0.0;
@@ -307,7 +308,8 @@ std::vector<LinearMap> TransferSolver::State::maps_of_triangles(
   return maps;
 }
 
-// Translates the solved vertices so that those with a counterpart move like it on average.
+// Translates the solved vertices so that those with a counterpart move, on average, as their
+// counterparts do.
 void TransferSolver::State::place(std::span<const Vector3d> counterpart_posed,
                                   std::span<Vector3d> u) const {
   Vector3d sum = Vector3d::Zero();

@@ -20,10 +20,10 @@ namespace lapwing {
 struct TransferRequest {
   /// For each vertex of the target, its counterpart on the source at rest, or `nowhere()`.
   std::vector<SurfacePoint> counterparts = {};
-  /// If `counterparts` is empty: the position of each vertex of the target on the source, such as
-  /// `Wrapped::positions`. The counterparts are those of `counterparts_on`. If this list is empty
-  /// too, vertices with the same number are counterparts if the meshes have the same faces and
-  /// there are no landmarks. Otherwise `wrap` finds the counterparts.
+  /// The position of each vertex of the target on the source, such as `Wrapped::positions`. If
+  /// `counterparts` is empty, `counterparts_on` finds the counterparts of these positions. If both
+  /// lists are empty, vertices with the same number correspond, provided that the meshes have the
+  /// same faces and there are no landmarks. Otherwise `wrap` finds the counterparts.
   Positions on_source = {};
   /// Points of the target and their positions on the source, for `wrap`.
   TargetSpec landmarks = {.where = "landmarks"};
@@ -33,8 +33,8 @@ struct TransferRequest {
   std::optional<RegionSpec> held = {};
 };
 
-/// The target's pose relative to its rest pose, without loose components. The fields have the same
-/// meaning as in `Certificate`.
+/// Compares the target's pose with its rest pose, without loose components. The fields have the
+/// same meaning as in `Certificate`.
 struct TransferReport {
   double largest_rotation_degrees = 0.0;
   std::size_t flipped_triangles = 0;
@@ -54,12 +54,12 @@ void require_pose(const Mesh& source, std::span<const Eigen::Vector3d> posed,
 /// Transfers poses of a source mesh to a target mesh (Sumner and Popovic 2004).
 ///
 /// Each triangle of the source has a linear map from rest to pose. A triangle of the target gets
-/// the map at its counterpart (`PoseMaps`). The pose of the target has the edges that fit these
+/// the map at its counterpart (`PoseMaps`). The pose of the target is the one whose edges fit these
 /// maps best (`TargetGraph`). The similarity transformation that fits the counterparts to the
-/// target at rest rotates the poses into the frame of the target. Therefore the meshes may have
+/// target at rest maps the poses into the frame of the target. Therefore the meshes may have
 /// different positions, orientations and sizes, but their rest poses should be similar.
 ///
-/// Parts of a component without counterparts get maps that are harmonic between the others.
+/// Parts of a component without counterparts get maps that interpolate the others harmonically.
 /// Components without any counterpart move rigidly with the nearest surface (`LooseParts`).
 /// Vertices without triangles do not move. Seams of both meshes are joined.
 ///
@@ -69,9 +69,10 @@ void require_pose(const Mesh& source, std::span<const Eigen::Vector3d> posed,
 class TransferSolver {
  public:
   /// Copies the meshes' data. Throws InputError if a mesh has no surface or a position that is not
-  /// finite, if the counterparts do not fit the meshes, if fewer than three vertices have one, or
-  /// if `held` contains no vertex that can be solved. Also throws the errors of `resolve` and
-  /// `wrap`, and Cancelled. Stages "align" and "wrap" if it wraps; then "prepare".
+  /// finite, or if the counterparts do not fit the meshes. Throws it also if fewer than three
+  /// vertices have a counterpart, or if `held` contains no vertex that can be solved. Also throws
+  /// the errors of `resolve` and `wrap`, and Cancelled. Reports the stages "align" and "wrap" if it
+  /// wraps, and then "prepare".
   TransferSolver(const Mesh& source, const Mesh& target, const TransferRequest& request,
                  Kernels& kernels, const Progress& progress = {});
   TransferSolver(TransferSolver&&) noexcept;

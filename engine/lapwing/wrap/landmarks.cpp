@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-// A position on the template may be this fraction of the diagonal away from the surface.
+// A position on the template may be at most this fraction of the diagonal away from the surface.
 constexpr double kFarthest = 0.01;
 
 // A point of a file that contains the points of one surface.

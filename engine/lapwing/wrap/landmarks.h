@@ -29,7 +29,7 @@ struct Landmark {
   }
 };
 
-/// Landmarks as a recipe or a command names them: rows, a file of rows, or two files of points.
+/// The landmarks of a recipe or a command: rows, a file of rows, or two files of points.
 struct LandmarkSpec {
   std::vector<Landmark> rows = {};
   std::filesystem::path file = {};  ///< path as in the recipe
@@ -50,17 +50,16 @@ struct LandmarkSpec {
 Landmark read_landmark(const JsonNode& json);
 
 /// Reads the files of `spec`, whose paths are relative to `base_directory`, and returns `spec` with
-/// their rows. A .json file is a list for `read_landmark`; other files are tables of its rows of
-/// numbers.
+/// their rows. A .json file is a list of landmarks as for `read_landmark`; other files are tables
+/// of such rows.
 ///
 /// Two files contain points, each with an optional label: .fcsv and .mrk.json of 3D Slicer, or
 /// tables as for `read_point_table` with a column "label" or "name". If they have labels, points
 /// with equal labels correspond, and a note names the others. Without labels, they correspond in
-/// order. Slicer's points in the coordinate system RAS are converted to LPS, in which Slicer saves
-/// meshes.
+/// order. Points in Slicer's RAS coordinates are converted to LPS, in which Slicer saves meshes.
 ///
-/// Throws IoError, and InputError, which names the file and the row, if a row is malformed, or if
-/// the points of two files do not correspond.
+/// Throws IoError. Throws InputError, naming the file and the row, if a row is malformed or if the
+/// points of two files do not correspond.
 LandmarkSpec with_rows(LandmarkSpec spec, const std::filesystem::path& base_directory,
                        std::vector<std::string>& notes);
 

@@ -40,7 +40,7 @@ class ScanSurface {
   /// A third of the area of the triangles around each vertex.
   std::span<const double> areas() const { return areas_; }
 
-  /// Returns at most `count` of the vertices, at equal steps of area.
+  /// Returns at most `count` of the vertices, spaced evenly by area.
   SurfaceSamples samples(std::size_t count) const;
 
   /// Returns the closest point to `point`, preferably where the surface faces along `normal`.

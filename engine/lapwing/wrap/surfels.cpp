@@ -19,11 +19,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kNeighbours = 6;
-constexpr double kRadius = 0.8;  // of the inscribed circle, over the distance of the last neighbour
-constexpr double kLargest = 3.0;  // over the median, so that an outlier has no large surfel
+constexpr double kRadius = 0.8;   // inscribed circle, relative to the farthest neighbour's distance
+constexpr double kLargest = 3.0;  // relative to the median; keeps the surfels of outliers small
 constexpr std::size_t kSpacingsPerTask = 512;
 
-// Returns the distance of each point from its sixth-closest other point.
+// Returns the distance from each point to its sixth-nearest neighbour.
 std::vector<double> spacings_of(std::span<const Vector3d> points) {
   std::vector<Triangle> single(points.size());
   for (Index k = 0; k < points.size(); ++k) single[k] = {k, k, k};

@@ -8,9 +8,9 @@ namespace lapwing {
 
 /// Returns a surface element (surfel) for each point of a cloud with normals: an equilateral
 /// triangle across the normal, made of three triangles around the point. Its inscribed circle
-/// reaches about the sixth-closest point, so that the surfels of neighbours overlap. Vertex k of
-/// the result is point k. The other vertices follow. O(n log n). Throws InputError, with a message
-/// that begins with `where`, if the cloud has no normals or too few points, and Cancelled.
+/// reaches about as far as the sixth-nearest neighbour, so neighbouring surfels overlap. Vertex k
+/// of the result is point k. The other vertices follow. O(n log n). Throws InputError if the cloud
+/// has no normals or too few points; the message begins with `where`. Also throws Cancelled.
 Mesh surfels_of(const Mesh& cloud, const std::string& where);
 
 }  // namespace lapwing

@@ -50,7 +50,7 @@ constexpr std::size_t kCoarseVertices = 3000;
 // Denser scans are sampled with this number of points per vertex of the template.
 constexpr std::size_t kSamplesPerVertex = 4;
 
-// The distance of the scan from the result is measured at no fewer points than this.
+// The distance from the scan to the result is measured at this many points or more.
 constexpr std::size_t kMeasured = 10000;
 
 constexpr std::size_t kPointsPerTask = 512;
@@ -106,7 +106,7 @@ SurfaceDistance measure(std::vector<double> distances) {
           distances[static_cast<std::size_t>(0.95 * (count - 1.0))], distances.back()};
 }
 
-// Returns the counterparts that agree and are not much farther than most.
+// Returns the counterparts whose normals agree and that are not much farther away than most.
 std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, double edge) {
   const double far = std::max(edge, kFar * median_distance(counterparts));
   std::vector<SurfacePoint> points;
@@ -116,7 +116,7 @@ std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, do
   return points;
 }
 
-// Returns the point of the cloud at a place on its surfel.
+// Returns the cloud point to which a point on a surfel belongs.
 SurfacePoint point_of_surfel(const SurfacePoint& place) {
   return place.is_nowhere() ? place : SurfacePoint::at_vertex(std::ranges::min(place.corners));
 }
@@ -140,7 +140,7 @@ Positions mapped(const Eigen::Affine3d& map, Positions positions) {
   return positions;
 }
 
-// The loop of closest points and minimizations, for a template or a decimated copy of it.
+// Alternates closest points and minimizations, for a template or a decimated copy of it.
 class Wrapping {
  public:
   // `start` is the pose from which the first step begins.
@@ -171,8 +171,8 @@ class Wrapping {
   int steps() const { return steps_; }
   const Certificate& certificate() const { return certificate_; }
 
-  // Moves the rigid parts of the template as rigid bodies to where they are. Springs on their
-  // vertices would prevent that.
+  // Makes the rigid parts of the template exactly rigid: minimizes again without springs on their
+  // vertices.
   void finish() {
     const auto is_rigid = [](const VertexStiffness& part) {
       return part.factor == kRigidStiffness;
@@ -316,8 +316,8 @@ std::vector<VertexStiffness> on_coarse(std::span<const VertexStiffness> stiffnes
 }
 
 // Wraps a decimated copy of a large template at all reaches that its edges can follow, and removes
-// these from `reaches`. The deformations at such reaches have long wavelengths, so that they do not
-// need more vertices. Changes `pose` to that of the decimated copy. Returns the number of steps.
+// these from `reaches`. The deformations at such reaches have long wavelengths and do not need more
+// vertices. Sets `pose` from the decimated copy. Returns the number of steps.
 int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>& rest,
                 const ScanSurface& scan, const std::vector<Target>& landmarks,
                 std::span<const VertexStiffness> stiffness, Kernels& kernels,

@@ -19,7 +19,7 @@ namespace lapwing {
 struct WrapRequest {
   /// Points of the template and their positions on the scan. `file` and `hard` have no effect.
   TargetSpec landmarks = {.where = "landmarks"};
-  bool aligned = false;  ///< the template is already in place, so that it is only deformed
+  bool aligned = false;  ///< the template is already in place; do not align it first
   /// Parts of the template that bend less or more than the rest.
   std::vector<StiffnessSpec> stiffness = {};
   bool operator==(const WrapRequest&) const = default;
@@ -76,10 +76,10 @@ struct Wrapped {
 Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, Kernels& kernels,
              const Progress& progress = {});
 
-/// Returns the counterpart of each vertex of a surface that covers the scan, or `nowhere()`: the
-/// closest point, if the normals agree, it is not on a boundary, and it is not much farther than
-/// most. `Wrapped::counterparts` are those of `Wrapped::positions`. O(n log n). Throws InputError
-/// if the scan has no surface.
+/// Returns the counterpart of each vertex of a surface that covers the scan, or `nowhere()`. The
+/// counterpart is the closest point if the normals agree, if it is not on a boundary, and if it is
+/// not much farther away than most. For `Wrapped::positions` the result is `Wrapped::counterparts`.
+/// O(n log n). Throws InputError if the scan has no surface.
 std::vector<SurfacePoint> counterparts_on(const Mesh& scan, const Topology& topology,
                                           std::span<const Eigen::Vector3d> positions);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wrap: the active mesh, a template, is deformed so that it covers another mesh, a scan."""
+"""Wrap: deforms the active mesh, a template, so that it covers another mesh, a scan."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _SUFFIX = re.compile(r"\.\d{3,}$")
 
 
 def landmarks_of(obj: bpy.types.Object) -> Dict[str, bpy.types.Object]:
-    """Returns the Empties whose parent is `obj` by their names, without Blender's ".001". The
-    Empties of handles are no landmarks."""
+    """Returns the Empties whose parent is `obj`, by name without Blender's ".001". The Empties of
+    handles are not landmarks."""
     handles = {handle.empty for handle in settings_of(obj).handles}
     found: Dict[str, bpy.types.Object] = {}
     for child in obj.children:
@@ -63,13 +63,13 @@ class LAPWING_OT_wrap(SurfaceOperator, bpy.types.Operator):
     bl_idname = "lapwing.wrap"
     bl_label = "Lapwing Wrap"
     bl_description = (
-        "Deforms the active mesh so that it covers the other selected mesh, a scan. Empties of "
+        "Deforms the active mesh so that it covers the other selected mesh, a scan. Empties with "
         "equal names, one parented to each mesh, are landmarks"
     )
     bl_options = {"REGISTER", "UNDO"}
 
     scan: StringProperty(name="Scan", description="Without it, the other selected mesh")
-    aligned: BoolProperty(name="Aligned", description="The active mesh is in place already")
+    aligned: BoolProperty(name="Aligned", description="The active mesh is already in place")
 
     def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout
@@ -84,7 +84,7 @@ class LAPWING_OT_wrap(SurfaceOperator, bpy.types.Operator):
             (ours[name].name, theirs[name].name) for name in ours if name in theirs
         ]
         self._notes = [
-            f"The Empty '{left[name].name}' has no namesake at '{other.name}'; it has no effect"
+            f"The Empty '{left[name].name}' has no effect: '{other.name}' has no Empty of this name"
             for left, right, other in ((ours, theirs, scan), (theirs, ours, obj))
             for name in left if name not in right
         ]
@@ -103,7 +103,7 @@ class LAPWING_OT_wrap(SurfaceOperator, bpy.types.Operator):
         super().finish(context, value)
         obj = bpy.data.objects[self._name]
         obj[PROPERTY] = json.dumps(value.steps[-1]["wrap"])
-        # The Empties of the template stay on its surface, so that it can be wrapped again.
+        # Keep the Empties of the template on its surface, so that it can be wrapped again.
         for ours, theirs in self._pairs:
             place = bpy.data.objects[theirs].matrix_world.translation
             bpy.data.objects[ours].matrix_world.translation = place

@@ -68,14 +68,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("vertices", help="of `lapwing batch --vertices`: .npy, (jobs, n, 3)")
     parser.add_argument("folder", help="the folder of the batch")
-    parser.add_argument("model", help="where the model goes, .npz")
-    parser.add_argument("--keep-size", action="store_true", help="the size is part of the shape")
-    parser.add_argument("--picture", help="where the picture goes, .png")
+    parser.add_argument("model", help="write the model to this .npz file")
+    parser.add_argument("--keep-size", action="store_true", help="treat size as part of the shape")
+    parser.add_argument("--picture", help="write a picture to this .png file")
     arguments = parser.parse_args()
 
     vertices = np.load(arguments.vertices)
     folder = pathlib.Path(arguments.folder)
-    # The results are in the order of the jobs, without those that failed, whose rows are NaN.
+    # The results are in the order of the jobs. Failed jobs have no result, and their rows are NaN.
     results = [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
     shapes = vertices[~np.isnan(vertices).any(axis=(1, 2))]
     usable = np.array([not result.get("wrap", {}).get("trouble") for result in results], bool)

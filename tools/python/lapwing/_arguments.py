@@ -250,7 +250,7 @@ def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
 
 
 def wrap_landmarks_of(landmarks: Any, vertex_count: Optional[int], where: str) -> Any:
-    """Converts landmarks of a wrap to a recipe's: one or two paths, or what `targets_of` takes."""
+    """Converts landmarks to those of a recipe: one or two paths, or what `targets_of` takes."""
     if isinstance(landmarks, (str, os.PathLike)):
         return os.fspath(landmarks)
     if isinstance(landmarks, (tuple, list)) and len(landmarks) == 2:

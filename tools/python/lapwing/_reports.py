@@ -390,7 +390,7 @@ def transfer(
     aligned: bool = False,
     progress: Optional[Progress] = None,
 ) -> Transferred:
-    """Moves a target mesh to the poses of a source mesh.
+    """Transfers poses of a source mesh to a target mesh.
 
     `source` is at rest, and `poses` contains its vertices in one pose, (n, 3), or in many, (k, n,
     3). If both meshes have the same faces, vertices with the same number correspond. Otherwise the
