@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
       .add_option("--size", arguments.size, "WIDTHxHEIGHT of the picture; the window's by default")
       ->needs(screenshot);
   parser.add_flag("--controls", list_controls,
-                  "list mouse and keys as a table in Markdown, and quit");
+                  "print the mouse and keyboard controls as a Markdown table, and quit");
   parser.callback([&] {
     if (list_controls) {
       std::fputs(controls_table().c_str(), stdout);

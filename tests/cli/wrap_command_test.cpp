@@ -59,6 +59,14 @@ TEST_F(WrapCommand, WritesARecipeAndAReport) {
   expect_recipe_repeats("wrap.json", "wrapped.ply");
 }
 
+TEST_F(WrapCommand, ShowsTheDistanceAsColour) {
+  succeed("wrap ball.obj egg.ply --aligned -o wrapped.ply --render plain.png --color plain");
+  succeed("wrap ball.obj egg.ply --aligned -o wrapped.ply --render far.png --color distance");
+  EXPECT_NE(read("plain.png"), read("far.png"));
+  expect_refused("decimate ball.obj --share 0.5 --save small.obj --render x.png --color distance",
+                 3, {"--color distance", "wrap"});
+}
+
 TEST_F(WrapCommand, AFailedWrapIsAnErrorIfStrict) {
   // The scan is inside out, so none of its normals agrees with the template.
   Mesh inverted = icosphere(3);

@@ -133,7 +133,7 @@ TEST_F(Guides, NameTheKeysOfACoat) {
   choose_roi();
   expect_says("Ctrl+Shift+K opens another mesh");
   expect_at("Apply", "Ctrl+Enter");
-  viewer_->click("Whole source");
+  viewer_->click("Use whole source");
   expect_says("K to pick corresponding points");
 }
 
@@ -145,7 +145,7 @@ TEST_F(Guides, LeadFromADragToACoatOfWhatWasMoved) {
   move_handle();
   viewer_->key('K', kControl);
   viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
-  viewer_->click("Whole source");
+  viewer_->click("Use whole source");
   expect_says("Source patch: 984 vertices");
   const auto& preview = viewer_->app().document()->desk.preview();
   viewer_->wait_for([&] { return !preview.message().empty(); }, "the preview says what it misses");
@@ -160,7 +160,7 @@ TEST_F(Guides, NameTheKeysOfAMix) {
   viewer_->key('M', kControl);
   viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the mix begins");
   choose_roi();
-  viewer_->click("Whole source");
+  viewer_->click("Use whole source");
   expect_says("Press Shift+K");
   expect_at("Apply", "Ctrl+Enter");
 }
@@ -304,7 +304,7 @@ TEST_F(Guides, EscapeCancelsACoat) {
 TEST_F(Guides, AnErrorGoesAwayWithItsCause) {
   viewer_->key('K', kControl);
   viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
-  viewer_->click("Whole source");
+  viewer_->click("Use whole source");
   viewer_->key(kEnter, kControl);
   const auto says_error = [&] { return viewer_->shows("Close"); };
   viewer_->wait_for(says_error, "the error is said");

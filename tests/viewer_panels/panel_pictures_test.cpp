@@ -148,7 +148,7 @@ TEST_P(Panels, OfACoatAreWhole) {
   viewer_->key('K', kControl);
   viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
   check("coat-begun");
-  viewer_->click("Whole source");
+  viewer_->click("Use whole source");
   check("coat-patch");
   viewer_->click("Solver settings");
   check("coat-parameters");

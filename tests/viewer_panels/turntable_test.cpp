@@ -135,7 +135,7 @@ TEST_F(ATurntableOfTheViewer, IsCancelledByEscape) {
   viewer_->click("File");
   EXPECT_FALSE(viewer_->shows("Quit")) << "nothing else can be done beside it";
   viewer_->key(kEscape);
-  EXPECT_TRUE(viewer_->says("turntable not saved"));
+  EXPECT_TRUE(viewer_->says("Cancelled: the turntable"));
   EXPECT_FALSE(viewer_->says(" of 120 frames"));
   EXPECT_FALSE(std::filesystem::exists(viewer_->folder() / "tube-turntable.mp4"));
 }

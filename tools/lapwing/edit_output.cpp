@@ -195,7 +195,7 @@ void print_written(const RunResult& result, const std::filesystem::path& target)
 }  // namespace
 
 CLI::Option* EditOutput::add_to(CLI::App& command, const std::string& save_flag) {
-  std::vector<std::string> colors{"regions", kFileColor, kPlainColor};
+  std::vector<std::string> colors{"regions", kFileColor, kPlainColor, kDistanceColor};
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   auto* saved = command.add_option(save_flag, save, "write the edited mesh to this file");
   command.add_flag("--vertex-motion", vertex_motion,
@@ -262,6 +262,10 @@ void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_f
   if (!sandbox.empty()) require_inside(recipe, sandbox);
   // Report invalid options before the work.
   picture.request();
+  if (color == kDistanceColor &&
+      (recipe.steps.empty() || !std::holds_alternative<WrapStep>(recipe.steps.back()))) {
+    throw InputError("--color distance shows the result of a wrap, but the last step is none");
+  }
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   require_place_for_motion(target);
   require_places(recipe, target, recipe_file, recipe_path);
@@ -338,6 +342,8 @@ EditOutput::Pictures EditOutput::draw(const RunResult& result,
     paint.set_classes(vertex_classes(result.region, result.mesh.vertex_count()));
   } else if (std::ranges::count(pose_colors(), color) > 0) {
     color_by(color, result.mesh, result.original, paint, options);
+  } else if (color == kDistanceColor) {
+    color_by_distance(result.report.steps.back().wrap->distances, paint, options);
   }
   const Topology& topology = result.mesh.topology();
   Positions both = surface_positions(result.original, topology);

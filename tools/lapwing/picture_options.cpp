@@ -124,4 +124,12 @@ void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eige
   options.legend_title = legend_title(wanted);
 }
 
+void color_by_distance(std::span<const float> distances, SurfacePaint& paint,
+                       RenderOptions& options) {
+  paint.set_scalars(distances);
+  options.style.color = SurfaceColor::scalar;
+  options.style.range = range_without_outliers(distances);
+  options.legend_title = "distance from the scan";
+}
+
 }  // namespace lapwing::cli

@@ -36,6 +36,7 @@ struct PictureOptions {
 // Values of --color, in addition to those of pose_colors().
 inline const std::string kFileColor = "file";    ///< the colours in the mesh file
 inline const std::string kPlainColor = "plain";  ///< one colour, like clay
+inline const std::string kDistanceColor = "distance";  ///< the distance of a wrap from the scan
 
 /// Returns the values of --color that compare a pose with its rest pose: displacement, rotation,
 /// detail (of uniform Laplacians) and stretch.
@@ -52,5 +53,9 @@ std::vector<std::string> color_by_file(const Mesh& mesh, const std::filesystem::
 /// in both poses count as joined.
 void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eigen::Vector3d> rest,
               SurfacePaint& paint, RenderOptions& options);
+
+/// Colours `paint` by the distances of a wrapped template from the scan, one per vertex.
+void color_by_distance(std::span<const float> distances, SurfacePaint& paint,
+                       RenderOptions& options);
 
 }  // namespace lapwing::cli

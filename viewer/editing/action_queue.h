@@ -13,7 +13,7 @@ namespace lapwing::viewer {
 bool commits(const Command& command);
 
 /// The message that a selection has begun another edit.
-inline constexpr const char* kBeginsNewEdit = "New edit. Undo returns to the last one.";
+inline constexpr const char* kBeginsNewEdit = "New edit. Undo returns to the previous one.";
 
 /// Carries out the user's actions in order and makes them undoable. Actions that need the result of
 /// the last edit are postponed until it has settled. An action that fails reports its error to

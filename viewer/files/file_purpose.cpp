@@ -83,7 +83,7 @@ std::string trouble_with_new(const fs::path& path, const PathWords& words) {
   const fs::path touched = fs::exists(path, error) ? path : folder;
   if (access(touched.c_str(), W_OK) != 0) {
     return touched.string() +
-           " cannot be written to. Choose another location, or change its permissions.";
+           " cannot be written to. Change its permissions, or choose another location.";
   }
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {
@@ -104,7 +104,7 @@ std::string trouble_with_old(const fs::path& path, const PathWords& words) {
   }
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {
-    return path.filename().string() + " cannot be read. Choose a file that ends in " +
+    return path.filename().string() + " has an unsupported format. Choose a file that ends in " +
            listed(kind.extensions);
   }
   return {};

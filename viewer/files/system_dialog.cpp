@@ -39,7 +39,7 @@ Pipe open_pipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw IoError("Cannot open a pipe: " + std::generic_category().message(errno) +
-                  ". Close other programs.");
+                  "; close other programs");
   }
   return {ends[0], ends[1]};
 }

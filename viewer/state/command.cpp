@@ -245,7 +245,7 @@ struct Applier {
   void operator()(const SetBeltWidth& command) const {
     if (!(command.fraction >= 0.0 && command.fraction <= 1.0)) {
       throw InputError(
-          "The width of the fixed border is a fraction of the radius. Choose from 0 to 1.");
+          "The width of the fixed border is a fraction of the radius. Choose a value from 0 to 1.");
     }
     if (state.selection.belt_fraction == command.fraction) return;
     state.selection.belt_fraction = command.fraction;

@@ -101,7 +101,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
                                                       : shown_move(state, handle);
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
-    ImGui::TextWrapped("Scaled along tilted axes. The values cannot be edited.");
+    ImGui::TextWrapped("The handle is scaled along tilted axes, so its values cannot be edited.");
     return;
   }
   SimilarityMove move = drafts.move.value_or(*similarity);

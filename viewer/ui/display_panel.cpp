@@ -120,7 +120,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
                      ImGuiSliderFlags_AlwaysClamp);
   // A new angle rebuilds the surface, which takes too long to do in every frame of the slider drag.
   if (ImGui::IsItemDeactivatedAfterEdit()) editor.view().set_feature_angle(choices.feature_angle);
-  explain("Edges between faces at a larger angle are shaded sharp.");
+  explain("Edges whose faces meet at a larger angle are shaded as sharp edges.");
   choose_coloring(choices.coloring);
   const auto measure = measure_of(choices.coloring);
   editor.view().shown().color_by(measure);

@@ -193,11 +193,11 @@ std::optional<BannerWish> DoctorBanner::draw_preview(Editor& editor) {
   const std::string left = problems_in_words(repaired_->left);
   if (!left.empty()) ImGui::TextWrapped("Remaining: %s.", left.c_str());
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped("Preview. The repaired mesh is saved to a new file, which is then opened.");
+  ImGui::TextWrapped("Preview. Saving writes the repaired mesh to a new file and opens that file.");
   ImGui::PopStyleColor();
   if (ImGui::Button("Save repaired mesh...")) wish = BannerWish::keep_repair;
   ImGui::SameLine();
-  if (ImGui::Button("Undo repair")) show_as_before(editor);
+  if (ImGui::Button("Discard repair")) show_as_before(editor);
   return wish;
 }
 

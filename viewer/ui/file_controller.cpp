@@ -123,7 +123,7 @@ void FileController::go_on_with(LoadedFile replay) {
   if (!document_) return;
   Editor& editor = document_->editor;
   if (editor.session().history().done() != *replay.replayed_from || editor.tool().is_dragging()) {
-    return say_({"The mesh was edited while the recipe ran. Replay it again.", Tone::error});
+    return say_({"The mesh was edited during the replay. Replay the recipe again.", Tone::error});
   }
   editor.actions().continue_with(std::move(replay.history));
 }
@@ -142,7 +142,7 @@ void FileController::once_settled(std::function<void()> action) {
   // Cancelled settling must start again, because a step is saved only when it is complete.
   if (!session.awaits_result()) session.prepare();
   saving_ = std::move(action);
-  say_("The last move is being refined. The mesh will be saved when that is done.");
+  say_("The last move is being refined. Saving starts when that is done.");
 }
 
 // Warns if running the saved recipe gives a different surface.
@@ -173,8 +173,10 @@ void FileController::take_settled() {
   const auto action = std::exchange(saving_, nullptr);
   if (session == nullptr) return;
   if (!needs_settling(session->state())) return action();
-  say_({"Not saved: the last move is not refined. Click \"Refine\" or undo it, then save again.",
-        Tone::error});
+  say_(
+      {"Not saved: the last move is not refined. Click \"Refine\" or undo the move, then save "
+       "again.",
+       Tone::error});
 }
 
 void FileController::save() {
@@ -283,7 +285,7 @@ void FileController::use(const ChosenPath& chosen) {
 void FileController::save_repaired(const fs::path& path) {
   const auto mesh = document_ ? document_->banner.repair() : nullptr;
   if (mesh == nullptr)
-    return say_({"The repair is not shown any more. Repair the mesh again.", Tone::error});
+    return say_({"The repair is no longer available. Repair the mesh again.", Tone::error});
   try {
     say(write_mesh(*mesh, path));
     say_("Saved " + with_tilde(path));

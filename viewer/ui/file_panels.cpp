@@ -43,7 +43,7 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
   std::optional<InterruptedChoice> choice;
   center_next_window();
   if (ImGui::Begin("Interrupted edits", nullptr, kDialog)) {
-    ImGui::TextDisabled("These edits were not closed properly. Restore runs their steps again.");
+    ImGui::TextDisabled("These edits were not closed properly. \"Restore\" runs the steps again.");
     ImGui::TextDisabled("Enter restores the latest edit.");
     for (std::size_t e = 0; e < edits.size(); ++e) {
       ImGui::PushID(static_cast<int>(e));

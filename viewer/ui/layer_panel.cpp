@@ -57,7 +57,7 @@ bool draw_source_file(DetailTransferTool& desk) {
   const bool asked = ImGui::Button("Open another mesh...");
   if (!mesh.empty()) {
     ImGui::SameLine();
-    if (ImGui::Button("This mesh")) desk.use_source(k, {});
+    if (ImGui::Button("Use this mesh")) desk.use_source(k, {});
   }
   return asked;
 }
@@ -69,14 +69,14 @@ void draw_patch(DetailTransferTool& desk) {
     return;
   }
   if (view->patch().vertices.empty()) {
-    ImGui::TextWrapped("Drag a disk on the source shown beside the mesh, or use");
+    ImGui::TextWrapped("Drag a disk on the source shown beside the mesh, or use the whole source.");
   } else {
     ImGui::Text("Source patch: %zu vertices", view->patch().vertices.size());
   }
-  if (ImGui::Button("Whole source")) desk.choose_source_patch({AllVertices{}});
+  if (ImGui::Button("Use whole source")) desk.choose_source_patch({AllVertices{}});
   if (view->patch().vertices.empty()) return;
   ImGui::SameLine();
-  if (ImGui::Button("Largest disk")) {
+  if (ImGui::Button("Use largest disk")) {
     desk.choose_source_patch({DiskInRegion{{spec_of(view->patch(), "source patch")}}});
   }
 }
@@ -164,7 +164,7 @@ void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   draw_slider("Width", ramp.width, 0.0, 0.5 * editor.bounds().diagonal());
   if (handles.empty()) {
     ImGui::TextWrapped("Select a handle (H) where the second source appears.");
-  } else if (ImGui::Button("Use the handle")) {
+  } else if (ImGui::Button("Use handle")) {
     ramp.region = spec_of(handles[editor.tool().handle()], "weight");
   }
 }

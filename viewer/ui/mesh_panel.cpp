@@ -18,7 +18,7 @@ const ImVec4 kCarriedColor{0.36F, 0.68F, 0.58F, 1.0F};
 // Returns true if the object's button was pressed.
 bool draw_object(const CarriedObject& object, std::size_t number) {
   ImGui::PushID(static_cast<int>(number));
-  const char* verb = object.follows ? "Remove" : "Follow";
+  const char* verb = object.follows ? "Detach" : "Attach";
   draw_swatch(kCarriedColor);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(object.file().filename().c_str());
@@ -26,7 +26,7 @@ bool draw_object(const CarriedObject& object, std::size_t number) {
   const std::size_t count = object.rest->positions().size();
   ImGui::TextDisabled("%zu %s%s", count, count == 1 ? "vertex" : "vertices",
                       object.follows ? "" : ", detached");
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("Remove").x -
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("Detach").x -
                   2.0F * ImGui::GetStyle().FramePadding.x);
   const bool pressed = ImGui::SmallButton(verb);
   ImGui::PopID();
@@ -108,7 +108,7 @@ std::optional<Action> draw_carried_panel(Editor& editor) {
   std::optional<Action> wanted;
   std::optional<std::size_t> pressed;
   const std::vector<CarriedObject>& objects = editor.state().carried;
-  if (objects.empty()) ImGui::TextDisabled("Objects that follow the surface.");
+  if (objects.empty()) ImGui::TextDisabled("Attached objects follow the surface.");
   for (std::size_t k = 0; k < objects.size(); ++k) {
     if (draw_object(objects[k], k)) pressed = k;
   }

@@ -118,7 +118,7 @@ void draw_remesh(MeshStepTool& tool, const Editor& editor, double size) {
   if (roi.vertices.empty()) {
     drafts.only_region = false;
   } else {
-    ImGui::Checkbox("Only the region", &drafts.only_region);
+    ImGui::Checkbox("Region only", &drafts.only_region);
   }
   drafts.remesh.region =
       drafts.only_region ? spec_of(roi, "the region") : RegionSpec{AllVertices{}};

@@ -139,7 +139,7 @@ void Recorder::give_up(const std::string& why) {
   const auto given_up = std::exchange(recording_, nullptr);
   const TurntableRecording::Order& order = given_up->order();
   const int written = is_video(order.output) ? 0 : given_up->written();
-  say_({why + (written == 0 ? ": turntable not saved."
+  say_({why + (written == 0 ? ": the turntable was not saved."
                             : ": only the first " + std::to_string(written) +
                                   " frames of the turntable were saved."),
         Tone::warning});

@@ -123,7 +123,7 @@ bool draw_handle_weight(std::optional<double>& weight, bool& let_go) {
     weight = static_cast<double>(shown);
     changed = true;
   }
-  explain("Weight of the handle. The higher, the closer it comes to its target.");
+  explain("Weight of the handle. A higher weight brings the handle closer to its target.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   return changed;
 }

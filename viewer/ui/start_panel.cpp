@@ -98,7 +98,7 @@ std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
       "Open mesh", open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   if (!offer.trouble.empty()) draw_start_trouble(offer.trouble);
-  ImGui::TextDisabled("Drop an OBJ, OFF, PLY, STL or glTF file, or a recipe, on the window, or");
+  ImGui::TextDisabled("Drop a mesh (OBJ, OFF, PLY, STL or glTF) or a recipe on the window, or");
   if (ImGui::Button("Choose file... (Ctrl+O)")) choice = AnotherFile{};
   if (const auto recent = draw_recent(offer.recent)) choice = *recent;
   if (!offer.samples.empty()) {

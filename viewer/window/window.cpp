@@ -43,7 +43,8 @@ std::string glfw_reason() {
 
 [[noreturn]] void throw_no_window() {
   throw WindowError("Cannot open a window: " + glfw_reason() +
-                    ". Start it on a desktop (or under xvfb-run), or use `lapwing render`, which "
+                    ". Start the viewer on a desktop (or under xvfb-run), or use `lapwing "
+                    "render`, which "
                     "needs no window.");
 }
 

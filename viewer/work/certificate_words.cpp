@@ -57,7 +57,7 @@ CertificateWarning not_settled(const Certificate& certificate) {
 std::string advice(const Certificate& certificate) {
   return certificate.region_is_whole
              ? " Move the handle less, or in smaller steps."
-             : " Enlarge the region, or move the handle less, or in smaller steps.";
+             : " Enlarge the region, or move the handle less or in smaller steps.";
 }
 
 // The remedies that `advice` names.

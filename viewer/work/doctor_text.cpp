@@ -61,7 +61,7 @@ std::string emptiness_in_words(const std::string& name, const MeshStatistics& st
            "open a mesh and attach the points (File > Attach object).";
   }
   return name + " has " + vertices + " and " + counted(statistics.faces, "faces") +
-         ", but none of them is a valid face. Export the mesh again, or open another file.";
+         ", but none of the faces is valid. Export the mesh again, or open another file.";
 }
 
 }  // namespace lapwing::viewer

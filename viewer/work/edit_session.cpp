@@ -336,7 +336,11 @@ WriteReport EditSession::save_carried(const fs::path& path) const {
 
 fs::path EditSession::save_recipe(const fs::path& path) {
   require_settled(state());
-  if (!file_) throw InputError("A recipe refers to a mesh file. Save the mesh first, and open it.");
+  if (!file_) {
+    throw InputError(
+        "A recipe starts from a mesh file, and this mesh has none. Save the mesh, and open the "
+        "saved file before you edit it.");
+  }
   const fs::path folder = fs::absolute(path).parent_path();
   const fs::path copy = original_ ? write_copy(original_->view(), folder, file_->path) : fs::path();
   const fs::path& mesh = original_ ? copy : file_->path;

@@ -64,7 +64,7 @@ constexpr std::array kKeyWords{
     KeyWords{"shape", "", "Shape",
              "Flat: triangles between the vertices of the rim. Smooth: adds vertices, and "
              "continues the surrounding surface."},
-    KeyWords{"largest", "", "Largest",
+    KeyWords{"largest", "", "Largest hole",
              "Holes with more rim vertices than this stay open. 0 for no limit."},
     KeyWords{"borders", "", "Fill borders",
              "Also fills the borders of open sheets: the longest loop of each part that is flatter "

@@ -22,7 +22,8 @@ struct PeelReport {
 
 struct WrapStepReport : WrapReport {
   double scan_diagonal = 0.0;
-  std::string trouble;  ///< why_failed
+  std::string trouble;           ///< why_failed
+  std::vector<float> distances;  ///< as in Wrapped
 };
 
 struct StepReport {

@@ -266,8 +266,8 @@ StepReport run_step(const WrapStep& step, const StepContext& on) {
   const Topology& topology = result.mesh.topology();
   const std::string trouble = why_failed(done.report, topology.triangles.size());
   if (!trouble.empty()) result.warn(std::array{trouble});
-  report.wrap =
-      WrapStepReport{std::move(done.report), bounds_of(scan->positions).diagonal(), trouble};
+  report.wrap = WrapStepReport{std::move(done.report), bounds_of(scan->positions).diagonal(),
+                               trouble, std::move(done.distances)};
   result.mesh.positions = std::move(done.positions);
   result.region = {first_vertices(topology.vertex_count()), {}, {}};
   report.roi = report.free = result.region.roi.size();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <sstream>
@@ -393,7 +394,11 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
   const std::vector<Counterpart> on_scan =
       counterparts_of(result.positions, surface.normals(), of_scan, hints);
   std::vector<double> distances;
-  for (const Index v : surface_vertices(topology)) distances.push_back(on_scan[v].distance);
+  result.distances.assign(on_scan.size(), std::numeric_limits<float>::quiet_NaN());
+  for (const Index v : surface_vertices(topology)) {
+    distances.push_back(on_scan[v].distance);
+    result.distances[v] = static_cast<float>(on_scan[v].distance);
+  }
   report.to_scan = measure(std::move(distances));
   const SurfaceSamples samples = of_scan.samples(std::max(kMeasured, result.positions.size()));
   hints.clear();

@@ -52,6 +52,8 @@ struct Wrapped {
   /// For each vertex of the template, its counterpart on the scan (triangles of the scan's
   /// topology, or a vertex of a point cloud), or `nowhere()`.
   std::vector<SurfacePoint> counterparts;
+  /// For each vertex of the template, its distance from the scan; NaN without triangles.
+  std::vector<float> distances;
   WrapReport report;
 };
 
