@@ -80,6 +80,35 @@ std::shared_ptr<CoarseLevel> level_of(const Near& near, Decimated left, const Ve
 
 }  // namespace
 
+EditRegion coarse_region_of(const EditRegion& region, std::span<const Index> coarse_of) {
+  const auto kept = [&](const VertexSet& set) {
+    VertexSet left;
+    for (const Index v : set) {
+      if (coarse_of[v] != kNoIndex) left.push_back(coarse_of[v]);
+    }
+    return left;
+  };
+  EditRegion coarse;
+  coarse.roi = kept(region.roi);
+  coarse.belt = kept(region.belt);
+  for (const VertexSet& handle : region.handles) coarse.handles.push_back(kept(handle));
+  coarse.handle_weights = region.handle_weights;
+  for (FalloffVertex graded : region.graded) {
+    graded.vertex = coarse_of[graded.vertex];
+    if (graded.vertex != kNoIndex) coarse.graded.push_back(graded);
+  }
+  for (const auto& [vertex, factor] : region.stiffness) {
+    if (coarse_of[vertex] != kNoIndex) coarse.stiffness.push_back({coarse_of[vertex], factor});
+  }
+  for (Target target : region.targets) {
+    for (Index& corner : target.corners) corner = coarse_of[corner];
+    coarse.targets.push_back(target);
+  }
+  coarse.hard_targets = region.hard_targets;
+  coarse.turns_freely = region.turns_freely;
+  return coarse;
+}
+
 std::shared_ptr<CoarseLevel> CoarseSurfaces::of(const EditRegion& region, const Topology& topology,
                                                 const std::shared_ptr<const Positions>& rest,
                                                 std::size_t count) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct CoarseLevel {
   PreparedRegion prepared;  ///< of edits on the coarse surface; guarded by `preparing`
   std::mutex preparing;
 };
+
+/// Returns the region on a coarse surface: without the vertices that decimation removed, in coarse
+/// indices. `coarse_of` maps vertices of the mesh to coarse vertices, or to kNoIndex. Decimation
+/// keeps the corners of targets.
+EditRegion coarse_region_of(const EditRegion& region, std::span<const Index> coarse_of);
 
 /// The coarse surfaces of edits with the same ROI of the same mesh. The next edit reuses the last
 /// surface if its handles, belt and targets are the same; weights may differ. Thread-safe.

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/parallel.h"
 #include "lapwing/region/border_belt.h"
 
 namespace lapwing {
@@ -14,6 +15,10 @@ using Eigen::Vector3d;
 
 // The cosine of the largest angle between normals of corresponding points, 60 degrees.
 constexpr double kAgree = 0.5;
+
+constexpr double kFar = 3.0;
+
+constexpr std::size_t kPointsPerTask = 512;
 
 Vector3d area_vector(const Triangle& t, std::span<const Vector3d> positions) {
   const Vector3d edge = positions[t[1]] - positions[t[0]];
@@ -84,6 +89,30 @@ Counterpart ScanSurface::counterpart(const Vector3d& point, const Vector3d& norm
   const Vector3d facing = area_vector(t, positions_).normalized();
   counterpart.agrees = facing.dot(normal) > kAgree && !is_on_boundary(found);
   return counterpart;
+}
+
+std::vector<Counterpart> counterparts_of(std::span<const Vector3d> points,
+                                         std::span<const Vector3d> normals,
+                                         const ScanSurface& surface, std::vector<Index>& hints) {
+  hints.resize(points.size(), kNoIndex);
+  std::vector<Counterpart> counterparts(points.size());
+  parallel_for(points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      counterparts[k] = surface.counterpart(points[k], normals[k], hints[k]);
+    }
+  });
+  return counterparts;
+}
+
+double far_distance(std::span<const Counterpart> counterparts) {
+  std::vector<double> distances;
+  for (const Counterpart& c : counterparts) {
+    if (c.agrees) distances.push_back(c.distance);
+  }
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::ranges::nth_element(distances, middle);
+  return kFar * *middle;
 }
 
 }  // namespace lapwing

@@ -61,4 +61,14 @@ class ScanSurface {
   std::optional<ClosestPoint> closest_;
 };
 
+/// Returns the counterpart on `surface` of each point with its normal. `hints` contains a hint for
+/// each point, or is empty, and is replaced. Uses all CPU cores.
+std::vector<Counterpart> counterparts_of(std::span<const Eigen::Vector3d> points,
+                                         std::span<const Eigen::Vector3d> normals,
+                                         const ScanSurface& surface, std::vector<Index>& hints);
+
+/// Returns the distance above which a pair is much farther apart than the others: three times the
+/// median distance of the counterparts that agree; 0 if there is none.
+double far_distance(std::span<const Counterpart> counterparts);
+
 }  // namespace lapwing

@@ -11,7 +11,6 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
 namespace {
@@ -96,6 +95,10 @@ Mesh surfels_of(const Mesh& cloud, const std::string& where) {
     surfels.add_face(std::array{k, first + 2, first});
   }
   return surfels;
+}
+
+SurfacePoint point_of_surfel(const SurfacePoint& place) {
+  return place.is_nowhere() ? place : SurfacePoint::at_vertex(std::ranges::min(place.corners));
 }
 
 }  // namespace lapwing

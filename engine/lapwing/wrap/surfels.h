@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lapwing/mesh/closest_point.h"
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
@@ -12,5 +13,8 @@ namespace lapwing {
 /// of the result is point k. The other vertices follow. O(n log n). Throws InputError if the cloud
 /// has no normals or too few points; the message begins with `where`. Also throws Cancelled.
 Mesh surfels_of(const Mesh& cloud, const std::string& where);
+
+/// Returns the point of the cloud to which a point on a surfel belongs; nowhere if it is nowhere.
+SurfacePoint point_of_surfel(const SurfacePoint& place);
 
 }  // namespace lapwing
