@@ -1,6 +1,9 @@
 #include "lapwing/wrap/wrap.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -220,12 +223,16 @@ TEST(WhyFailed, NamesWhatIsWrongAndWhatToTry) {
   EXPECT_THAT(why_failed(report, 1000), testing::HasSubstr("2 of 1000 triangles"));
 }
 
+Mesh model(std::span<const std::filesystem::path> files, const std::string& name) {
+  const auto file =
+      std::ranges::find(files, name, [](const auto& path) { return path.filename().string(); });
+  EXPECT_NE(file, files.end()) << name;
+  return file == files.end() ? Mesh() : read_mesh(*file);
+}
+
 TEST(WrapOfTheElephant, FindsItsPlacesWithAndWithoutLandmarks) {
   LAPWING_NEEDS_MODELS(files, "cgal");
-  const auto file = std::ranges::find(files, "elephant.off",
-                                      [](const auto& path) { return path.filename().string(); });
-  ASSERT_NE(file, files.end());
-  const Mesh mesh = read_mesh(*file);
+  const Mesh mesh = model(files, "elephant.off");
   const KnownScan known = test::known_scan(mesh, 0.8);
   const std::vector<Index> vertices = test::spread_vertices(mesh.positions, 8);
   const Wrapped by_landmarks =
@@ -235,6 +242,42 @@ TEST(WrapOfTheElephant, FindsItsPlacesWithAndWithoutLandmarks) {
   const Wrapped by_surfaces = wrapped(mesh, known.scan);
   EXPECT_EQ(by_surfaces.report.alignment.method, AlignmentMethod::surfaces);
   EXPECT_LT(mean_error(by_surfaces.positions, known.places), 0.006);
+}
+
+// The legs of the elephant are more than twice as thick as those of the cow.
+TEST(WrapOfTheCow, CoversTheLegsOfTheElephant) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  const Mesh cow = model(files, "cow.off");
+  const Mesh elephant = model(files, "elephant.off");
+  // Vertices of the cow and of the elephant: trunk, tail, feet, ears, joints, chest, belly, back,
+  // crown and withers.
+  constexpr std::array<std::array<Index, 2>, 18> kPairs{{{2609, 1160},
+                                                         {2322, 1159},
+                                                         {1876, 309},
+                                                         {750, 1671},
+                                                         {2104, 2047},
+                                                         {881, 2759},
+                                                         {2235, 62},
+                                                         {1393, 1534},
+                                                         {2834, 1836},
+                                                         {685, 1054},
+                                                         {2039, 1000},
+                                                         {806, 1312},
+                                                         {2160, 119},
+                                                         {9, 539},
+                                                         {31, 1723},
+                                                         {30, 2689},
+                                                         {99, 2594},
+                                                         {12, 1464}}};
+  WrapRequest request;
+  for (const auto& [v, on_scan] : kPairs) {
+    request.landmarks.rows.push_back({.point = v, .position = elephant.positions[on_scan]});
+  }
+  const WrapReport report = wrapped(cow, elephant, request).report;
+  const double size = bounds_of(elephant.positions).diagonal();
+  EXPECT_LT(report.to_scan.mean, 3.5e-3 * size);
+  EXPECT_LT(report.to_template.mean, 2e-3 * size);
+  EXPECT_GT(report.coverage, 0.85);
 }
 
 }  // namespace

@@ -26,8 +26,9 @@ constexpr int kStepsPerReach = 4;
 constexpr double kStill = 0.005;
 
 // A pair pulls with a quarter of its weight at the distance `far_distance`, and at least at this
-// fraction of the reach, so that a limb that does not fit yet is still pulled.
-constexpr double kTolerated = 0.5;
+// multiple of the reach. With smaller multiples, a thin limb does not swell to a thick limb of the
+// scan: once most of the template fits, its pairs would count as outliers.
+constexpr double kTolerated = 2.0;
 
 // From the first step on, the weight of landmarks is this multiple of the springs' final weight.
 constexpr double kLandmarkWeight = 3.0 / (kLastReach * kLastReach);
