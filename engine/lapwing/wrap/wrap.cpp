@@ -169,8 +169,8 @@ std::string why_failed(const WrapReport& report, std::size_t triangle_count) {
     text << "The edges are stretched by " << std::lround(100.0 * report.edge_stretch)
          << "% on average, most between vertices " << a << " and " << b << ". ";
     if (report.landmark_error > 0.0) {
-      text << "A landmark contradicts the others, probably landmark "
-           << report.farthest_landmark + 1 << ". Correct or remove it";
+      text << "If the two shapes do not differ that much, a landmark is wrong, probably landmark "
+           << report.farthest_landmark + 1;
     } else {
       text << "Add landmarks";
     }
