@@ -1,5 +1,7 @@
 """Wrap: a template onto a scan, with Empties as landmarks."""
 
+import json
+
 import bpy
 import numpy as np
 from mathutils import Matrix, Vector
@@ -88,6 +90,30 @@ class Wrap(SceneTest):
         self.assertAlmostEqual(top, 1.5, delta=0.02)
         self.assertNotIn("landmarks", template["lapwing_edits"])
 
+    def test_x_symmetry_keeps_the_template_symmetric(self):
+        scan = ball("Scan", 4, None, AXES)
+        for vertex in scan.data.vertices:
+            if vertex.co.x > 0.0:
+                vertex.co.x *= 0.8
+        for symmetric in (False, True):
+            with self.subTest(symmetric):
+                bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=12)
+                template = bpy.context.object
+                template.data.use_mirror_x = symmetric
+                rest = coordinates(template.data.vertices)
+                images = [np.abs(rest - p * [-1, 1, 1]).sum(axis=1).argmin() for p in rest]
+                make_active(template, scan)
+                bpy.ops.lapwing.wrap(aligned=True)
+                made = coordinates(template.data.vertices)
+                gap = np.abs(made[images] * [-1, 1, 1] - made).max()
+                self.assertEqual(gap < 1e-5, symmetric, gap)
+
+    def test_detail_moves_vertices_exactly_onto_the_scan(self):
+        template, _ = pair()
+        bpy.ops.lapwing.wrap(detail=True, hard=True)
+        self.assertLess(json.loads(template["lapwing_wrap"])["to_scan"]["max"], 1e-5)
+        self.assertIn('"hard"', template["lapwing_edits"])
+
     def test_undo_brings_the_vertices_back(self):
         template, _ = pair()
         rest = coordinates(template.data.vertices)
@@ -157,6 +183,36 @@ class Wrap(SceneTest):
     def test_it_needs_a_scan(self):
         make_active(ball("Template", 2))
         self.assert_refused("The scan is not chosen", bpy.ops.lapwing.wrap)
+
+    def test_shape_keys_are_transferred_to_a_mesh_of_other_faces(self):
+        made = []
+        for engine in (scene.MODULE, scene.CLI):
+            bpy.ops.wm.read_homefile(use_empty=True)
+            scene.use_engine(engine)
+            source = ball("Source", 4)
+            source.shape_key_add(name="Basis")
+            for name, factor in (("long", 1.5), ("wide", 1.0)):
+                key = source.shape_key_add(name=name)
+                for point in key.data:
+                    point.co.z *= factor
+            source.data.shape_keys.key_blocks["wide"].relative_key = key
+            target = ball("Target", 3)
+            make_active(target, source)
+            bpy.ops.lapwing.transfer_shape_keys(aligned=True)
+            bpy.ops.lapwing.transfer_shape_keys(aligned=True)
+            keys = target.data.shape_keys.key_blocks
+            self.assertEqual([key.name for key in keys], ["Basis", "long", "wide"])
+            rest, long, wide = (coordinates(key.data) for key in keys)
+            self.assertLess(np.abs(long - rest * [1.0, 1.0, 1.5]).max(), 0.05)
+            self.assertLess(np.abs(wide - rest).max(), 1e-4)
+            made.append(long)
+        self.assertLess(np.abs(made[0] - made[1]).max(), 1e-6)
+
+    def test_a_source_without_shape_keys_is_refused(self):
+        target = ball("Target", 2)
+        make_active(target, ball("Source", 2))
+        self.assert_refused("'Source' has no shape keys besides its basis",
+                            bpy.ops.lapwing.transfer_shape_keys)
 
 
 scene.main()

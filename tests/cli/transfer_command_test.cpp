@@ -50,6 +50,30 @@ TEST_F(TransferCommand, WritesAFilePerPoseOfAFolderByACorrespondence) {
   EXPECT_EQ(read("again/turn.ply"), read("posed/turn.ply"));
 }
 
+TEST_F(TransferCommand, TransfersMorphTargets) {
+  succeed("convert tube.obj tube.glb");
+  succeed("convert target.ply target.glb");
+  Mesh tube = read_mesh(file("tube.glb"));
+  std::vector<MorphTarget> targets{{"long", tube.positions}, {"still", tube.positions}};
+  for (Eigen::Vector3d& p : targets[0].positions) p.z() *= 1.5;
+  write_mesh(tube, file("morphs.glb"), {.morph_targets = targets});
+  EXPECT_THAT(
+      succeed("transfer morphs.glb --morph-targets --onto target.glb --aligned -o done.glb"),
+      AllOf(HasSubstr("done.glb: morph target long"), HasSubstr("done.glb: morph target still")));
+  const Mesh done = read_mesh(file("done.glb"));
+  const std::vector<MorphTarget> found = read_morph_targets(done);
+  ASSERT_EQ(found.size(), 2U);
+  const double size = bounds_of(done.positions).diagonal();
+  EXPECT_NEAR(bounds_of(found[0].positions).max.z(), 1.5 * bounds_of(done.positions).max.z(),
+              0.01 * size);
+  EXPECT_LT(test::largest_distance(found[1].positions, done.positions), 1e-6 * size);
+  expect_refused("transfer tube.glb --morph-targets --onto target.glb -o x.glb", 3,
+                 {"--morph-targets: tube.glb has no morph targets"});
+  expect_refused("transfer morphs.glb --morph-targets --onto target.ply --aligned -o x.glb", 3,
+                 {"the morph target 'long' needs a glTF file"});
+  expect_refused("transfer morphs.glb --onto target.glb -o x.glb", 2, {"--morph-targets"});
+}
+
 TEST_F(TransferCommand, HoldsVerticesOfTheTarget) {
   succeed("transfer tube.obj turn.obj --onto tube.obj --hold box:-1,-1,-1,1,1,0 -o posed.obj");
   const Mesh posed = read_mesh(file("posed.obj"));

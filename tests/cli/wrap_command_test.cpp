@@ -59,6 +59,18 @@ TEST_F(WrapCommand, WritesARecipeAndAReport) {
   expect_recipe_repeats("wrap.json", "wrapped.ply");
 }
 
+TEST_F(WrapCommand, PassesOnHowTheTemplateIsWrapped) {
+  succeed(
+      "wrap ball.obj egg.ply --aligned --hard --mirror x --detail -o wrapped.ply "
+      "--recipe wrap.json --quiet");
+  EXPECT_THAT(read("wrap.json"), AllOf(HasSubstr("\"hard\": true"), HasSubstr("\"mirror\""),
+                                       HasSubstr("\"detail\": true")));
+  expect_recipe_repeats("wrap.json", "wrapped.ply");
+  expect_refused("wrap ball.obj egg.ply --aligned --mirror 0,0,0,1,0.3,0 -o x.ply", 3,
+                 {"--mirror: vertex", "no mirror image"});
+  expect_refused("wrap ball.obj egg.ply --mirror w -o x.ply", 2, {"--mirror", "auto"});
+}
+
 TEST_F(WrapCommand, ShowsTheDistanceAsColour) {
   succeed("wrap ball.obj egg.ply --aligned -o wrapped.ply --render plain.png --color plain");
   succeed("wrap ball.obj egg.ply --aligned -o wrapped.ply --render far.png --color distance");

@@ -1,6 +1,7 @@
 // Runs every operation on generated meshes, without files.
 #include <cmath>
 #include <cstdio>
+#include <lapwing/kernels/cpu_kernels.h>
 #include <lapwing/lapwing.h>
 #include <lapwing/mesh/shapes.h>
 #include <lapwing/render/render_image.h>
@@ -95,5 +96,17 @@ int main() {
          "a tube has fewer vertices");
   expect(subdivide(tube, {.times = 1}).face_count() == 4 * tube.face_count(),
          "a tube has more triangles");
+
+  CpuKernels kernels;
+  Mesh egg = ball;
+  for (auto& p : egg.positions) p.z() *= 1.5;
+  const Mesh coarse = icosphere(3);
+  const Wrapped wrapped = wrap(coarse, egg, {.aligned = true}, kernels);
+  expect(wrapped.report.coverage > 0.99 && wrapped.report.to_scan.max < 0.02,
+         "a ball covers an egg");
+  const TransferSolver poses(ball, coarse, {.aligned = true}, kernels);
+  Mesh longer = coarse;
+  longer.positions = poses.solve(egg.positions).positions;
+  expect(std::abs(highest(longer) - 1.5) < 0.02, "a ball takes over the pose of another");
   return failures;
 }

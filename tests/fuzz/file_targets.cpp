@@ -1,5 +1,6 @@
 // Fuzz targets that read files of every format and write them again.
 #include <array>
+#include <numeric>
 
 #include "fuzz/targets.h"
 #include "io/gltf_sample.h"
@@ -13,6 +14,8 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/point_table.h"
 #include "lapwing/mesh/compact.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/wrap/landmarks.h"
 
 namespace lapwing::fuzz {
 namespace {
@@ -210,6 +213,34 @@ void read_table(Bytes bytes, std::string_view name) {
   }
 }
 
+// The first byte selects the kind of file. Two files of points are separated by "|".
+void read_landmark_files(Bytes bytes) {
+  constexpr std::array<std::string_view, 5> kNames{"a.csv", "a.json", "a.txt", "a.fcsv",
+                                                   "a.mrk.json"};
+  const std::string_view text = text_of(bytes);
+  if (text.empty()) return;
+  const std::string_view name = kNames[bytes[0] % kNames.size()];
+  const std::size_t bar = text.find('|');
+  LandmarkSpec spec{.file = file_of(text.substr(1, bar - 1), name)};
+  if (bar != std::string_view::npos) {
+    spec.scan_file = file_of(text.substr(bar + 1), "scan-" + std::string(name));
+  }
+  static const Mesh ball = icosphere(1);
+  try {
+    std::vector<std::string> notes;
+    const LandmarkSpec read = with_rows(spec, {}, notes);
+    const TargetSpec targets = targets_of(read, ball, ball);
+    require(targets.rows.size() == read.rows.size(), "each row is a landmark");
+    VertexSet all(ball.vertex_count());
+    std::iota(all.begin(), all.end(), Index{0});
+    for (const lapwing::Target& target : resolve_targets(targets, all, {}, ball)) {
+      require(point_of(target, ball.positions).allFinite(), "a landmark is on the template");
+      require(target.position.allFinite(), "a landmark has a position on the scan");
+    }
+  } catch (const InputError&) {
+  }
+}
+
 std::vector<std::string> meshes_with(std::string_view extension) {
   std::vector<std::string> seeds;
   for (const Storage& storage : kStorages) {
@@ -338,6 +369,20 @@ std::vector<std::string> markups_seeds() {
   return {R"({"markups": [{"controlPoints": [{"label": "a", "position": [1, 2.5, -3e0]},)"
           R"({"position": ""}]}, {"type": "Plane"}]})"};
 }
+std::vector<std::string> landmarks_seeds() {
+  const std::string kTable(1, '\0');
+  const std::string kPoints = R"({"markups": [{"coordinateSystem": "RAS", "controlPoints": [)"
+                              R"({"label": "a", "position": [0, 0, 1]}]}]})";
+  return {kTable + "vertex,x,y,z,weight\n3,0,0,1,2\n",
+          kTable + "a,0,0,1,0,0,2\n",
+          kTable + "x,y,z,label\n0,0,1,a\n1,0,0,b|label,x,y,z\nb,1,0,0\na,0,0,2\n",
+          "\1[[3, 0, 0, 1], {\"vertex\": 5, \"scan_vertex\": 6, \"weight\": 2, \"label\": \"b\"},"
+          " {\"point\": [0, 0, 1], \"position\": [0, 0, 2]}, [1, 2]]",
+          "\2 3 0 0 1\n4 1 0 0\n",
+          "\3# CoordinateSystem = 0\n# columns = id,x,y,z,label\ni,0,0,-1,F-1|"
+          "# columns = id,x,y,z,label\ni,0,0,1,F-1\n",
+          "\4" + kPoints + "|" + kPoints};
+}
 std::vector<std::string> npy_seeds() {
   const auto npy = [](std::string header, const std::string& data) {
     header.resize(118, ' ');
@@ -368,6 +413,8 @@ constexpr std::array kFileTargets{
            [](Bytes bytes) { read_table(bytes, "a.csv"); }, &csv_seeds, "", 400},
     Target{"markups", "the same of control points of 3D Slicer",
            [](Bytes bytes) { read_table(bytes, "a.mrk.json"); }, &markups_seeds, "", 400},
+    Target{"landmarks", "files of landmarks, placed on a template", &read_landmark_files,
+           &landmarks_seeds, "", 400},
     Target{"npy", "the same of arrays of numpy", [](Bytes bytes) { read_table(bytes, "a.npy"); },
            &npy_seeds, "npy.dict", 400}};
 

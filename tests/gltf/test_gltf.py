@@ -316,6 +316,30 @@ def test_an_edit_becomes_a_morph_target(name, suffix, generated, tmp_path, valid
             add_smile(target, tmp_path / ("again" + source.suffix))
 
 
+def test_transferred_morph_targets_are_the_transfers_of_each_pose(generated, tmp_path, validator, assimp):
+    source = generated["morphed.gltf"]
+    target = tmp_path / "target.gltf"
+    lapwing.write(target, lapwing.subdivide(lapwing.read(generated["plain.gltf"])).mesh)
+    done = tmp_path / "done.gltf"
+    subprocess.run([os.environ["LAPWING_CLI"], "transfer", source, "--morph-targets", "--onto", target,
+                    "--aligned", "-o", done], check=True, capture_output=True)
+    assert not errors_of(validator, done)
+    rest, onto = lapwing.read(source), lapwing.read(target)
+    assert np.array_equal(lapwing.read(done).vertices, onto.vertices)
+    found = lapwing.read(done).morph_targets
+    assert list(found) == list(rest.morph_targets) == ["wide", "long"]
+    for name, pose in rest.morph_targets.items():
+        alone = lapwing.transfer(rest, pose, onto, aligned=True).vertices
+        assert np.abs(found[name] - alone).max() < 1e-6 * np.linalg.norm(np.ptp(alone, axis=0))
+    # The module writes the same, and another program sees the target at the weight 1.
+    again = tmp_path / "again.gltf"
+    lapwing.write(again, onto, morph_targets=found)
+    weighted = json.loads(again.read_text())
+    weighted["meshes"][0]["weights"] = [1, 0]
+    again.write_text(json.dumps(weighted))
+    assert largest_gap(seen_by(assimp, again, tmp_path / "seen.obj"), found["wide"]) < 1e-4
+
+
 def test_with_other_formats_a_morph_target_is_a_table(generated, tmp_path):
     lapwing.write(tmp_path / "tube.obj", lapwing.read(generated["plain.glb"]))
     before = (tmp_path / "tube.obj").read_bytes()

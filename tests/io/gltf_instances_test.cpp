@@ -104,11 +104,12 @@ TEST_F(GltfInstances, ThoseThatMoveDifferentlyGetTheirOwnMeshes) {
 TEST_F(GltfInstances, AMorphTargetIsThatOfTheObjectThatMoved) {
   Mesh mesh = read();
   mesh.positions[5].z() = 2.0;
-  write_mesh(mesh, folder_ / "up.glb", {.morph_target = "up"});
+  write_mesh(mesh, folder_ / "up.glb", {.morph_targets = {{"up", mesh.positions}}});
   EXPECT_THAT(content_of(folder_ / "up.glb"), HasSubstr(R"("max":[0,0,2])"));
   mesh.positions[0].z() = 1.0;
-  EXPECT_THAT(error_message<InputError>(
-                  [&] { write_mesh(mesh, folder_ / "up.glb", {.morph_target = "up"}); }),
+  EXPECT_THAT(error_message<InputError>([&] {
+                write_mesh(mesh, folder_ / "up.glb", {.morph_targets = {{"up", mesh.positions}}});
+              }),
               HasSubstr("'R' and 'L' show one mesh but moved differently"));
 }
 

@@ -305,14 +305,16 @@ TEST(Gltf, AMorphTargetTellsWhatMoved) {
   Mesh mesh = read_mesh(folder.file("a.glb", sample.glb(two_objects(sample))));
   const Positions rest = mesh.positions;
   mesh.positions[1].z() = 4.0;
-  write_mesh(mesh, folder / "b.glb", {.morph_target = "up"});
+  write_mesh(mesh, folder / "b.glb", {.morph_targets = {{"up", mesh.positions}}});
   EXPECT_EQ(read_mesh(folder / "b.glb").positions, rest);
   EXPECT_THAT(content_of(folder / "b.glb"),
               AllOf(HasSubstr(R"("extras":{"targetNames":["up"]})"), HasSubstr(R"("max":[0,0,2])"),
                     HasSubstr(R"("sparse":{"count":1)")));
-  EXPECT_THROW(write_mesh(mesh, folder / "b.obj", {.morph_target = "up"}), InputError);
+  EXPECT_THROW(write_mesh(mesh, folder / "b.obj", {.morph_targets = {{"up", mesh.positions}}}),
+               InputError);
   mesh.positions = rest;
-  EXPECT_THROW(write_mesh(mesh, folder / "b.glb", {.morph_target = "up"}), InputError);
+  EXPECT_THROW(write_mesh(mesh, folder / "b.glb", {.morph_targets = {{"up", mesh.positions}}}),
+               InputError);
 }
 
 // A square with a morph target, its weight on mesh and node, and an animation of that weight.
@@ -336,7 +338,7 @@ TEST(Gltf, AnotherMorphTargetHasAWeightWhereTheOthersHaveTheirs) {
   const TemporaryFolder folder;
   Mesh mesh = read_mesh(folder.file("a.glb", morphed_square("")));
   mesh.positions[1].z() = 4.0;
-  write_mesh(mesh, folder / "b.glb", {.morph_target = "smile"});
+  write_mesh(mesh, folder / "b.glb", {.morph_targets = {{"smile", mesh.positions}}});
   const std::string text = content_of(folder / "b.glb");
   EXPECT_THAT(text, AllOf(HasSubstr(R"("weights":[0.5,0])"), HasSubstr(R"("weights":[0.25,0])"),
                           HasSubstr(R"("targetNames":["target 0","smile"])")));
@@ -353,15 +355,52 @@ TEST(Gltf, NamesOfMorphTargetsAreKeptAndStayApart) {
   Mesh mesh =
       read_mesh(folder.file("a.glb", morphed_square(R"(,"extras":{"targetNames":["up"]})")));
   mesh.positions[1].z() = 4.0;
-  write_mesh(mesh, folder / "b.glb", {.morph_target = "smile"});
+  write_mesh(mesh, folder / "b.glb", {.morph_targets = {{"smile", mesh.positions}}});
   EXPECT_THAT(content_of(folder / "b.glb"), HasSubstr(R"("targetNames":["up","smile"])"));
-  EXPECT_THROW(write_mesh(mesh, folder / "c.glb", {.morph_target = "up"}), InputError);
+  EXPECT_THROW(write_mesh(mesh, folder / "c.glb", {.morph_targets = {{"up", mesh.positions}}}),
+               InputError);
 
   Mesh other = read_mesh(folder.file("d.glb", morphed_square(R"(,"extras":{"mine":1})")));
   other.positions[1].z() = 4.0;
-  write_mesh(other, folder / "e.glb", {.morph_target = "smile"});
+  write_mesh(other, folder / "e.glb", {.morph_targets = {{"smile", other.positions}}});
   EXPECT_THAT(content_of(folder / "e.glb"),
               HasSubstr(R"("mine":1,"targetNames":["target 0","smile"])"));
+}
+
+TEST(Gltf, MorphTargetsAreReadBackAsTheyWereWritten) {
+  const TemporaryFolder folder;
+  Mesh mesh = read_mesh(folder.file("a.glb", morphed_square("")));
+  EXPECT_TRUE(read_morph_targets(read_mesh(folder.file("plain.obj", "v 0 0 0\n"))).empty());
+  const Positions rest = mesh.positions;
+  std::vector<MorphTarget> targets{{"up", rest}, {"still", rest}, {"side", rest}};
+  targets[0].positions[1].z() += 4.0;
+  targets[2].positions[2].x() -= 0.5;
+  write_mesh(mesh, folder / "b.glb", {.morph_targets = targets});
+  EXPECT_THAT(content_of(folder / "b.glb"), HasSubstr(R"("weights":[0.5,0,0,0])"));
+  const std::vector<MorphTarget> found = read_morph_targets(read_mesh(folder / "b.glb"));
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[0].name, "target 0");
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    EXPECT_EQ(found[0].positions[v], rest[v] + Eigen::Vector3d::Constant(0.5));
+  }
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    EXPECT_EQ(found[t + 1].name, targets[t].name);
+    EXPECT_EQ(found[t + 1].positions, targets[t].positions);
+  }
+}
+
+TEST(Gltf, AMorphTargetOfAnotherNumberOfVerticesIsRefused) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  const auto p = sample.add(kTrianglePoints, 5126, "VEC3", 3);
+  const auto few = sample.add(std::vector<float>{0, 0, 1}, 5126, "VEC3", 1);
+  const Mesh mesh = read_mesh(folder.file(
+      "a.glb", sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+                          R"({"POSITION":)" +
+                          std::to_string(p) + R"(},"targets":[{"POSITION":)" + std::to_string(few) +
+                          "}]}]}]")));
+  EXPECT_THAT(error_message<InputError>([&] { read_morph_targets(mesh); }),
+              AllOf(HasSubstr("/meshes/0/primitives/0/targets/0"), HasSubstr("3 vertices")));
 }
 
 TEST(Gltf, AMorphTargetWhoseWeightsAreNoListIsRefused) {
@@ -373,8 +412,9 @@ TEST(Gltf, AMorphTargetWhoseWeightsAreNoListIsRefused) {
       "a.glb", sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"weights":5,"primitives":)" +
                           primitives + "}]")));
   mesh.positions[1].z() = 4.0;
-  EXPECT_THAT(error_message<InputError>(
-                  [&] { write_mesh(mesh, folder / "b.glb", {.morph_target = "up"}); }),
+  EXPECT_THAT(error_message<InputError>([&] {
+                write_mesh(mesh, folder / "b.glb", {.morph_targets = {{"up", mesh.positions}}});
+              }),
               AllOf(HasSubstr("a.glb:1:"), HasSubstr("expected a list")));
 }
 

@@ -129,6 +129,22 @@ def test_a_template_is_wrapped_onto_a_scan():
         lapwing.wrap(template, placed, [[10**6, 0, 0, 0]], scan_faces=scan.faces)
 
 
+def test_a_symmetric_template_stays_symmetric_and_detail_ends_on_the_scan():
+    V = np.array(lapwing.shape("sphere").vertices)
+    faces = lapwing.shape("sphere").faces
+    scan = np.where(V[:, :1] > 0.0, V * [0.8, 1.0, 1.0], V * [1.2, 1.0, 1.0])
+    plane = {"plane": "x"}
+    keys = dict(faces=faces, scan_faces=faces, aligned=True)
+    symmetric = lapwing.wrap(V, scan, mirror=plane, **keys).mesh.vertices
+    images = [np.abs(V - v * [-1, 1, 1]).sum(axis=1).argmin() for v in V]
+    assert np.abs(symmetric[images] * [-1, 1, 1] - symmetric).max() < 1e-9
+    with pytest.raises(lapwing.InputError, match="wrap: mirror: vertex .* has no mirror image"):
+        lapwing.wrap(scan, V, mirror=plane, **keys)
+    landmark = {0: 1.3 * V[0]}
+    exact = lapwing.wrap(V, scan, landmark, hard=True, detail=True, **keys)
+    assert exact.landmark_error < 1e-6 and exact.to_scan.percentile_95 < 1e-9
+
+
 def test_poses_are_transferred_to_another_mesh():
     source = lapwing.shape("tube")
     V = np.array(source.vertices)

@@ -22,6 +22,10 @@ WrapStep wrap_step(const std::string& keys) {
 TEST(WrapStep, HasRowsOrFilesOfLandmarks) {
   EXPECT_EQ(wrap_step(""), WrapStep{.scan = "s.ply"});
   EXPECT_TRUE(wrap_step(R"(, "aligned": true)").aligned);
+  EXPECT_TRUE(wrap_step(R"(, "hard": true)").hard);
+  EXPECT_TRUE(wrap_step(R"(, "detail": true)").detail);
+  EXPECT_EQ(wrap_step(R"(, "mirror": {"plane": "y"})").mirror,
+            MirrorSpec{MirrorPlane{.normal = Eigen::Vector3d::UnitY()}});
   EXPECT_EQ(wrap_step(R"(, "landmarks": "l.csv")").landmarks, LandmarkSpec{.file = "l.csv"});
   EXPECT_EQ(wrap_step(R"(, "landmarks": {"template": "t.fcsv", "scan": "s.fcsv"})").landmarks,
             (LandmarkSpec{.file = "t.fcsv", .scan_file = "s.fcsv"}));
@@ -36,8 +40,8 @@ TEST(WrapStep, IsWrittenAndReadBack) {
       {R"("l.csv")", R"({"template": "t.fcsv", "scan": "s.fcsv"})",
        R"([[1, 2, 3, 4], [0, 0, 1, 2, 3, 4, 0.5], {"point": [1, 2, 3], "scan_vertex": 6, "label": "nose"}])"}) {
     const Recipe recipe = wrap_recipe(R"({"op": "wrap", "scan": "s.ply", "aligned": true,
-      "landmarks": )" + std::string(landmarks) +
-                                      "}");
+      "hard": true, "mirror": {"plane": "y"}, "detail": true, "landmarks": )" +
+                                      std::string(landmarks) + "}");
     EXPECT_EQ(parse_recipe(to_json(recipe), "/folder", "test.json").steps, recipe.steps);
   }
 }

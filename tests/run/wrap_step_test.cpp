@@ -46,6 +46,16 @@ TEST_F(WrapRun, IsTheWrapOfBothMeshes) {
   EXPECT_EQ(step.wrap->scan_diagonal, bounds_of(read("egg.ply").positions).diagonal());
 }
 
+TEST_F(WrapRun, PassesOnHowTheTemplateIsWrapped) {
+  const auto result = run(R"({"op": "wrap", "scan": "egg.ply", "landmarks": [[0, 0, 0, 1.6]],
+      "aligned": true, "hard": true, "mirror": {"plane": "x"}, "detail": true})");
+  WrapRequest request{.aligned = true, .mirror = MirrorSpec{MirrorPlane{}}, .detail = true};
+  request.landmarks.rows = {{.point = Index{0}, .position = Vector3d(0.0, 0.0, 1.6)}};
+  request.landmarks.hard = true;
+  EXPECT_EQ(result->mesh.positions,
+            wrap(read("ball.ply"), read("egg.ply"), request, cpu_).positions);
+}
+
 TEST_F(WrapRun, OtherStepsFollow) {
   const auto result = run(R"({"op": "wrap", "scan": "egg.ply", "aligned": true},
                              {"op": "subdivide"})");

@@ -14,6 +14,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "support/error_message.h"
 #include "support/models.h"
+#include "support/split_meshes.h"
 #include "wrap/known_scan.h"
 
 namespace lapwing {
@@ -40,6 +41,8 @@ TEST(Wrap, OntoItselfKeepsTheTemplate) {
   EXPECT_LT(mean_error(result.positions, mesh.positions), 1e-6);
   EXPECT_DOUBLE_EQ(result.report.coverage, 1.0);
   EXPECT_EQ(result.report.alignment.method, AlignmentMethod::none);
+  const Wrapped detailed = wrapped(mesh, mesh, {.aligned = true, .detail = true});
+  EXPECT_LT(mean_error(detailed.positions, mesh.positions), 1e-6);
 }
 
 TEST(Wrap, CoversAScanOfOtherTriangles) {
@@ -100,6 +103,47 @@ TEST(Wrap, ReachesItsLandmarks) {
   EXPECT_LT(mean_error(result.positions, places), 1e-3);
 }
 
+// The landmarks are off the scan, so that the springs of their neighbours pull them back.
+TEST(Wrap, ReachesHardLandmarksExactly) {
+  const Mesh mesh = icosphere(3);
+  WrapRequest request{.aligned = true};
+  request.landmarks.rows = {{.point = Index{0}, .position = 1.2 * mesh.positions[0]},
+                            {.point = Vector3d(0.0, 0.6, 0.8), .position = Vector3d(0, 0.7, 0.9)}};
+  EXPECT_GT(wrapped(mesh, mesh, request).report.landmark_error, 1e-3);
+  request.landmarks.hard = true;
+  EXPECT_LT(wrapped(mesh, mesh, request).report.landmark_error, 1e-6);
+  request.detail = true;
+  EXPECT_LT(wrapped(mesh, mesh, request).report.landmark_error, 1e-6);
+}
+
+TEST(Wrap, WithDetailMovesVerticesExactlyOntoTheScan) {
+  const Mesh mesh = icosphere(3);
+  Mesh scan = icosphere(4);
+  for (Vector3d& p : scan.positions) {
+    p *= 1.0 + 0.02 * std::sin(8.0 * p.x()) * std::sin(8.0 * p.y());
+  }
+  KeepMask lower(scan.vertex_count());
+  for (Index v = 0; v < scan.vertex_count(); ++v) lower[v] = scan.positions[v].z() < 0.5;
+  keep_vertices(scan, lower);
+  const Wrapped plain = wrapped(mesh, scan, {.aligned = true});
+  const Wrapped result = wrapped(mesh, scan, {.aligned = true, .detail = true});
+  std::size_t covered = 0;
+  double farthest = 0.0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (plain.counterparts[v].is_nowhere()) {
+      // The rest continues the covered part.
+      EXPECT_LT((result.positions[v] - plain.positions[v]).norm(), 0.02) << v;
+      continue;
+    }
+    ++covered;
+    farthest = std::max(farthest, double{plain.distances[v]});
+    EXPECT_LT(result.distances[v], 1e-9) << v;
+  }
+  EXPECT_GT(covered, mesh.vertex_count() / 2);
+  EXPECT_GT(farthest, 1e-3);
+  EXPECT_EQ(result.report.flipped_triangles, 0U);
+}
+
 TEST(Wrap, IsTheSameAfterARotationOfTheScan) {
   const Mesh mesh = egg();
   const KnownScan known = test::known_scan(mesh, 0.9);
@@ -130,6 +174,21 @@ TEST(Wrap, CoversAScanWithALargeTemplate) {
   EXPECT_LT(result.report.to_scan.mean, 1e-3 * bounds_of(scan.positions).diagonal());
   EXPECT_LT(result.report.to_template.percentile_95, 2e-3 * bounds_of(scan.positions).diagonal());
   EXPECT_EQ(result.report.flipped_triangles, 0U);
+}
+
+TEST(Wrap, KeepsSeamsClosed) {
+  const Mesh mesh = icosphere(3);
+  Mesh scan = icosphere(4);
+  for (Vector3d& p : scan.positions) p = p.cwiseProduct(Vector3d(1.2, 1.0, 0.8));
+  const test::SplitMesh torn = test::soup(mesh);
+  const Wrapped result = wrapped(torn.mesh, test::soup(scan).mesh, {.aligned = true});
+  EXPECT_LT(result.report.to_scan.mean, 1e-3 * bounds_of(scan.positions).diagonal());
+  for (Index v = 0; v < torn.mesh.vertex_count(); ++v) {
+    const auto first = std::ranges::find(torn.sources, torn.sources[v]) - torn.sources.begin();
+    EXPECT_EQ(result.positions[v], result.positions[static_cast<std::size_t>(first)]) << v;
+    EXPECT_FALSE(result.counterparts[v].is_nowhere()) << v;
+    EXPECT_TRUE(std::isfinite(result.distances[v])) << v;
+  }
 }
 
 TEST(Wrap, FollowsAPointCloudWithNormals) {

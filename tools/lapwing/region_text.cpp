@@ -82,6 +82,10 @@ Json mirror_json(const std::string& flag, const std::string& text) {
   return {{"point", Json::array({v[0], v[1], v[2]})}, {"normal", Json::array({v[3], v[4], v[5]})}};
 }
 
+MirrorSpec mirror_spec(const std::string& flag, const std::string& text) {
+  return read_mirror(JsonNode::of(JsonNode::Document{mirror_json(flag, text)}, flag));
+}
+
 std::vector<double> vertex_property(const std::string& flag, const std::string& mesh,
                                     const std::string& name) {
   for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {

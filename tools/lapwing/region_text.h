@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lapwing/deform/modifiers/mirror.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing::cli {
@@ -25,6 +26,9 @@ inline constexpr const char* kRegionHelp =
 ///     auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z
 /// Throws a CLI::ValidationError that names `flag`.
 nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& text);
+
+/// Converts a mirror plane after a flag, as `mirror_json` does, to a MirrorSpec.
+MirrorSpec mirror_spec(const std::string& flag, const std::string& text);
 
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";
 

@@ -36,6 +36,7 @@ struct TransferArguments {
   std::vector<std::string> landmarks;
   std::string correspondence;
   std::string held;
+  bool morph_targets = false;
   bool aligned = false;
   bool strict = false;
   bool quiet = false;
@@ -56,19 +57,23 @@ void make_folder(const fs::path& folder) {
   if (error) throw IoError("cannot create the folder " + folder.string() + ": " + error.message());
 }
 
-struct PoseFiles {
-  std::vector<fs::path> inputs;
-  std::vector<fs::path> outputs;
+// A pose of the source, and the file or the morph target to which its transfer is written.
+struct Pose {
+  std::string name;
+  fs::path input;  // empty for a morph target
+  fs::path output;
+  Positions positions = {};
 };
 
-// Returns the files of all poses. A folder contributes its mesh files in the order of their names.
-// A single pose file has a single output file; otherwise the output is a folder.
-PoseFiles pose_files(const TransferArguments& a) {
-  PoseFiles files;
+// Returns the files of all poses, without positions. A folder contributes its mesh files in the
+// order of their names. A single pose file has a single output file; otherwise the output is a
+// folder.
+std::vector<Pose> pose_files(const TransferArguments& a) {
+  std::vector<fs::path> inputs;
   bool is_single = a.poses.size() == 1;
   for (const std::string& pose : a.poses) {
     if (!fs::is_directory(pose)) {
-      files.inputs.emplace_back(pose);
+      inputs.emplace_back(pose);
       continue;
     }
     is_single = false;
@@ -78,20 +83,55 @@ PoseFiles pose_files(const TransferArguments& a) {
     }
     if (found.empty()) throw InputError(pose + ": the folder contains no mesh files");
     std::ranges::sort(found);
-    files.inputs.insert(files.inputs.end(), found.begin(), found.end());
+    inputs.insert(inputs.end(), found.begin(), found.end());
   }
+  std::vector<Pose> poses;
   std::set<std::string> names;
-  for (const fs::path& input : files.inputs) {
+  for (const fs::path& input : inputs) {
     const std::string stem = split_mesh_path(input).file.stem().string();
     if (!names.insert(stem).second) {
       throw InputError(input.string() + ": another pose is also named " + stem +
                        ", and results are named after their poses. Rename a file.");
     }
-    files.outputs.push_back(is_single ? fs::path(a.output) : fs::path(a.output) / stem);
-    if (!is_single) files.outputs.back() += split_mesh_path(a.target).file.extension();
+    fs::path output = is_single ? fs::path(a.output) : fs::path(a.output) / stem;
+    if (!is_single) output += split_mesh_path(a.target).file.extension();
+    poses.push_back({shown(input), input, std::move(output)});
   }
   if (!is_single) make_folder(a.output);
-  return files;
+  return poses;
+}
+
+std::vector<Pose> morph_poses(const TransferArguments& a, const Mesh& rest) {
+  std::vector<Pose> poses;
+  for (MorphTarget& target : read_morph_targets(rest)) {
+    poses.push_back({std::move(target.name), {}, a.output, std::move(target.positions)});
+  }
+  if (poses.empty()) {
+    throw InputError("--morph-targets: " + a.rest +
+                     " has no morph targets; give a glTF file that has some, or files of poses");
+  }
+  return poses;
+}
+
+// Reads the source at rest and its poses, after checking that no output replaces an input.
+std::vector<Pose> read_poses(const TransferArguments& a, Mesh& rest) {
+  std::vector<Pose> poses;
+  if (!a.morph_targets) poses = pose_files(a);
+  OutputFiles files;
+  files.reads("REST", a.rest);
+  for (const Pose& pose : poses) files.reads("POSED", pose.input);
+  files.reads("--onto", a.target);
+  for (const std::string& file : a.landmarks) files.reads("--landmarks", file);
+  files.reads("--correspondence", a.correspondence);
+  for (const Pose& pose : poses) files.writes_mesh("--output", pose.output);
+  if (a.morph_targets) files.writes_mesh("--output", a.output);
+  rest = read_with_notes(a.rest);
+  if (a.morph_targets) return morph_poses(a, rest);
+  for (Pose& pose : poses) {
+    pose.positions = read_with_notes(pose.input).positions;
+    require_pose(rest, pose.positions, pose.input.string());
+  }
+  return poses;
 }
 
 TransferRequest request_of(const TransferArguments& a, const Mesh& rest, const Mesh& target) {
@@ -111,8 +151,9 @@ TransferRequest request_of(const TransferArguments& a, const Mesh& rest, const M
   return request;
 }
 
-void print_pose(const fs::path& output, const fs::path& pose, const TransferReport& report) {
-  std::printf("%s: pose %s\n", shown(output).c_str(), shown(pose).c_str());
+void print_pose(const Pose& pose, const TransferReport& report) {
+  std::printf("%s: %s %s\n", shown(pose.output).c_str(),
+              pose.input.empty() ? "morph target" : "pose", pose.name.c_str());
   std::printf(
       "  largest rotation %.1f degrees, edge stretch %.1f%%, flipped triangles %zu, "
       "inside out %.1f%%\n",
@@ -129,21 +170,12 @@ void print_counterparts(const TransferSolver& solver, const Mesh& rest) {
 }
 
 void transfer_poses(const TransferArguments& a) {
-  const PoseFiles poses = pose_files(a);
-  OutputFiles files;
-  files.reads("REST", a.rest);
-  for (const fs::path& pose : poses.inputs) files.reads("POSED", pose);
-  files.reads("--onto", a.target);
-  for (const std::string& file : a.landmarks) files.reads("--landmarks", file);
-  files.reads("--correspondence", a.correspondence);
-  for (const fs::path& output : poses.outputs) files.writes_mesh("--output", output);
-  const Mesh rest = read_with_notes(a.rest);
-  Mesh target = read_with_notes(a.target);
-  std::vector<Positions> posed;
-  for (const fs::path& input : poses.inputs) {
-    posed.push_back(read_with_notes(input).positions);
-    require_pose(rest, posed.back(), input.string());
+  if (a.morph_targets == !a.poses.empty()) {
+    throw CLI::RequiredError("either POSED or --morph-targets");
   }
+  Mesh rest;
+  const std::vector<Pose> poses = read_poses(a, rest);
+  Mesh target = read_with_notes(a.target);
   std::optional<TransferSolver> solver;
   {
     ProgressDisplay display(a.quiet);
@@ -152,11 +184,19 @@ void transfer_poses(const TransferArguments& a) {
   }
   if (!a.quiet) print_counterparts(*solver, rest);
   for (const std::string& warning : solver->warnings()) warn(warning);
-  for (std::size_t k = 0; k < poses.inputs.size(); ++k) {
-    Transferred result = solver->solve(posed[k]);
-    target.positions = std::move(result.positions);
-    print_notes(write_mesh(target, poses.outputs[k]));
-    if (!a.quiet) print_pose(poses.outputs[k], poses.inputs[k], result.report);
+  std::vector<MorphTarget> morph_targets;
+  for (const Pose& pose : poses) {
+    Transferred result = solver->solve(pose.positions);
+    if (a.morph_targets) {
+      morph_targets.push_back({pose.name, std::move(result.positions)});
+    } else {
+      target.positions = std::move(result.positions);
+      print_notes(write_mesh(target, pose.output));
+    }
+    if (!a.quiet) print_pose(pose, result.report);
+  }
+  if (a.morph_targets) {
+    print_notes(write_mesh(target, a.output, {.morph_targets = std::move(morph_targets)}));
   }
   if (a.strict && !solver->warnings().empty()) throw ExitWith{kSolver};
 }
@@ -168,14 +208,16 @@ void add_transfer(CLI::App& app) {
       "transfer", "transfers poses of a mesh to another mesh, such as those of a horse to a camel");
   auto a = std::make_shared<TransferArguments>();
   command->add_option("REST", a->rest, "the source mesh, at rest")->required();
-  command
-      ->add_option("POSED", a->poses,
-                   "poses of REST, with the same vertices in the same order, or folders of poses")
-      ->required();
+  command->add_option(
+      "POSED", a->poses,
+      "poses of REST, with the same vertices in the same order, or folders of poses");
+  command->add_flag("--morph-targets", a->morph_targets,
+                    "transfer the morph targets of REST, a glTF file, to TARGET, another one");
   command->add_option("--onto", a->target, "the target mesh, at rest")->required();
   command
       ->add_option("-o,--output", a->output,
-                   "the target in the pose; for several poses, a folder with a file for each")
+                   "the target in the pose; for several poses, a folder with a file for each; "
+                   "for morph targets, the target with these")
       ->required();
   auto* landmarks =
       command

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "lapwing/base/errors.h"
@@ -59,33 +60,72 @@ std::size_t add_rows(const std::vector<Vector3d>& rows, bool with_bounds, GltfAp
   return appender.add_accessor(json + "}");
 }
 
-class MorphTarget {
+// Returns the index of a primitive's accessor, or nothing.
+std::optional<std::size_t> number_of(const JsonNode& attributes, const char* name) {
+  const auto node = attributes.find(name);
+  return node ? std::optional(node->count()) : std::nullopt;
+}
+
+bool has_records(const JsonNode& attributes, const GltfRecords& set) {
+  const auto normals = set.normals ? std::optional(set.normals->number()) : std::nullopt;
+  return number_of(attributes, "POSITION") == set.positions.number() &&
+         number_of(attributes, "NORMAL") == normals;
+}
+
+// Returns the names of the morph targets of a glTF mesh: "target 2" without a name in the file.
+std::vector<std::string> target_names(const JsonNode& mesh, std::size_t count) {
+  std::vector<std::string> names;
+  const auto extras = mesh.find("extras");
+  const auto list = extras && extras->is_object() ? extras->find("targetNames") : std::nullopt;
+  if (list) {
+    for (const JsonNode& name : list->elements()) {
+      names.push_back(name.is_string() ? name.string() : "target " + std::to_string(names.size()));
+    }
+  }
+  while (names.size() < count) names.push_back("target " + std::to_string(names.size()));
+  return names;
+}
+
+// A morph target with the mesh in its pose.
+struct PosedMesh {
+  const std::string& name;
+  Mesh mesh;
+  std::vector<Vector3d> normals;
+  std::set<std::size_t> left_out;  // objects that do not define this morph target
+};
+
+class MorphTargets {
  public:
-  MorphTarget(const GltfLayout& layout, const Mesh& mesh, const std::string& name,
-              GltfNumbers& numbers, TextEdits& edits)
+  MorphTargets(const GltfLayout& layout, const Mesh& mesh, std::span<const MorphTarget> targets,
+               GltfNumbers& numbers, TextEdits& edits)
       : layout_(layout),
-        mesh_(mesh),
-        name_(name),
         appender_(numbers.appender()),
         edits_(edits),
         text_(layout.file.json()),
-        rest_(source_positions(layout.file.source(), mesh)),
-        normals_(mesh.attributes().normals) {
-    if (!normals_.empty()) normals_ = updated_normals(mesh, rest_).normals;
+        rest_(source_positions(layout.file.source(), mesh)) {
+    for (const MorphTarget& target : targets) {
+      PosedMesh posed{target.name, mesh, mesh.attributes().normals, {}};
+      posed.mesh.positions = target.positions;
+      if (!posed.normals.empty()) posed.normals = updated_normals(posed.mesh, rest_).normals;
+      choose_instances(posed);
+      poses_.push_back(std::move(posed));
+    }
   }
 
   void run() {
-    choose_instances();
     std::set<std::size_t> meshes;
-    for (const GltfRecords& set : layout_.records) {
-      for (std::size_t k = 0; k < set.count(); ++k) {
-        const Index v = layout_.vertex_of_record[set.first_record + k];
-        if (!are_same(mesh_.positions[v], rest_[v]))
-          meshes.insert(layout_.objects[set.object].mesh);
+    for (const PosedMesh& pose : poses_) {
+      for (const GltfRecords& set : layout_.records) {
+        for (std::size_t k = 0; k < set.count(); ++k) {
+          const Index v = layout_.vertex_of_record[set.first_record + k];
+          if (!are_same(pose.mesh.positions[v], rest_[v])) {
+            meshes.insert(layout_.objects[set.object].mesh);
+          }
+        }
       }
     }
     if (meshes.empty()) {
-      throw InputError("nothing moved, so the morph target '" + name_ +
+      throw InputError("nothing moved, so the morph target '" + poses_.front().name +
                        "' would be empty; edit the mesh first");
     }
     for (const std::size_t m : meshes) add_to_mesh(m);
@@ -95,50 +135,45 @@ class MorphTarget {
 
  private:
   // If several objects show one mesh, the first object that moved defines the morph target.
-  void choose_instances() {
-    for (const MovedInstances& instances : moved_instances(layout_, mesh_)) {
+  void choose_instances(PosedMesh& pose) const {
+    for (const MovedInstances& instances : moved_instances(layout_, pose.mesh)) {
       if (!instances.are_alike) {
         throw InputError(names_of(layout_, instances.moved) +
                          " show one mesh but moved differently, so it cannot get one morph target; "
                          "move only one of them");
       }
       for (const std::size_t object : instances.objects) {
-        if (object != instances.moved.front()) left_out_.insert(object);
+        if (object != instances.moved.front()) pose.left_out.insert(object);
       }
     }
   }
 
   // Returns the records of a primitive; null for points and lines, which do not move.
-  const GltfRecords* records_of(std::size_t mesh, const JsonNode& attributes) const {
-    const auto number_of = [&](const char* name) {
-      const auto node = attributes.find(name);
-      return node ? std::optional(node->count()) : std::nullopt;
-    };
+  const GltfRecords* records_of(std::size_t mesh, const JsonNode& attributes,
+                                const PosedMesh& pose) const {
     for (const GltfRecords& set : layout_.records) {
-      if (layout_.objects[set.object].mesh != mesh || left_out_.contains(set.object)) continue;
-      const auto normals = set.normals ? std::optional(set.normals->number()) : std::nullopt;
-      if (number_of("POSITION") == set.positions.number() && number_of("NORMAL") == normals) {
-        return &set;
-      }
+      if (layout_.objects[set.object].mesh != mesh || pose.left_out.contains(set.object)) continue;
+      if (has_records(attributes, set)) return &set;
     }
     return nullptr;
   }
 
-  std::string displacements(const GltfRecords& set) {
+  std::string displacements(const GltfRecords& set, const PosedMesh& pose) {
     const Eigen::Matrix3d linear = layout_.objects[set.object].to_world.linear();
     const Eigen::Matrix3d to_local = linear.inverse();
+    const Mesh& mesh = pose.mesh;
     std::vector<Vector3d> rows;
     std::vector<Vector3d> turns;
     for (std::size_t k = 0; k < set.count(); ++k) {
       const Index v = layout_.vertex_of_record[set.first_record + k];
-      const bool is_still = are_same(mesh_.positions[v], rest_[v]);
+      const bool is_still = are_same(mesh.positions[v], rest_[v]);
       rows.emplace_back(is_still ? Vector3d(Vector3d::Zero())
-                                 : Vector3d(to_local * (mesh_.positions[v] - rest_[v])));
+                                 : Vector3d(to_local * (mesh.positions[v] - rest_[v])));
       if (!set.normals) continue;
       const Index n = layout_.normal_of_record[set.first_record + k];
-      const bool stays = are_same(normals_[n], mesh_.attributes().normals[n]);
+      const bool stays = are_same(pose.normals[n], mesh.attributes().normals[n]);
       const Vector3d turn =
-          (linear.transpose() * normals_[n]).normalized() - set.normals->vector3(k);
+          (linear.transpose() * pose.normals[n]).normalized() - set.normals->vector3(k);
       turns.push_back(stays ? Vector3d::Zero() : turn);
     }
     std::string json = R"({"POSITION":)" + std::to_string(add_rows(rows, true, appender_));
@@ -157,49 +192,58 @@ class MorphTarget {
     const JsonPlace place = text_.element("meshes", number);
     const std::vector<JsonNode> primitives = mesh.at("primitives").elements();
     const std::vector<JsonPlace> places = text_.elements(text_.at(place, "primitives"));
-    std::map<const GltfRecords*, std::string> known;
     const auto targets = primitives.at(0).find("targets");
     old_targets_[number] = targets ? targets->elements().size() : 0;
-    for (std::size_t p = 0; p < primitives.size(); ++p) {
-      const JsonNode attributes = primitives[p].at("attributes");
-      const GltfRecords* const set = records_of(number, attributes);
-      std::string& target = known[set];
-      if (set == nullptr) target = nothing(attributes);
-      if (target.empty()) target = displacements(*set);
-      append_to_list(text_, places[p], "targets", target, edits_);
+    std::vector<std::string> new_targets(primitives.size());
+    for (const PosedMesh& pose : poses_) {
+      std::map<const GltfRecords*, std::string> known;
+      for (std::size_t p = 0; p < primitives.size(); ++p) {
+        const JsonNode attributes = primitives[p].at("attributes");
+        const GltfRecords* const set = records_of(number, attributes, pose);
+        std::string& target = known[set];
+        if (set == nullptr) target = nothing(attributes);
+        if (target.empty()) target = displacements(*set, pose);
+        new_targets[p] += (new_targets[p].empty() ? "" : ",") + target;
+      }
     }
-    if (mesh.has("weights")) append_to_list(text_, place, "weights", "0", edits_);
-    add_name(mesh, place, old_targets_[number]);
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      append_to_list(text_, places[p], "targets", new_targets[p], edits_);
+    }
+    if (mesh.has("weights")) append_to_list(text_, place, "weights", zeros(), edits_);
+    add_names(mesh, place, old_targets_[number]);
   }
 
-  void add_name(const JsonNode& mesh, JsonPlace place, std::size_t old_targets) {
+  void add_names(const JsonNode& mesh, JsonPlace place, std::size_t old_targets) {
+    const std::vector<std::string> old = target_names(mesh, old_targets);
+    std::string added;
+    for (const PosedMesh& pose : poses_) {
+      added += (added.empty() ? "" : ",") + quoted_json(pose.name);
+    }
+    std::string all;
+    for (const std::string& name : old) all += quoted_json(name) + ",";
+    all += added;
     const auto extras = mesh.find("extras");
     if (!extras) {
-      edits_.insert(place.end - 1, R"(,"extras":{"targetNames":[)" + names(old_targets) + "]}");
+      edits_.insert(place.end - 1, R"(,"extras":{"targetNames":[)" + all + "]}");
       return;
     }
     if (!extras->is_object()) return;  // application-specific data
     const auto list = extras->find("targetNames");
     const JsonPlace extras_place = text_.at(place, "extras");
-    if (!list) {
-      append_to_list(text_, extras_place, "targetNames", names(old_targets), edits_);
-      return;
-    }
-    for (const JsonNode& name : list->elements()) {
-      if (name.is_string() && name.string() == name_) {
-        name.fail("a morph target '" + name_ + "' already exists; choose another name");
+    if (list) {
+      for (const PosedMesh& pose : poses_) {
+        if (std::ranges::find(old, pose.name) == old.end()) continue;
+        list->fail("a morph target '" + pose.name + "' already exists; choose another name");
       }
     }
-    append_to_list(text_, extras_place, "targetNames", quoted_json(name_), edits_);
+    append_to_list(text_, extras_place, "targetNames", list ? added : all, edits_);
   }
 
-  // Returns names for the old targets, which have none, and the new name.
-  std::string names(std::size_t old_targets) const {
-    std::string list;
-    for (std::size_t k = 0; k < old_targets; ++k) {
-      list += quoted_json("target " + std::to_string(k)) + ",";
-    }
-    return list + quoted_json(name_);
+  // Returns a 0 for each morph target, separated by commas.
+  std::string zeros() const {
+    std::string list = "0";
+    for (std::size_t k = 1; k < poses_.size(); ++k) list += ",0";
+    return list;
   }
 
   void extend_nodes(const std::set<std::size_t>& meshes) {
@@ -209,12 +253,12 @@ class MorphTarget {
       if (!mesh || !meshes.contains(mesh->count())) continue;
       mesh_of_node_[k] = mesh->count();
       if (nodes[k].has("weights")) {
-        append_to_list(text_, text_.element("nodes", k), "weights", "0", edits_);
+        append_to_list(text_, text_.element("nodes", k), "weights", zeros(), edits_);
       }
     }
   }
 
-  // Appends a 0 to each key of the animations of weights.
+  // Appends zeros to each key of the animations of weights.
   void extend_animations() {
     const auto animations = layout_.file.root().find("animations");
     if (!animations) return;
@@ -245,22 +289,19 @@ class MorphTarget {
     std::string bytes;
     for (std::size_t k = 0; k < old.count(); ++k) {
       append_binary(bytes, old.value(k, 0), Scalar::float32, Encoding::little_endian);
-      if (k % old_targets + 1 == old_targets) bytes.append(sizeof(float), '\0');
+      if (k % old_targets + 1 == old_targets) bytes.append(poses_.size() * sizeof(float), '\0');
     }
     return appender_.add_numbers(bytes, Scalar::float32, "SCALAR",
-                                 old.count() + old.count() / old_targets,
+                                 old.count() + old.count() / old_targets * poses_.size(),
                                  GltfAppender::Target::none);
   }
 
   const GltfLayout& layout_;
-  const Mesh& mesh_;
-  const std::string& name_;
   GltfAppender& appender_;
   TextEdits& edits_;
   const JsonText& text_;
   Positions rest_;
-  std::vector<Vector3d> normals_;
-  std::set<std::size_t> left_out_;                  // objects that define no morph target
+  std::vector<PosedMesh> poses_;
   std::map<std::size_t, std::size_t> old_targets_;  // number of targets that each mesh had
   std::map<std::size_t, std::size_t> mesh_of_node_;
 };
@@ -299,9 +340,48 @@ void note_morph_weights(const GltfLayout& layout, std::vector<std::string>& note
                   "the weighted shape, apply the morph targets first");
 }
 
-void add_morph_target(const GltfLayout& layout, const Mesh& mesh, const std::string& name,
-                      GltfNumbers& numbers, TextEdits& edits) {
-  MorphTarget(layout, mesh, name, numbers, edits).run();
+void add_morph_targets(const GltfLayout& layout, const Mesh& mesh,
+                       std::span<const MorphTarget> targets, GltfNumbers& numbers,
+                       TextEdits& edits) {
+  MorphTargets(layout, mesh, targets, numbers, edits).run();
+}
+
+std::vector<MorphTarget> read_morph_targets(const Mesh& mesh) {
+  std::vector<MorphTarget> found;
+  if (mesh.source == nullptr || !mesh.source->gltf) return found;
+  const GltfLayout& layout = *mesh.source->gltf;
+  const Positions rest = source_positions(*mesh.source, mesh);
+  const auto positions_of = [&](const std::string& name) -> Positions& {
+    const auto known = std::ranges::find(found, name, &MorphTarget::name);
+    if (known != found.end()) return known->positions;
+    found.push_back({name, rest});
+    return found.back().positions;
+  };
+  for (const GltfRecords& set : layout.records) {
+    const GltfObject& object = layout.objects[set.object];
+    const JsonNode in_file = layout.file.root().at("meshes").at(object.mesh);
+    for (const JsonNode& primitive : in_file.at("primitives").elements()) {
+      const auto targets = primitive.find("targets");
+      if (!targets || !has_records(primitive.at("attributes"), set)) continue;
+      const std::vector<JsonNode> list = targets->elements();
+      const std::vector<std::string> names = target_names(in_file, list.size());
+      for (std::size_t t = 0; t < list.size(); ++t) {
+        Positions& positions = positions_of(names[t]);
+        const auto number = number_of(list[t], "POSITION");
+        if (!number) continue;
+        const GltfAccessor displacements(layout.file, *number);
+        if (displacements.components() != 3 || displacements.count() != set.count()) {
+          list[t].fail("expected a displacement of three numbers for each of the " +
+                       std::to_string(set.count()) + " vertices; export the file again");
+        }
+        for (std::size_t k = 0; k < set.count(); ++k) {
+          const Index v = layout.vertex_of_record[set.first_record + k];
+          positions[v] = rest[v] + object.to_world.linear() * displacements.vector3(k);
+        }
+      }
+    }
+  }
+  return found;
 }
 
 }  // namespace lapwing

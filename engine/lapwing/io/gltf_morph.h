@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "lapwing/io/gltf_edits.h"
 #include "lapwing/io/gltf_scene.h"
+#include "lapwing/io/mesh_file.h"
 
 namespace lapwing {
 
@@ -12,11 +14,13 @@ namespace lapwing {
 /// its base shape, because morph targets are relative to that.
 void note_morph_weights(const GltfLayout& layout, std::vector<std::string>& notes);
 
-/// Adds the difference between `mesh` and its file as morph target `name`, the last one of each
-/// glTF mesh with a moved vertex. The target has sparse displacements of positions, and of normals
-/// if the primitive has them. The name is appended to "extras.targetNames", and 0 to the weights of
-/// meshes, nodes and animations. Throws InputError if the name is taken or nothing moved.
-void add_morph_target(const GltfLayout& layout, const Mesh& mesh, const std::string& name,
-                      GltfNumbers& numbers, TextEdits& edits);
+/// Adds the differences between `targets` and the file as the last morph targets of each glTF mesh
+/// with a moved vertex. Targets have sparse displacements of positions, and of normals if the
+/// primitive has them. The names are appended to "extras.targetNames", and zeros to the weights of
+/// meshes, nodes and animations. `mesh` has the triangles of the file. Throws InputError if a name
+/// is taken or nothing moved.
+void add_morph_targets(const GltfLayout& layout, const Mesh& mesh,
+                       std::span<const MorphTarget> targets, GltfNumbers& numbers,
+                       TextEdits& edits);
 
 }  // namespace lapwing

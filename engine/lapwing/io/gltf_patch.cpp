@@ -87,8 +87,9 @@ class GltfPatch {
     return files_at(target);
   }
 
-  std::vector<FileContent> run_as_morph_target(const std::string& name, const fs::path& target) {
-    add_morph_target(layout_, mesh_, name, numbers_, edits_);
+  std::vector<FileContent> run_as_morph_targets(std::span<const MorphTarget> targets,
+                                                const fs::path& target) {
+    add_morph_targets(layout_, mesh_, targets, numbers_, edits_);
     return files_at(target);
   }
 
@@ -282,10 +283,11 @@ class GltfPatch {
 }  // namespace
 
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
-                                    const fs::path& target, const std::string& morph_target,
+                                    const fs::path& target,
+                                    std::span<const MorphTarget> morph_targets,
                                     WriteReport& report) {
   GltfPatch patch(source, mesh, report);
-  if (!morph_target.empty()) return patch.run_as_morph_target(morph_target, target);
+  if (!morph_targets.empty()) return patch.run_as_morph_targets(morph_targets, target);
   return source.describes(mesh) ? patch.run(target) : patch.run_with_new_triangles(target);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,13 @@ struct FileContent {
 /// replaced by new ones (see GltfNumbers). `report` notes images that are not beside the target.
 /// Throws what GltfNumbers throws, and InputError if the data that changes has a compressed copy.
 ///
-/// If `morph_target` is not empty, the positions stay and a morph target is added (see
-/// add_morph_target). If `source` does not
-/// describe `mesh`, new primitives replace the triangles of the objects that changed. Throws
-/// InputError if a changed object has morph targets or has no triangle left.
+/// If `morph_targets` is not empty, the positions stay and morph targets are added (see
+/// add_morph_targets). If `source` does not describe `mesh`, new primitives replace the triangles
+/// of the objects that changed. Throws InputError if a changed object has morph targets or has no
+/// triangle left.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
                                     const std::filesystem::path& target,
-                                    const std::string& morph_target, WriteReport& report);
+                                    std::span<const MorphTarget> morph_targets,
+                                    WriteReport& report);
 
 }  // namespace lapwing

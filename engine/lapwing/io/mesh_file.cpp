@@ -149,7 +149,7 @@ void require_finite_moves(const SourceFile& source, const Mesh& mesh) {
 std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
                                const std::filesystem::path& path, const WriteOptions& options,
                                WriteReport& report) {
-  if (source.gltf) return patch_gltf(source, mesh, path, options.morph_target, report);
+  if (source.gltf) return patch_gltf(source, mesh, path, options.morph_targets, report);
   auto bytes = patch_source(source, mesh);
   if (!bytes) return {};
   return {{path, std::move(*bytes)}};
@@ -243,8 +243,8 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
 
   const bool is_patched = source != nullptr && source->format() == format &&
                           source->encoding == encoding && !options.anew;
-  if (!options.morph_target.empty() && (!is_patched || !source->gltf)) {
-    throw InputError("the morph target '" + options.morph_target +
+  if (!options.morph_targets.empty() && (!is_patched || !source->gltf)) {
+    throw InputError("the morph target '" + options.morph_targets.front().name +
                      "' needs a glTF file whose triangles are unchanged; read and save files with "
                      "the same extension, .glb or .gltf");
   }

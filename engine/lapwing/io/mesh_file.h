@@ -49,15 +49,26 @@ struct DamagedMesh {
 /// throwing. If there are defects, the mesh has no source, so that write_mesh writes a new file.
 DamagedMesh read_damaged_mesh(const std::filesystem::path& path);
 
+/// A morph target of a glTF file: a name, and the positions of all vertices at the weight 1.
+struct MorphTarget {
+  std::string name;
+  Positions positions;
+};
+
+/// Returns the morph targets of the glTF file from which `mesh` was read, in their order. Targets
+/// of several objects with the same name are one target. A target without a name is called "target
+/// 2". Empty for other files. Throws InputError if a target does not fit its mesh.
+std::vector<MorphTarget> read_morph_targets(const Mesh& mesh);
+
 struct WriteOptions {
   /// If unset, as in the file that the mesh was read from, else binary if the format has it.
   std::optional<Encoding> encoding = {};
   /// Writes a new file instead of changing the source file's bytes, so that attributes set since
   /// reading are written.
   bool anew = false;
-  /// For a mesh from a glTF file: the positions stay, and the displacements are added as a morph
-  /// target of this name (see gltf_morph.h).
-  std::string morph_target = {};
+  /// For a mesh from a glTF file: the positions stay, and these morph targets are added (see
+  /// gltf_morph.h).
+  std::vector<MorphTarget> morph_targets = {};
   /// The file that the mesh was made from, if the triangles have changed since. In a glTF file, the
   /// new triangles replace the old ones (see gltf_patch.h).
   std::shared_ptr<const SourceFile> original_file = {};

@@ -74,6 +74,9 @@ void describe(WrapStep& step, KeyVisitor& visitor) {
                "weight may follow. A file contains such rows, or the points of one surface",
        .absent = "none"},
       step.landmarks);
+  visitor.boolean({.name = "hard",
+                   .help = "landmarks are reached exactly; otherwise in the least-squares sense"},
+                  step.hard);
   visitor.boolean(
       {.name = "aligned", .help = "the template is already in place; do not align it first"},
       step.aligned);
@@ -83,6 +86,15 @@ void describe(WrapStep& step, KeyVisitor& visitor) {
                "a deform step",
        .absent = "none"},
       step.stiffness);
+  visitor.mirror({.name = "mirror",
+                  .help = "the plane in which the template is symmetric, as in a deform step; the "
+                          "result is symmetric, too",
+                  .absent = "none"},
+                 step.mirror);
+  visitor.boolean({.name = "detail",
+                   .help = "at the end, move each vertex that has a counterpart exactly onto the "
+                           "scan"},
+                  step.detail);
 }
 
 }  // namespace lapwing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,9 @@ struct WrapStep {
   LandmarkSpec landmarks = {};
   bool aligned = false;                       ///< as in WrapRequest
   std::vector<StiffnessSpec> stiffness = {};  ///< as in WrapRequest
+  bool hard = false;                          ///< as in WrapRequest::landmarks
+  std::optional<MirrorSpec> mirror = {};      ///< as in WrapRequest
+  bool detail = false;                        ///< as in WrapRequest
   bool operator==(const WrapStep&) const = default;
 };
 

@@ -257,9 +257,7 @@ StepReport run_step(const WrapStep& step, const StepContext& on) {
        {split_mesh_path(step.scan).file, step.landmarks.file, step.landmarks.scan_file}) {
     if (!file.empty()) result.inputs.push_back(on.base_directory / file);
   }
-  const WrapRequest request{.landmarks = targets_of(landmarks, result.mesh, *scan),
-                            .aligned = step.aligned,
-                            .stiffness = step.stiffness};
+  const WrapRequest request = wrap_request(step, landmarks, result.mesh, *scan);
   Wrapped done;
   stage("wrap", report.timings, on.progress,
         [&] { done = wrap(result.mesh, *scan, request, on.kernels, on.progress); });
@@ -283,6 +281,17 @@ void record_device(const DeviceInfo& device, RunResult& result) {
 }
 
 }  // namespace
+
+WrapRequest wrap_request(const WrapStep& step, const LandmarkSpec& landmarks, const Mesh& wrapped,
+                         const Mesh& scan) {
+  WrapRequest request{.landmarks = targets_of(landmarks, wrapped, scan),
+                      .aligned = step.aligned,
+                      .stiffness = step.stiffness,
+                      .mirror = step.mirror,
+                      .detail = step.detail};
+  request.landmarks.hard = step.hard;
+  return request;
+}
 
 std::vector<TargetRow> read_target_rows(const std::filesystem::path& path) {
   const NumberTable table = read_number_table(path);

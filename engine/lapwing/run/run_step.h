@@ -16,12 +16,18 @@
 #include "lapwing/run/attachment_file.h"
 #include "lapwing/run/mesh_cache.h"
 #include "lapwing/run/run_report.h"
+#include "lapwing/wrap/wrap.h"
 
 namespace lapwing {
 
 /// Reads a table of landmarks with numeric columns, and converts each row with `target_row`. Throws
 /// the errors of `read_number_table`, `number_columns` and `target_row`.
 std::vector<TargetRow> read_target_rows(const std::filesystem::path& path);
+
+/// Returns the request of a step. `landmarks` contains the rows of its landmarks. Throws the errors
+/// of `targets_of`.
+WrapRequest wrap_request(const WrapStep& step, const LandmarkSpec& landmarks, const Mesh& wrapped,
+                         const Mesh& scan);
 
 /// State of a run after some of its steps.
 struct RunState {

@@ -53,7 +53,8 @@ Mesh with_vertex_motion(Mesh mesh, std::span<const Eigen::Vector3d> rest,
 WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
                                const std::filesystem::path& path, FileReplacements& files) {
   if (is_gltf(format_of(path))) {
-    return write_mesh(mesh, path, files, {.morph_target = result.morph_target});
+    return write_mesh(mesh, path, files,
+                      {.morph_targets = {{result.morph_target, mesh.positions}}});
   }
   if (mesh.source == nullptr || result.original.size() != mesh.vertex_count()) {
     throw InputError(

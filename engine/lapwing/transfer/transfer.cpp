@@ -152,9 +152,7 @@ void TransferSolver::State::find_counterparts(const Mesh& source,
       counterparts.push_back(SurfacePoint::at_vertex(v));
     }
   } else {
-    const WrapRequest request_of_wrap{
-        joined.empty() ? request.landmarks : led(request.landmarks, joined), request.aligned};
-    Wrapped wrapped = wrap(onto, from, request_of_wrap, kernels, progress);
+    Wrapped wrapped = wrap(target, source, {request.landmarks, request.aligned}, kernels, progress);
     counterparts = std::move(wrapped.counterparts);
     wrap_report = wrapped.report;
     if (const auto why = why_failed(wrapped.report, onto.topology().triangles.size());

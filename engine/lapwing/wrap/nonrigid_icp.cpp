@@ -32,6 +32,8 @@ constexpr double kTolerated = 2.0;
 
 // From the first step on, the weight of landmarks is this multiple of the springs' final weight.
 constexpr double kLandmarkWeight = 3.0 / (kLastReach * kLastReach);
+// Factor on the weight of hard landmarks.
+constexpr double kHard = 1e3;
 
 // The limits of each minimization. They are loose, because its result is only the start of the next
 // one.
@@ -58,17 +60,22 @@ class Wrapping {
  public:
   // `start` is the pose from which the first step begins.
   Wrapping(const Topology& topology, std::shared_ptr<const Positions> rest, Positions start,
-           const ScanSurface& scan, EditRegion region, Kernels& kernels)
+           std::span<const ScanSurface> scans, const TemplateMirror* mirror, EditRegion region,
+           Kernels& kernels)
       : topology_(topology),
         rest_(std::move(rest)),
         now_(std::move(start)),
-        scan_(scan),
+        mirror_(mirror),
         kernels_(kernels),
         prepared_(topology),
         edge_(mean_edge_length(topology.rings, *rest_)),
         region_(std::move(region)),
-        landmarks_(std::exchange(region_.targets, {})) {
-    samples_ = scan.samples(kSamplesPerVertex * region_.roi.size());
+        landmarks_(std::exchange(region_.targets, {})),
+        hard_landmarks_(std::exchange(region_.hard_targets, false)) {
+    for (const ScanSurface& scan : scans) {
+      pulls_.push_back({scan, scan.samples(kSamplesPerVertex * region_.roi.size()), {}, {}});
+    }
+    if (mirror_ != nullptr) mirror_->make_symmetric(now_);
     is_landmark_.resize(topology.vertex_count(), 0);
     for (const Target& landmark : landmarks_) {
       if (landmark.is_vertex()) is_landmark_[landmark.corners[0]] = 1;
@@ -80,23 +87,26 @@ class Wrapping {
   const Positions& positions() const { return now_; }
   double edge() const { return edge_; }
   int steps() const { return steps_; }
-  FittedTemplate result() const { return {now_, certificate_, steps_}; }
+  FittedTemplate result() const { return {now_, steps_}; }
 
-  // Makes the rigid parts of the template exactly rigid: minimizes again without springs on their
-  // vertices.
-  void finish() {
+  // Minimizes once more if `detail` prescribes the vertices that have a counterpart, or to make
+  // rigid parts exactly rigid: these follow no springs.
+  void finish(bool detail) {
+    if (detail) prescribe_counterparts();
     const auto is_rigid = [](const VertexStiffness& part) {
       return part.factor == kRigidStiffness;
     };
-    if (std::ranges::none_of(region_.stiffness, is_rigid)) return;
-    std::vector<char> rigid(now_.size(), 0);
-    for (const auto& [vertex, factor] : region_.stiffness) {
-      rigid[vertex] = factor == kRigidStiffness ? 1 : 0;
+    const bool has_rigid_parts = std::ranges::any_of(region_.stiffness, is_rigid);
+    if (has_rigid_parts) {
+      std::vector<char> rigid(now_.size(), 0);
+      for (const auto& [vertex, factor] : region_.stiffness) {
+        rigid[vertex] = factor == kRigidStiffness ? 1 : 0;
+      }
+      std::erase_if(region_.targets, [&](const Target& target) {
+        return std::ranges::any_of(target.corners, [&](Index v) { return rigid[v] != 0; });
+      });
     }
-    std::erase_if(region_.targets, [&](const Target& target) {
-      return std::ranges::any_of(target.corners, [&](Index v) { return rigid[v] != 0; });
-    });
-    minimize();
+    if (detail || has_rigid_parts) minimize();
   }
 
   // Deforms the template until it follows springs of this reach.
@@ -110,20 +120,47 @@ class Wrapping {
   }
 
  private:
+  // A scan that pulls the template.
+  struct Pull {
+    const ScanSurface& scan;
+    SurfaceSamples samples;
+    std::vector<Index> hints;
+    std::vector<Index> scan_hints;
+  };
+
   // Moves the surface once. Returns false if nothing pulls it.
   bool step(double weight) {
     const ScanSurface surface(topology_, now_);
-    const std::vector<Counterpart> on_scan =
-        counterparts_of(now_, surface.normals(), scan_, hints_);
-    const std::vector<Counterpart> on_surface =
-        counterparts_of(samples_.points, samples_.normals, surface, scan_hints_);
     region_.targets.clear();
     add_landmarks();
-    add_pull_of(on_scan, weight);
-    add_pull_from(on_surface, weight);
+    // The energy of a spring is proportional to the square of its weight.
+    const double of_scan = weight / std::sqrt(static_cast<double>(pulls_.size()));
+    for (Pull& pull : pulls_) {
+      const SurfaceSamples& samples = pull.samples;
+      add_pull_of(counterparts_of(now_, surface.normals(), pull.scan, pull.hints), of_scan);
+      add_pull_from(counterparts_of(samples.points, samples.normals, surface, pull.scan_hints),
+                    samples.points, of_scan);
+    }
     if (region_.targets.empty()) return false;
     minimize();
     return true;
+  }
+
+  // Replaces the springs by prescribed positions on the scan.
+  void prescribe_counterparts() {
+    const ScanSurface surface(topology_, now_);
+    Pull& pull = pulls_.front();
+    const std::vector<Counterpart> on_scan =
+        counterparts_of(now_, surface.normals(), pull.scan, pull.hints);
+    const double far = std::max(edge_, far_distance(on_scan));
+    region_.targets = hard_landmarks_ ? landmarks_ : std::vector<Target>();
+    region_.hard_targets = true;
+    const std::vector<char> prescribed = vertex_mask(now_.size(), corners_of(region_.targets));
+    for (Index v = 0; v < on_scan.size(); ++v) {
+      if (on_scan[v].agrees && on_scan[v].distance <= far && prescribed[v] == 0) {
+        region_.targets.push_back(at_vertex(v, on_scan[v].position, 1.0));
+      }
+    }
   }
 
   void minimize() {
@@ -136,7 +173,7 @@ class Wrapping {
     }
     DeformResult result = solver.solve_from(pose, {});
     ++steps_;
-    certificate_ = std::move(result.certificate);
+    if (mirror_ != nullptr) mirror_->make_symmetric(result.positions);
     double sum = 0.0;
     for (std::size_t v = 0; v < now_.size(); ++v) sum += (result.positions[v] - now_[v]).norm();
     moved_ = sum / static_cast<double>(now_.size());
@@ -146,7 +183,7 @@ class Wrapping {
   void add_landmarks() {
     for (const Target& landmark : landmarks_) {
       region_.targets.push_back(landmark);
-      region_.targets.back().weight *= kLandmarkWeight;
+      region_.targets.back().weight *= hard_landmarks_ ? kHard * kLandmarkWeight : kLandmarkWeight;
     }
   }
 
@@ -165,7 +202,8 @@ class Wrapping {
 
   // Springs from the samples of the scan to points of the template. All samples together pull at
   // most as much as the vertices of the template.
-  void add_pull_from(std::span<const Counterpart> on_surface, double weight) {
+  void add_pull_from(std::span<const Counterpart> on_surface, std::span<const Vector3d> samples,
+                     double weight) {
     const double scale = std::max(far_distance(on_surface), tolerated_);
     const double share = std::min(
         1.0, static_cast<double>(region_.roi.size()) / static_cast<double>(on_surface.size()));
@@ -174,27 +212,25 @@ class Wrapping {
       if (!c.agrees) continue;
       const double of_pair = weight * std::sqrt(share * robust_factor(c.distance, scale));
       if (of_pair < kMinWeight) continue;
-      region_.targets.push_back({c.point.corners, c.point.weights, samples_.points[s], of_pair});
+      region_.targets.push_back({c.point.corners, c.point.weights, samples[s], of_pair});
     }
   }
 
   const Topology& topology_;
   const std::shared_ptr<const Positions> rest_;
   Positions now_;
-  const ScanSurface& scan_;
+  const TemplateMirror* mirror_;
   Kernels& kernels_;
   PreparedRegion prepared_;
   const double edge_;
   EditRegion region_;
   const std::vector<Target> landmarks_;
+  const bool hard_landmarks_;
   DeformOptions options_;
-  SurfaceSamples samples_;  // of the scan
+  std::vector<Pull> pulls_;
   std::vector<char> is_landmark_;
-  std::vector<Index> hints_;
-  std::vector<Index> scan_hints_;
   double moved_ = 0.0;
   double tolerated_ = 0.0;
-  Certificate certificate_;  // of the last step
   int steps_ = 0;
 };
 
@@ -211,20 +247,20 @@ std::vector<double> reaches_of(const Positions& rest, double edge) {
 
 // Wraps a decimated copy of a large template at all reaches that its edges can follow, and removes
 // these from `reaches`. The deformations at such reaches have long wavelengths and do not need more
-// vertices. Sets `pose` from the decimated copy. Returns the number of steps.
-int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>& rest,
-                const ScanSurface& scan, const EditRegion& region, Kernels& kernels,
-                std::vector<double>& reaches, Positions& pose) {
+// vertices. Sets `task.start` from the decimated copy. Returns the number of steps.
+int wrap_coarse(FittingTask& task, const std::shared_ptr<const Positions>& rest, Kernels& kernels,
+                std::vector<double>& reaches) {
   CoarseSurfaces surfaces;
-  const auto level = surfaces.of(region, topology, rest, kCoarseVertices);
+  const auto level = surfaces.of(task.region, task.topology, rest, kCoarseVertices);
   if (level == nullptr) return 0;
   const CoarseSurface& coarse = level->surface;
   Positions start;
-  for (const Index v : coarse.kept) start.push_back(pose[v]);
+  for (const Index v : coarse.kept) start.push_back(task.start[v]);
   const auto own_rest = std::make_shared<const Positions>(coarse.rest);
-  EditRegion own_region = coarse_region_of(region, inverse_index(coarse.kept, rest->size()));
-  Wrapping wrapping(coarse.topology, own_rest, std::move(start), scan, std::move(own_region),
-                    kernels);
+  EditRegion own_region = coarse_region_of(task.region, inverse_index(coarse.kept, rest->size()));
+  // The vertices of the decimated copy do not form pairs.
+  Wrapping wrapping(coarse.topology, own_rest, std::move(start), task.scans, nullptr,
+                    std::move(own_region), kernels);
   auto reach = reaches.begin();
   for (; *reach > wrapping.edge(); ++reach) wrapping.follow(*reach);
   reaches.erase(reaches.begin(), reach);
@@ -239,26 +275,26 @@ int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>
       std::vector<Eigen::Matrix3d>(coarse.kept.size(), Eigen::Matrix3d::Identity())};
   Positions displacement(rest->size(), Vector3d::Zero());
   level->embedding.prolongate(at_rest, reached, displacement);
-  for (std::size_t v = 0; v < pose.size(); ++v) pose[v] = (*rest)[v] + displacement[v];
+  for (std::size_t v = 0; v < rest->size(); ++v) task.start[v] = (*rest)[v] + displacement[v];
   return wrapping.steps();
 }
 
 }  // namespace
 
-FittedTemplate nonrigid_icp(const Topology& topology, Positions rest_positions, Positions start,
-                            const ScanSurface& scan, const EditRegion& region, Kernels& kernels,
-                            const Progress& progress) {
-  const auto rest = std::make_shared<const Positions>(std::move(rest_positions));
+FittedTemplate nonrigid_icp(FittingTask task, Kernels& kernels, const Progress& progress) {
+  const Topology& topology = task.topology;
+  const auto rest = std::make_shared<const Positions>(std::move(task.rest));
   std::vector<double> reaches = reaches_of(*rest, mean_edge_length(topology.rings, *rest));
   report_progress(progress, "wrap", 0.0);
-  const int coarse_steps = wrap_coarse(topology, rest, scan, region, kernels, reaches, start);
-  Wrapping wrapping(topology, rest, std::move(start), scan, region, kernels);
+  const int coarse_steps = wrap_coarse(task, rest, kernels, reaches);
+  Wrapping wrapping(topology, rest, std::move(task.start), task.scans, task.mirror,
+                    std::move(task.region), kernels);
   for (std::size_t k = 0; k < reaches.size(); ++k) {
     report_progress(progress, "wrap",
                     static_cast<double>(k + 1) / static_cast<double>(reaches.size() + 1));
     wrapping.follow(reaches[k]);
   }
-  wrapping.finish();
+  wrapping.finish(task.detail);
   FittedTemplate fitted = wrapping.result();
   fitted.steps += coarse_steps;
   return fitted;

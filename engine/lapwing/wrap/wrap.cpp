@@ -8,9 +8,14 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/mesh/seams.h"
+#include "lapwing/mesh/transform.h"
+#include "lapwing/region/joined_regions.h"
 #include "lapwing/wrap/nonrigid_icp.h"
 #include "lapwing/wrap/scan_surface.h"
 #include "lapwing/wrap/surfels.h"
+#include "lapwing/wrap/template_mirror.h"
 
 namespace lapwing {
 namespace {
@@ -74,9 +79,10 @@ Positions mapped(const Eigen::Affine3d& map, Positions positions) {
   return positions;
 }
 
-// Returns the fitted template with its report, without the alignment.
-Wrapped measured(const Topology& topology, FittedTemplate fitted, const ScanSurface& scan,
-                 const EditRegion& region) {
+// Returns the fitted template with its report, without the alignment. `rest` contains the aligned
+// template.
+Wrapped measured(const Topology& topology, std::span<const Vector3d> rest, FittedTemplate fitted,
+                 const ScanSurface& scan, const EditRegion& region) {
   Wrapped result{.positions = std::move(fitted.positions)};
   WrapReport& report = result.report;
   const ScanSurface surface(topology, result.positions);
@@ -106,12 +112,62 @@ Wrapped measured(const Topology& topology, FittedTemplate fitted, const ScanSurf
     report.landmark_error = error;
     report.farthest_landmark = k;
   }
-  const Certificate& certificate = fitted.certificate;
+  Certificate certificate;
+  measure_shape(region.roi, topology, rest, result.positions, certificate);
   report.flipped_triangles = certificate.flipped_triangles;
   report.edge_stretch = certificate.edge_stretch;
   report.most_stretched = {certificate.largest_edge_stretch_vertices,
                            certificate.largest_edge_stretch};
   report.steps = fitted.steps;
+  return result;
+}
+
+// Adds the mirror images of the landmarks and of the scan, after the mirror has followed the
+// alignment. `image` contains the mirror image of the scan.
+void add_mirror_images(const TemplateMirror& mirror, const Mesh& aligned, const Mesh& scan,
+                       std::size_t measured, Mesh& image, std::vector<ScanSurface>& scans,
+                       EditRegion& region) {
+  image = scan;
+  transform(image, reflection(mirror.plane()));
+  scans.emplace_back(image.topology(), image.positions, measured);
+  const std::vector<Target> images = mirror.images_of(region.targets, region.roi, aligned);
+  region.targets.insert(region.targets.end(), images.begin(), images.end());
+}
+
+// `wrap` for a template without seams and a surface or surfels. The first `measured_vertices`
+// vertices of the scan are samples.
+Wrapped wrap_joined(const Mesh& wrapped, const Mesh& scan, std::size_t measured_vertices,
+                    const WrapRequest& request, Kernels& kernels, const Progress& progress) {
+  const Topology& topology = wrapped.topology();
+  EditRegion region;
+  region.roi = surface_vertices(topology);
+  region.targets = resolve_targets(request.landmarks, region.roi, {}, wrapped);
+  region.hard_targets = request.landmarks.hard;
+  region.stiffness = resolve_stiffness(request.stiffness, region.roi, wrapped);
+  std::optional<TemplateMirror> mirror;
+  if (request.mirror) mirror.emplace(wrapped, *request.mirror);
+  std::vector<ScanSurface> scans;
+  scans.emplace_back(scan.topology(), scan.positions, measured_vertices);
+  report_progress(progress, "align", 0.0);
+  Alignment alignment =
+      align(ScanSurface(topology, wrapped.positions), scans[0], region.targets, request.aligned);
+  Mesh aligned = wrapped;
+  aligned.positions = mapped(alignment.map, wrapped.positions);
+  FittingTask task{.topology = topology,
+                   .rest = aligned.positions,
+                   .start = mapped(alignment.start, wrapped.positions),
+                   .region = region,
+                   .detail = request.detail};
+  Mesh image;
+  if (mirror) {
+    mirror->transform(alignment.map);
+    add_mirror_images(*mirror, aligned, scan, measured_vertices, image, scans, task.region);
+    task.mirror = &*mirror;
+  }
+  task.scans = scans;
+  Wrapped result = measured(topology, aligned.positions,
+                            nonrigid_icp(std::move(task), kernels, progress), scans[0], region);
+  result.report.alignment = std::move(alignment);
   return result;
 }
 
@@ -122,23 +178,23 @@ Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, 
   const ProgressScope scope(progress);
   require_surface(wrapped, "template");
   const bool is_cloud = scan.face_count() == 0 && scan.vertex_count() > 0;
+  if (!is_cloud) require_surface(scan, "scan");
+  const JoinedSurface scan_seams = is_cloud ? JoinedSurface() : joined_surface(scan);
   const Mesh surfels = is_cloud ? surfels_of(scan, "scan") : Mesh();
-  const Mesh& searched = is_cloud ? surfels : scan;
-  require_surface(searched, "scan");
-  const Topology& topology = wrapped.topology();
-  EditRegion region;
-  region.roi = surface_vertices(topology);
-  region.targets = resolve_targets(request.landmarks, region.roi, {}, wrapped);
-  region.stiffness = resolve_stiffness(request.stiffness, region.roi, wrapped);
-  const ScanSurface of_scan(searched.topology(), searched.positions, scan.vertex_count());
-  report_progress(progress, "align", 0.0);
-  Alignment alignment =
-      align(ScanSurface(topology, wrapped.positions), of_scan, region.targets, request.aligned);
-  FittedTemplate fitted =
-      nonrigid_icp(topology, mapped(alignment.map, wrapped.positions),
-                   mapped(alignment.start, wrapped.positions), of_scan, region, kernels, progress);
-  Wrapped result = measured(topology, std::move(fitted), of_scan, region);
-  result.report.alignment = std::move(alignment);
+  const Mesh& searched = is_cloud ? surfels : scan_seams.empty() ? scan : scan_seams.surface;
+  const JoinedSurface seams = joined_surface(wrapped);
+  WrapRequest on_leaders = request;
+  if (!seams.empty()) {
+    on_leaders.landmarks = led(request.landmarks, seams);
+    for (StiffnessSpec& spec : on_leaders.stiffness) spec = led(std::move(spec), seams);
+  }
+  Wrapped result = wrap_joined(seams.empty() ? wrapped : seams.surface, searched,
+                               scan.vertex_count(), on_leaders, kernels, progress);
+  seams.close(result.positions);
+  for (const Index v : seams.followers) {
+    result.counterparts[v] = result.counterparts[seams.leaders[v]];
+    result.distances[v] = result.distances[seams.leaders[v]];
+  }
   if (is_cloud) {
     for (SurfacePoint& point : result.counterparts) point = point_of_surfel(point);
   }

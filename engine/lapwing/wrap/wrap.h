@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/deform/modifiers/mirror.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/closest_point.h"
@@ -17,11 +19,17 @@
 namespace lapwing {
 
 struct WrapRequest {
-  /// Points of the template and their positions on the scan. `file` and `hard` have no effect.
+  /// Points of the template and their positions on the scan. If they are `hard`, they are reached
+  /// within a millionth of an edge length. `file` has no effect.
   TargetSpec landmarks = {.where = "landmarks"};
   bool aligned = false;  ///< the template is already in place; do not align it first
   /// Parts of the template that bend less or more than the rest.
   std::vector<StiffnessSpec> stiffness = {};
+  /// The template's plane of symmetry. If given, the result is symmetric about the plane to which
+  /// the alignment maps it.
+  std::optional<MirrorSpec> mirror = {};
+  /// At the end, moves each vertex that has a counterpart to the closest point of the scan.
+  bool detail = false;
   bool operator==(const WrapRequest&) const = default;
 };
 
@@ -68,13 +76,15 @@ struct Wrapped {
 /// the scan, or that are far apart compared with the others pull little or nothing.
 ///
 /// Parts of the template without a counterpart keep their shape and follow the rest. Landmarks are
-/// prescribed from the first step on. All triangles of both meshes must be consistently oriented
-/// outward. The scan may be a point cloud with normals: a mesh without faces and with one stored
-/// normal per vertex.
+/// prescribed from the first step on. With `mirror`, the scan and its mirror image pull the
+/// template equally, and each pose is made exactly symmetric. With `detail`, a last minimization
+/// prescribes the closest points, and only vertices without a counterpart are free. All triangles
+/// of both meshes must be consistently oriented outward. The scan may be a point cloud with
+/// normals: a mesh without faces and with one stored normal per vertex.
 ///
 /// Runs about forty minimizations. Reports the stages "align" and "wrap". Throws InputError if a
-/// mesh has no surface, and the errors of `resolve_targets`, `align_points` and `align_surfaces`.
-/// Also throws SolverError, GpuError and Cancelled.
+/// mesh has no surface, and the errors of `resolve_targets`, `align_points`, `align_surfaces` and
+/// `TemplateMirror`. Also throws SolverError, GpuError and Cancelled.
 Wrapped wrap(const Mesh& wrapped, const Mesh& scan, const WrapRequest& request, Kernels& kernels,
              const Progress& progress = {});
 

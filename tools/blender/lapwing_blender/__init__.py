@@ -20,6 +20,7 @@ from . import (
     operators_recipe,
     operators_region,
     operators_surface,
+    operators_transfer,
     operators_wrap,
     panel,
     preferences,
@@ -30,7 +31,8 @@ from . import (
 _CLASSES = (
     *preferences.CLASSES, *operators_region.CLASSES, *operators_edit.CLASSES,
     *operators_grab.CLASSES, *operators_surface.CLASSES, *operators_wrap.CLASSES,
-    *operators_recipe.CLASSES, *operators_bake.CLASSES, *panel.CLASSES,
+    *operators_transfer.CLASSES, *operators_recipe.CLASSES, *operators_bake.CLASSES,
+    *panel.CLASSES,
 )
 
 

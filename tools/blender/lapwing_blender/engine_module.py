@@ -75,6 +75,18 @@ class ModuleEngine:
         with self.heard(progress):
             return self._module.grab_region(self._mesh(mesh), vertex, radius, factor=reach).vertices
 
+    def transfer(
+        self, source: MeshArrays, poses: Sequence[np.ndarray], target: MeshArrays,
+        landmarks: Sequence[Mapping[str, Any]], aligned: bool, progress: Progress,
+    ) -> Tuple[List[np.ndarray], List[str]]:
+        """Returns the target's vertices in each pose of the source, and the warnings."""
+        with self.heard(progress) as hear:
+            moved = self._module.transfer(
+                self._mesh(source), np.stack(poses), self._mesh(target), list(landmarks),
+                aligned=aligned, progress=hear,
+            )
+        return list(moved.vertices), [in_words(text) for text in moved.warnings]
+
     def run(
         self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],
         progress: Progress,

@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import tempfile
+from dataclasses import replace
 from typing import Any, Dict, List, Mapping, Sequence, Tuple
 
 import numpy as np
@@ -84,6 +85,35 @@ class ProgramEngine:
             "Lapwing Grab needs the engine as a Python module; set the path in the add-on's "
             "preferences to the folder of the module 'lapwing'"
         )
+
+    def transfer(
+        self, source: MeshArrays, poses: Sequence[np.ndarray], target: MeshArrays,
+        landmarks: Sequence[Mapping[str, Any]], aligned: bool, progress: Progress,
+    ) -> Tuple[List[np.ndarray], List[str]]:
+        """Returns the target's vertices in each pose of the source, and the warnings."""
+        names = [f"{k:05}.ply" for k in range(len(poses))]
+        arguments = ["transfer", "rest.ply", "poses", "--onto", "target.ply", "-o", "posed"]
+        arguments += ["--aligned"] if aligned else []
+        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
+            os.mkdir(os.path.join(folder, "poses"))
+            write_ply(os.path.join(folder, "rest.ply"), source)
+            write_ply(os.path.join(folder, "target.ply"), target)
+            for name, vertices in zip(names, poses):
+                pose = replace(source, vertices=vertices)
+                write_ply(os.path.join(folder, "poses", name), pose)
+            if landmarks:
+                _write_json(os.path.join(folder, "landmarks.json"), list(landmarks))
+                arguments += ["--landmarks", "landmarks.json"]
+            said = self.call(folder, arguments, progress)
+            warning = "lapwing: warning: "
+            warnings = [
+                in_words(line[len(warning):]) for line in said.splitlines()
+                if line.startswith(warning)
+            ]
+            return [
+                read_ply(os.path.join(folder, "posed", name), vertices_only=True).vertices
+                for name in names
+            ], warnings
 
     def run(
         self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],

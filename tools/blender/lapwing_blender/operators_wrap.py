@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List
 
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
+from .arrays import world_matrix
 from .background import warn
+from .edit_request import mirror_plane
 from .engine import Outcome
 from .errors import Refusal
 from .operators_surface import Step, SurfaceOperator, other_object
@@ -41,6 +43,26 @@ def landmarks_of(obj: bpy.types.Object) -> Dict[str, bpy.types.Object]:
     return found
 
 
+class Landmarks:
+    """The Empties of a template and of a scan that have the same name."""
+
+    def __init__(self, template: bpy.types.Object, scan: bpy.types.Object) -> None:
+        ours, theirs = landmarks_of(template), landmarks_of(scan)
+        names = [name for name in ours if name in theirs]
+        self.pairs = [(ours[name].name, theirs[name].name) for name in names]
+        #: As in a recipe, in the world.
+        self.rows = [
+            {"label": ours[name].name, "point": list(ours[name].matrix_world.translation),
+             "position": list(theirs[name].matrix_world.translation)}
+            for name in names
+        ]
+        self.notes = [
+            f"The Empty '{left[name].name}' has no effect: '{other.name}' has no Empty of this name"
+            for left, right, other in ((ours, theirs, scan), (theirs, ours, template))
+            for name in left if name not in right
+        ]
+
+
 def report_lines(obj: bpy.types.Object) -> List[str]:
     """Returns the report of the last wrap of `obj` for the panel."""
     report = json.loads(obj.get(PROPERTY, "{}"))
@@ -64,38 +86,33 @@ class LAPWING_OT_wrap(SurfaceOperator, bpy.types.Operator):
     bl_label = "Lapwing Wrap"
     bl_description = (
         "Deforms the active mesh so that it covers the other selected mesh, a scan. Empties with "
-        "equal names, one parented to each mesh, are landmarks"
+        "equal names, one parented to each mesh, are landmarks. X Symmetry keeps the mesh symmetric"
     )
     bl_options = {"REGISTER", "UNDO"}
 
     scan: StringProperty(name="Scan", description="Without it, the other selected mesh")
     aligned: BoolProperty(name="Aligned", description="The active mesh is already in place")
+    hard: BoolProperty(name="Hard Landmarks", description="Reach the landmarks exactly")
+    detail: BoolProperty(
+        name="Detail", description="Move vertices exactly onto the scan at the end"
+    )
+    shown = ("scan", "aligned", "hard", "detail")
 
     def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout
         layout.use_property_split = True
-        layout.prop(self, "scan")
-        layout.prop(self, "aligned")
+        for name in self.shown:
+            layout.prop(self, name)
 
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         scan = other_object(context, self.scan, "The scan")
-        ours, theirs = landmarks_of(obj), landmarks_of(scan)
-        self._pairs: List[Tuple[str, str]] = [
-            (ours[name].name, theirs[name].name) for name in ours if name in theirs
-        ]
-        self._notes = [
-            f"The Empty '{left[name].name}' has no effect: '{other.name}' has no Empty of this name"
-            for left, right, other in ((ours, theirs, scan), (theirs, ours, obj))
-            for name in left if name not in right
-        ]
-        step: Dict[str, Any] = {"op": "wrap", "scan": "scan.ply", "aligned": self.aligned}
-        landmarks = [
-            {"label": ours[name].name, "point": list(ours[name].matrix_world.translation),
-             "position": list(theirs[name].matrix_world.translation)}
-            for name in ours if name in theirs
-        ]
-        if landmarks:
-            step["landmarks"] = landmarks
+        self._landmarks = Landmarks(obj, scan)
+        step: Dict[str, Any] = {"op": "wrap", "scan": "scan.ply", "aligned": self.aligned,
+                                "hard": self.hard, "detail": self.detail}
+        if obj.data.use_mirror_x:
+            step["mirror"] = mirror_plane(obj, world_matrix(obj))
+        if self._landmarks.rows:
+            step["landmarks"] = self._landmarks.rows
         yield
         return step, {"scan.ply": scan.name}
 
@@ -104,10 +121,10 @@ class LAPWING_OT_wrap(SurfaceOperator, bpy.types.Operator):
         obj = bpy.data.objects[self._name]
         obj[PROPERTY] = json.dumps(value.steps[-1]["wrap"])
         # Keep the Empties of the template on its surface, so that it can be wrapped again.
-        for ours, theirs in self._pairs:
+        for ours, theirs in self._landmarks.pairs:
             place = bpy.data.objects[theirs].matrix_world.translation
             bpy.data.objects[ours].matrix_world.translation = place
-        warn(self, self._notes)
+        warn(self, self._landmarks.notes)
 
 
 CLASSES = (LAPWING_OT_wrap,)

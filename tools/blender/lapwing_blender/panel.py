@@ -133,7 +133,7 @@ class LAPWING_PT_surfaces(_Panel, bpy.types.Panel):
 
 
 class LAPWING_PT_wrap(_Panel, bpy.types.Panel):
-    bl_label = "Wrap"
+    bl_label = "Wrap and Transfer"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -142,7 +142,11 @@ class LAPWING_PT_wrap(_Panel, bpy.types.Panel):
             "Select the scan, then the template. Landmarks: Empties with equal names, parented to "
             "both", icon="INFO",
         )
-        self.layout.operator("lapwing.wrap", text="Wrap onto Scan", icon="MOD_SHRINKWRAP")
+        column = self.layout.column(align=True)
+        column.operator("lapwing.wrap", text="Wrap onto Scan", icon="MOD_SHRINKWRAP")
+        column.operator(
+            "lapwing.transfer_shape_keys", text="Transfer Shape Keys", icon="SHAPEKEY_DATA"
+        )
         for line in report_lines(context.object):
             draw_text(self.layout, context, line, icon="DOT")
 

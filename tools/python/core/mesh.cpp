@@ -16,9 +16,16 @@
 namespace lapwing::python {
 namespace {
 
-std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& path) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& path,
+                               const py::dict& morph_targets) {
+  WriteOptions options;
+  for (const auto& [name, vertices] : morph_targets) {
+    options.morph_targets.push_back(
+        {name.cast<std::string>(),
+         positions_of(py::reinterpret_borrow<py::object>(vertices), mesh.vertex_count())});
+  }
   const py::gil_scoped_release unlocked;
-  WriteReport report = write_mesh(mesh, path);
+  WriteReport report = write_mesh(mesh, path, options);
   std::vector<std::string> notes;
   for (const std::string& line : report.not_carried) notes.push_back("not carried over: " + line);
   notes.insert(notes.end(), report.notes.begin(), report.notes.end());
@@ -42,6 +49,14 @@ Mesh read(const std::filesystem::path& path) {
 Mesh with_vertices(Mesh mesh, const py::object& vertices) {
   mesh.positions = positions_of(vertices, mesh.vertex_count());
   return mesh;
+}
+
+py::dict morph_targets_of(const Mesh& mesh) {
+  py::dict targets;
+  for (const MorphTarget& target : read_morph_targets(mesh)) {
+    targets[py::str(target.name)] = read_only(array_of(target.positions));
+  }
+  return targets;
 }
 
 std::vector<std::string> shape_names() {
@@ -77,6 +92,9 @@ void add_mesh(py::module_& module) {
       .def_property_readonly(
           "faces", [](const Mesh& mesh) { return read_only(faces_of(mesh)); },
           "(m, k) uint32, or a list of arrays if the polygons differ in size.")
+      .def_property_readonly(
+          "morph_targets", &morph_targets_of,
+          "The vertices at the weight 1, by name, for each morph target of a glTF file.")
       .def_property_readonly("vertex_count", &Mesh::vertex_count)
       .def_property_readonly("face_count", &Mesh::face_count)
       .def("__iter__", &arrays_of, "V, F = mesh")
@@ -87,7 +105,7 @@ void add_mesh(py::module_& module) {
                std::to_string(mesh.face_count()) + " faces)";
       });
   module.def("read", &read, py::arg("path"));
-  module.def("write", &write, py::arg("mesh"), py::arg("path"));
+  module.def("write", &write, py::arg("mesh"), py::arg("path"), py::arg("morph_targets"));
   module.def("shape", &shape, py::arg("name"));
   module.def("shape_names", &shape_names);
 }

@@ -13,8 +13,10 @@
 #include "lapwing/mesh/subdivide_mesh.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/recipe/read_values.h"
+#include "lapwing/recipe/step.h"
 #include "lapwing/region/grab_region.h"
 #include "lapwing/remesh/remesh.h"
+#include "lapwing/run/run_step.h"
 #include "lapwing/transfer/transfer.h"
 #include "lapwing/wrap/landmarks.h"
 #include "lapwing/wrap/wrap.h"
@@ -100,18 +102,14 @@ py::dict dict_of(const SurfaceDistance& distance) {
                   "max"_a = distance.max);
 }
 
-py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& landmarks, bool aligned,
-                   const std::string& stiffness, const py::object& heard) {
+py::dict wrap_mesh(const Mesh& mesh, const Mesh& scan, const std::string& step_json,
+                   const py::object& heard) {
   std::vector<std::string> notes;
   const Wrapped result = Interruptible(heard).call([&](const Progress& progress) {
-    const LandmarkSpec rows =
-        with_rows(read_landmarks(JsonNode::parse(landmarks, "wrap: landmarks")), {}, notes);
-    WrapRequest request{.landmarks = targets_of(rows, mesh, scan), .aligned = aligned};
-    for (const JsonNode& part : JsonNode::parse(stiffness, "wrap: stiffness").elements()) {
-      request.stiffness.push_back(read_stiffness(part));
-    }
+    const auto step = std::get<WrapStep>(read_step(JsonNode::parse(step_json, "wrap")));
+    const LandmarkSpec landmarks = with_rows(step.landmarks, {}, notes);
     CpuKernels kernels;
-    return wrap(mesh, scan, request, kernels, progress);
+    return wrap(mesh, scan, wrap_request(step, landmarks, mesh, scan), kernels, progress);
   });
   Mesh wrapped = mesh;
   wrapped.positions = result.positions;
@@ -277,8 +275,7 @@ void add_mesh_operations(py::module_& module) {
   module.def("remesh", &remesh_mesh, "mesh"_a, "region"_a, "length"_a, "scale"_a, "iterations"_a,
              "feature_degrees"_a, "progress"_a);
   module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
-  module.def("wrap", &wrap_mesh, "mesh"_a, "scan"_a, "landmarks"_a, "aligned"_a, "stiffness"_a,
-             "progress"_a);
+  module.def("wrap", &wrap_mesh, "mesh"_a, "scan"_a, "step"_a, "progress"_a);
   module.def("transfer", &transfer_poses, "source"_a, "poses"_a, "target"_a, "landmarks"_a,
              "correspondence"_a, "held"_a, "aligned"_a, "progress"_a);
   module.def("grab_region", &grab_region_of, "mesh"_a, "vertex"_a, "radius"_a, "factor"_a);

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from typing import List, Optional, Union
+from typing import List, Mapping, Optional, Union
 
 from . import _core
 from ._arguments import mesh_of
-from ._types import FacesLike, MeshOrVertices
+from ._types import Array, FacesLike, MeshOrVertices
 
 Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 
@@ -19,12 +19,16 @@ def read(path: Path) -> _core.Mesh:
 
 
 def write(
-    path: Path, mesh: MeshOrVertices, faces: Optional[FacesLike] = None
+    path: Path, mesh: MeshOrVertices, faces: Optional[FacesLike] = None,
+    morph_targets: Optional[Mapping[str, Array]] = None,
 ) -> List[str]:
     """Writes a mesh in the format of the extension, and replaces the file in one step. A mesh that
-    was read keeps the data of its file. Returns notes, for example on what the format cannot hold.
+    was read keeps the data of its file. `morph_targets`, vertices of shape (n, 3) by name, are
+    added to those of a mesh that was read from a glTF file. Returns notes, for example on what the
+    format cannot hold.
     """
-    return _core.write(mesh_of(mesh, faces, "write: mesh"), os.fspath(path))
+    chosen = mesh_of(mesh, faces, "write: mesh")
+    return _core.write(chosen, os.fspath(path), dict(morph_targets or {}))
 
 
 def shape(name: str) -> _core.Mesh:

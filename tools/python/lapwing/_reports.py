@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence
+from typing import Any, Dict, Iterator, List, Literal, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
@@ -347,6 +347,9 @@ def wrap(
     scan_faces: Optional[FacesLike] = None,
     aligned: bool = False,
     stiffness: Any = None,
+    mirror: Union[str, Mapping[str, Any], None] = None,
+    hard: bool = False,
+    detail: bool = False,
     progress: Optional[Progress] = None,
 ) -> Wrapped:
     """Deforms a template so that it covers a scan, which has other vertices and triangles.
@@ -357,8 +360,11 @@ def wrap(
     as 3D Slicer saves them. Three landmarks align the template. Without them, the template is
     aligned by comparing the shapes of both surfaces, which can fail for symmetric surfaces. If
     `aligned` is true, the template is already in place and is only deformed. `stiffness` has the
-    same meaning as for `deform`. The faces of both meshes must be oriented outward. The scan may
-    be a point cloud with normals and without faces, as `read` returns it.
+    same meaning as for `deform`. `mirror` is the plane in which the template is symmetric, as for
+    `deform`; the result is then symmetric, too. If `hard` is true, landmarks are reached exactly.
+    If `detail` is true, vertices with a counterpart end exactly on the scan. The faces of both
+    meshes must be oriented outward. The scan may be a point cloud with normals and without faces,
+    as `read` returns it.
 
         wrapped = lapwing.wrap(template, scan, {12: [0, 1, 0], 801: [4, 0, 0], 77: [0, 0, 2]})
         assert not wrapped.trouble, wrapped.trouble
@@ -366,12 +372,13 @@ def wrap(
     chosen = mesh_of(template, faces, "wrap: template")
     covered = mesh_of(scan, scan_faces, "wrap: scan")
     rows = wrap_landmarks_of(landmarks, chosen.vertex_count, "wrap: landmarks")
-    parts = (
-        []
-        if stiffness is None
-        else stiffness_of(stiffness, chosen.vertex_count, "wrap: stiffness")
-    )
-    found = _core.wrap(chosen, covered, json.dumps(rows), aligned, json.dumps(parts), progress)
+    step: Dict[str, Any] = {"op": "wrap", "scan": "scan", "landmarks": rows, "aligned": aligned}
+    step.update(hard=hard, detail=detail)
+    if stiffness is not None:
+        step["stiffness"] = stiffness_of(stiffness, chosen.vertex_count, "wrap: stiffness")
+    if mirror is not None:
+        step["mirror"] = mirror
+    found = _core.wrap(chosen, covered, json.dumps(step), progress)
     for name in ("to_scan", "to_template"):
         found[name] = Distance(**found[name])
     return Wrapped(**found)
