@@ -265,6 +265,22 @@ TEST_F(Guides, SayThatACutNeedsARegionAndAName) {
   expect_says("Type a name for the part.");
 }
 
+TEST_F(Guides, SayThatACutWaitsForTheLastMove) {
+  viewer_->key('I');
+  drag_disk(60.0);
+  viewer_->key('H');
+  drag_disk(15.0);
+  viewer_->click("Transplant");
+  viewer_->click("More parts");
+  // Cancels at once, because a result would end the message.
+  auto& editor = const_cast<Editor&>(viewer_->app().document()->editor);
+  editor.actions().perform(MoveHandle{0, SimilarityMove{.translate = {1.0, 0.0, 0.0}}});
+  editor.session().cancel_settling();
+  expect_says("The last move is not refined yet.");
+  viewer_->key('Z', kControl);
+  expect_says("Type a name for the part.");
+}
+
 TEST_F(Guides, EnterCutsOutTheNamedPart) {
   viewer_->click("Transplant");
   viewer_->click("More parts");

@@ -149,6 +149,7 @@ TEST_F(ATurntableOfTheViewer, WithoutFfmpegIsNumberedPictures) {
       "some are written");
   viewer_->click("Cancel");
   EXPECT_TRUE(viewer_->says("only the first"));
+  EXPECT_FALSE(viewer_->says("first 1 frames"));
   EXPECT_TRUE(std::filesystem::exists(viewer_->folder() / "tube-turntable-0001.png"));
 }
 

@@ -160,6 +160,31 @@ TEST(Command, CommitMovesTheRestShapeToTheResult) {
   EXPECT_EQ(chosen.selection.handles.size(), 2U);
 }
 
+TEST(Command, TheEditHasTheBeltAndTheHeldHolesOfItsStep) {
+  Mesh ball;
+  const Mesh whole = icosphere(3);
+  ball.positions = whole.positions;
+  for (Index f = 0; f < whole.face_count(); ++f) {
+    if (ball.positions[whole.face(f)[0]].z() > -0.9) ball.add_face(whole.face(f));
+  }
+  AppState state = apply(open_state(ball), Choose{kRoi, {AllVertices{}}});
+  state = apply(state, Choose{kHandle, listed({0, 1, 2, 3})});
+  const auto expect_step = [](const AppState& chosen) {
+    const EditRegion expected = resolve_edit_region(open_step(chosen), *chosen.rest);
+    EXPECT_EQ(edit_region(chosen).belt, expected.belt);
+    EXPECT_EQ(edit_region(chosen).held_holes, expected.held_holes);
+    return expected.held_holes.size();
+  };
+  EXPECT_EQ(expect_step(state), 1U);
+  Falloff painted;
+  painted.field.assign(ball.vertex_count(), 0.0);
+  painted.field[1] = 1.0;
+  expect_step(apply(state, SetFalloff{0, painted}));
+  AppState undone = apply(state, NewEdit{});
+  Change(state, undone).undo(undone);
+  EXPECT_EQ(expect_step(undone), 1U);
+}
+
 TEST(Command, ANewEditKeepsWhatWasDoneAndChoosesNothing) {
   AppState before = apply(settled_tube(), SetBeltWidth{0.2});
   before = apply(before, Settle{handles_alone(before)});

@@ -317,6 +317,40 @@ TEST_F(ASession, RestoredAfterUndoCanRedoALaterMoveOfTheSameHandle) {
   EXPECT_EQ(positions(), third);
 }
 
+TEST_F(ASession, RestoredAfterUndoCanRedoEachMoveOfAHandle) {
+  const Positions rest = positions();
+  const std::size_t before = session_->history().done();
+  drag(bent());
+  const Positions first = positions();
+  drag(twisted(-10.0));
+  const Positions second = positions();
+  session_->go_to(before);
+  for (const char* time : {"after a crash", "after another"}) {
+    crash_and_restore();
+    EXPECT_EQ(positions(), rest) << time;
+    session_->redo();
+    EXPECT_EQ(positions(), first) << time;
+    session_->redo();
+    EXPECT_EQ(positions(), second) << time;
+    EXPECT_FALSE(session_->history().can_redo()) << time;
+    session_->undo();
+    session_->undo();
+  }
+}
+
+TEST_F(ASession, GrabThatACrashInterruptsIsNoStep) {
+  drag(bent());
+  const Positions before = positions();
+  const RegionSpec disk{GeodesicDisk{Index{20}, 1.2}, "ROI"};
+  session_->perform(Grab{choose(disk, *surface_of(session_->state())),
+                         {GeodesicDisk{Index{20}, 0.3}, "handle"},
+                         {.transition = Transition{.width = 0.3}}});
+  crash_and_restore();
+  EXPECT_THAT(session_->history().names(), ::testing::Not(::testing::Contains("Grab")));
+  EXPECT_EQ(positions(), before);
+  EXPECT_TRUE(session_->state().settled);
+}
+
 TEST_F(ASession, GrabsAreRestoredAsTheStepsThatTheyWere) {
   const auto grab = [this](Index center) {
     const RegionSpec disk{GeodesicDisk{center, 1.2}, "ROI"};

@@ -42,7 +42,7 @@ void print_certificate(const Certificate& c, double diagonal) {
       "  %s %.1e, handle error %.2g of the diagonal, scale %s to %s,\n"
       "  largest rotation %.1f degrees, %s,\n"
       "  detail error %s, edge stretch %s",
-      c.settle_iterations > 0 ? "balance" : "residual",
+      c.settle_iterations > 0 ? "residual force" : "residual",
       c.settle_iterations > 0 ? c.relative_gradient : c.relative_residual,
       diagonal > 0.0 ? c.handle_error / diagonal : 0.0, measured(c.smallest_scale).c_str(),
       measured(c.largest_scale).c_str(), c.largest_rotation_degrees,

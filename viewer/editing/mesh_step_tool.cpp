@@ -7,12 +7,12 @@
 
 namespace lapwing::viewer {
 
-MeshStepTool::MeshStepTool(std::shared_ptr<const Mesh> mesh, std::vector<Hole> holes,
+MeshStepTool::MeshStepTool(std::shared_ptr<const Mesh> mesh, CheckReport report,
                            const std::shared_ptr<gpu::Context>& context, std::function<void()> wake)
     : preview_(kernels_like(context), wake),
-      holes_of_(std::move(mesh)),
-      holes_(std::move(holes)),
-      finding_(kernels_like(context), std::move(wake)) {}
+      checked_(std::move(mesh)),
+      report_(std::move(report)),
+      checking_(kernels_like(context), std::move(wake)) {}
 
 void MeshStepTool::preview(const Step& step) {
   preview_.stop();
@@ -46,25 +46,25 @@ void MeshStepTool::start(const Editor& editor) {
   preview_.start(editor.state(), *step_);
 }
 
-void MeshStepTool::update_holes(const Editor& editor) {
+void MeshStepTool::update_report(const Editor& editor) {
   const std::shared_ptr<const Mesh>& rest = editor.state().rest;
-  if (!rest->shares_faces_with(*holes_of_)) {
-    holes_of_ = rest;
-    holes_.reset();
-    finding_.start([rest](const std::shared_ptr<Kernels>&, const Progress& progress) {
+  if (!rest->shares_faces_with(*checked_)) {
+    checked_ = rest;
+    report_.reset();
+    checking_.start([rest](const std::shared_ptr<Kernels>&, const Progress& progress) {
       const ProgressScope scope(progress);
-      return find_holes(*rest);
+      return check(*rest);
     });
   }
   try {
-    if (auto found = finding_.take()) holes_ = std::move(found);
+    if (auto report = checking_.take()) report_ = std::move(report);
   } catch (const Error&) {
-    holes_.emplace();  // the step that needs the holes reports why
+    report_.emplace();  // the step that needs the holes reports why
   }
 }
 
 void MeshStepTool::update(Editor& editor, bool others_preview) {
-  update_holes(editor);
+  update_report(editor);
   if (!step_) return;
   const bool is_changed =
       rest_ && (editor.state().rest != rest_ || editor.state().settled != settled_);
@@ -88,7 +88,7 @@ void MeshStepTool::release_device() {
 
 void MeshStepTool::use_device(const std::shared_ptr<gpu::Context>& context) {
   preview_.use_kernels(kernels_like(context));
-  finding_.use_kernels(kernels_like(context));
+  checking_.use_kernels(kernels_like(context));
 }
 
 }  // namespace lapwing::viewer

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "editing/editor.h"
-#include "lapwing/doctor/holes.h"
+#include "lapwing/doctor/check.h"
 #include "work/step_preview.h"
 
 namespace lapwing::viewer {
@@ -21,11 +21,11 @@ struct MeshStepDrafts {
 };
 
 /// Lets the user remesh, decimate and subdivide the mesh, and fill its holes. Computes and shows a
-/// preview, and applies it as one step. Also finds the holes of the surface.
+/// preview, and applies it as one step. Also checks the surface when its triangles change.
 class MeshStepTool {
  public:
-  /// `holes` are those of `mesh`.
-  MeshStepTool(std::shared_ptr<const Mesh> mesh, std::vector<Hole> holes,
+  /// `report` is about `mesh`.
+  MeshStepTool(std::shared_ptr<const Mesh> mesh, CheckReport report,
                const std::shared_ptr<gpu::Context>& context, std::function<void()> wake);
 
   MeshStepDrafts drafts;
@@ -46,8 +46,9 @@ class MeshStepTool {
 
   const StepPreview& result() const { return preview_; }
 
-  /// Returns the holes of the surface, or null while they are being found.
-  const std::vector<Hole>* holes() const { return holes_ ? &*holes_ : nullptr; }
+  /// Returns the report about the surface, or null while it is being checked. Moving vertices does
+  /// not renew the report.
+  const CheckReport* report() const { return report_ ? &*report_ : nullptr; }
 
   /// Call this once per frame, after the editor's update. Closes the preview if the user edits the
   /// mesh or `others_preview` is true.
@@ -57,7 +58,7 @@ class MeshStepTool {
   void use_device(const std::shared_ptr<gpu::Context>& context);
 
  private:
-  void update_holes(const Editor& editor);
+  void update_report(const Editor& editor);
   void start(const Editor& editor);
 
   std::optional<Step> step_;
@@ -66,9 +67,9 @@ class MeshStepTool {
   std::shared_ptr<const MovedVertices> settled_;
   bool shown_ = false;
   StepPreview preview_;
-  std::shared_ptr<const Mesh> holes_of_;
-  std::optional<std::vector<Hole>> holes_;
-  Job<std::vector<Hole>> finding_;
+  std::shared_ptr<const Mesh> checked_;
+  std::optional<CheckReport> report_;
+  Job<CheckReport> checking_;
 };
 
 }  // namespace lapwing::viewer

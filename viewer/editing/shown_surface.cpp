@@ -51,6 +51,7 @@ void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   make(now_ ? *now_ : *opened_);
   measured_.reset();
   dragged_version_.reset();
+  spheres_.reset();
   needs_classes_ = true;
 }
 
@@ -120,6 +121,7 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
     make(mesh);
     measured_.reset();
     dragged_version_.reset();
+    spheres_.reset();
     needs_classes_ = true;
   }
   device_->surface.place(positions);
@@ -215,7 +217,11 @@ std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
     if (!triangle) return {};
     if (const auto found = pick_triangle(topology, positions, *triangle, ray)) return found;
   }
-  return pick_surface(topology, positions, ray);
+  if (!spheres_ || spheres_version_ != device_->surface.version()) {
+    spheres_.emplace(topology, positions);
+    spheres_version_ = device_->surface.version();
+  }
+  return pick_surface(topology, positions, ray, &*spheres_);
 }
 
 // Applies the device's response and motions once per version of the surface.

@@ -170,7 +170,15 @@ CarriedFiles carried_of(const AppState& state) {
 EditRegion edit_region(const AppState& state) {
   if (state.mirrored) return state.mirrored->region;
   const Mesh& surface = *surface_of(state);
-  return resolve_edit_region(mirrored_request(step_on_surface(state), surface).request, surface);
+  DeformRequest step = step_on_surface(state);
+  if (state.selection.mirror) {
+    return resolve_edit_region(mirrored_request(step, surface).request, surface);
+  }
+  // Like the ROI, the belt is listed, because it was already found when it was chosen.
+  step.belt = RegionSpec{ListedVertices{state.selection.belt.vertices}, "belt"};
+  EditRegion region = resolve_edit_region(step, surface);
+  if (state.selection.belt_fraction) region.held_holes = state.selection.held_holes;
+  return region;
 }
 
 void renew_mirror(AppState& state) {

@@ -42,6 +42,7 @@ Change::RegionChange Change::difference(const ChosenRegion& before, const Chosen
 Change::Change(const AppState& before, const AppState& after)
     : roi_(difference(before.selection.roi, after.selection.roi)),
       belt_(difference(before.selection.belt, after.selection.belt)),
+      held_holes_(both(before.selection.held_holes, after.selection.held_holes)),
       handle_counts_{before.selection.handles.size(), after.selection.handles.size()},
       falloffs_(both(falloffs_of(before), falloffs_of(after))),
       mirror_(both(before.selection.mirror, after.selection.mirror)),
@@ -114,6 +115,7 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
   for (std::size_t h = 0; falloffs_ && h < handle_counts_[to]; ++h) {
     selection.handles[h].falloff = (*falloffs_)[to][h];
   }
+  if (held_holes_) selection.held_holes = (*held_holes_)[to];
   if (mirror_) selection.mirror = (*mirror_)[to];
   if (mirrored_) state.mirrored = (*mirrored_)[to];
   if (stiffness_) selection.stiffness = (*stiffness_)[to];

@@ -47,6 +47,7 @@ class Change {
 
   RegionChange roi_;
   RegionChange belt_;
+  Both<std::vector<Index>> held_holes_;
   std::array<std::size_t, 2> handle_counts_{};
   std::vector<RegionChange> handles_;    // a handle that one state lacks counts as empty there
   Both<std::vector<Falloff>> falloffs_;  // one per handle

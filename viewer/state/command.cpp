@@ -234,6 +234,7 @@ struct Applier {
     if (handle.falloff == command.falloff) return;
     require_falloff_here(state, command.falloff, "handle " + std::to_string(command.handle + 1));
     handle.falloff = command.falloff;
+    renew_belt(state.selection, *state.rest, joined_seams(state));
     state.settled = nullptr;
   }
   void operator()(const RemoveHandle& command) const {

@@ -77,6 +77,14 @@ bool is_grab(const DeformRequest& step) {
   return roi != nullptr && handle != nullptr && roi->center == handle->center;
 }
 
+}  // namespace
+
+bool is_begun_grab(const DeformRequest& step) {
+  return is_grab(step) && step.handles[0].move == Move(SimilarityMove{});
+}
+
+namespace {
+
 // Carries out a Grab as one step, as it was made. Returns false if the step is not a Grab, or if it
 // also changes other settings of the edit.
 bool perform_grab(History& history, const DeformRequest& step) {
@@ -231,6 +239,7 @@ void perform(History& history, const Recipe& recipe, const CarryOut& carry_out) 
 History from_draft(AppState start, const Draft& draft, const CarryOut& carry_out) {
   History history(std::move(start));
   for (const Step& step : draft.steps) perform(history, step, carry_out);
+  if (is_begun_grab(draft.open)) return history;
   perform(history, draft.open, draft.settled ? carry_out.solve : Solve{});
   return history;
 }

@@ -77,15 +77,15 @@ ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
 
 void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined) {
   if (!selection.belt_fraction) return;
-  VertexSet belt;
+  BorderBelt belt;
   if (!selection.roi.vertices.empty()) {
     std::vector<VertexSet> handles;
     for (const ChosenHandle& handle : selection.handles) handles.push_back(fully_held(handle));
     belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices, handles,
-                               joined == nullptr ? mesh : joined->surface)
-               .vertices;
+                               joined == nullptr ? mesh : joined->surface);
   }
-  selection.belt = painted(std::move(belt));
+  selection.belt = painted(std::move(belt.vertices));
+  selection.held_holes = std::move(belt.held_holes);
 }
 
 std::vector<StiffnessSpec> painted_stiffness(std::vector<StiffnessSpec> stiffness,

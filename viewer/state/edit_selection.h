@@ -60,6 +60,7 @@ struct EditSelection {
   /// The belt's width as a fraction of the ROI's radius. If not set, the belt was chosen by hand.
   std::optional<double> belt_fraction = BoundaryAnchors{}.fraction;
   ChosenRegion belt;
+  std::vector<Index> held_holes;  ///< BorderBelt::held_holes of a belt with a width
   /// If set, the edit is applied to both sides of this plane.
   std::optional<MirrorPlane> mirror;
   /// DeformRequest::stiffness. The next edit keeps it.

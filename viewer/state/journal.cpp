@@ -166,26 +166,26 @@ bool wants_result(const AppState& state) {
   return state.settled && state.parameters.settle && !uses_substeps(state.parameters, state.moves);
 }
 
-// Follows the drafts of a journal, to find the steps that were undone.
+// Follows the drafts of a journal, to find the steps that were undone. Stores only hashes and the
+// lines of the journal, because every draft contains all steps before it.
 class DraftSequence {
  public:
-  void add(const Draft& draft) {
+  void add(const Draft& draft, std::size_t line) {
     const std::size_t hash = hash_of(draft);
     const auto known = std::ranges::find(hashes_, hash);
     if (known == hashes_.end()) {
       // A new step discards the undone steps.
       hashes_.resize(current_ + 1);
+      lines_.resize(current_ + 1);
       hashes_.push_back(hash);
-      last_ = draft;
+      lines_.push_back(line);
       current_ = hashes_.size() - 1;
     } else {
       current_ = static_cast<std::size_t>(known - hashes_.begin());
     }
   }
-  // Returns the last draft of the sequence, unless it is the current one.
-  std::optional<Draft> undone() const {
-    return current_ + 1 < hashes_.size() ? std::optional(last_) : std::nullopt;
-  }
+  // Returns the lines of the drafts after the current one.
+  std::span<const std::size_t> undone() const { return std::span(lines_).subspan(current_ + 1); }
 
  private:
   static std::size_t hash_of(const Draft& draft) {
@@ -193,9 +193,23 @@ class DraftSequence {
   }
 
   std::vector<std::size_t> hashes_{hash_of(Draft{})};
+  std::vector<std::size_t> lines_{0};
   std::size_t current_ = 0;
-  Draft last_;
 };
+
+// Returns the drafts after these lines of a journal. `wanted` is ascending, and the lines up to its
+// last entry must be valid.
+std::vector<Draft> drafts_at(std::span<const std::size_t> wanted,
+                             const std::vector<std::string>& lines) {
+  std::vector<Draft> drafts;
+  Draft draft;
+  for (std::size_t k = 1; drafts.size() < wanted.size(); ++k) {
+    const Json line = Json::parse(lines[k]);
+    if (line.contains("keep")) carry_out(line, draft);
+    if (k == wanted[drafts.size()]) drafts.push_back(draft);
+  }
+  return drafts;
+}
 
 int create_locked(const fs::path& folder, fs::path& path) {
   std::error_code error;
@@ -269,10 +283,10 @@ bool Journal::open_results() {
 }
 
 void Journal::continue_from(const InterruptedEdit& edit) {
-  if (edit.undone) {
-    // In this order, the later draft is again one that was undone.
+  if (!edit.undone.empty()) {
+    // In this order, the later drafts are again those that were undone.
     record(edit.draft);
-    record(*edit.undone);
+    for (const Draft& undone : edit.undone) record(undone);
     record(edit.draft);
   }
   if (edit.results.empty()) return;
@@ -356,12 +370,12 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
       Draft next = edit.draft;
       carry_out(line, next);
       edit.draft = std::move(next);
-      sequence.add(edit.draft);
+      sequence.add(edit.draft, k);
     } catch (const std::exception&) {
       break;  // a power failure may have damaged the end; the lines before it are valid
     }
   }
-  edit.undone = sequence.undone();
+  edit.undone = drafts_at(sequence.undone(), lines);
   try {
     edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
   } catch (const std::exception&) {

@@ -82,12 +82,12 @@ struct InterruptedEdit {
   MeshStamp mesh;                             ///< the mesh before the steps: `opened` or a copy
   bool mesh_is_unchanged = false;             ///< whether the file at `mesh.path` matches `mesh`
   Draft draft;                                ///< the steps for `restore_after_crash`
-  std::optional<Draft> undone;                ///< the last draft that redo could reach
+  std::vector<Draft> undone;                  ///< the drafts that redo could reach, in order
   KeptResults results;                        ///< positions in the results file
   std::filesystem::file_time_type last_step;  ///< time at which the last step was recorded
 
   /// Returns true if nothing was done and nothing was undone.
-  bool is_empty() const { return draft == Draft{} && !undone; }
+  bool is_empty() const { return draft == Draft{} && undone.empty(); }
   /// Returns whether `mesh` is a copy, because the result was saved to the opened file.
   bool has_copy() const { return mesh.path != opened; }
   /// Returns the number of committed edits, plus one if a handle of the open edit has moved.

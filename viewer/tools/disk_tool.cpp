@@ -242,7 +242,7 @@ const char* DiskTool::hint(const AppState& state, const Part& part) const {
     return "Ctrl + wheel or a dot on its edge resizes the disk. Enter confirms.";
   }
   return of_part(part, "Drag from the centre of the region to its edge.",
-                 "Drag over the vertices to hold, between region and handle.",
+                 "Drag a disk over the vertices to hold in place, inside the region.",
                  "Drag from the centre of a handle to its edge, inside the region.");
 }
 

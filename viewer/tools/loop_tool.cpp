@@ -42,7 +42,7 @@ const char* LoopTool::hint(const AppState&, const Part& part) const {
     return "Click more points. Enter or a click on the first point closes the loop.";
   }
   return of_part(part, "Click points around the region.",
-                 "Click points around the vertices to hold.",
+                 "Click points around the vertices to hold in place.",
                  "Click points around a handle, inside the region.");
 }
 

@@ -159,7 +159,7 @@ void PlaceTool::place(const Affine3d& placement) {
 Affine3d PlaceTool::snapped(const Vector3d& point) const {
   if (!snaps) return way_.placement;
   TransplantDraft there = way_;
-  there.placement = host_.surface->snap(way_.placement, way_.part->loop, "the part in hand");
+  there.placement = host_.surface->snap(way_.placement, way_.part->loop, "the part");
   const LoopFrame frame = there.frame();
   return (frame.center - point).norm() < kFarthestSlide * frame.radius ? there.placement
                                                                        : way_.placement;

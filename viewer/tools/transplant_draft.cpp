@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const std::string kWhere = "the part in hand";
+const std::string kWhere = "the part";
 
 // In diagonals of the surface. A loop with a radius between the first two keeps its size; any other
 // is scaled to the third.

@@ -26,7 +26,7 @@ struct Document {
                context, say, wake),
         banner(opened.name, opened.mesh, report, wake),
         desk(opened.up_axis, context, say, wake),
-        mesh_steps(opened.mesh, report.holes, context, wake),
+        mesh_steps(opened.mesh, report, context, wake),
         transplant(context, std::move(say), std::move(wake)) {}
 
   OpenedMesh opened;

@@ -195,7 +195,7 @@ void draw_form(const char* label, DetailTransferTool& desk, Editor& editor) {
 
 void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   if (!ImGui::TreeNodeEx("Where the second source appears", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  draw_form<DomainRamp>("Over the domain", desk, editor);
+  draw_form<DomainRamp>("Across the domain", desk, editor);
   draw_form<DistanceRamp>("Around a handle", desk, editor);
   draw_form<PaintedWeight>("Painted", desk, editor);
   MixWeight& weight = desk.draft().weight;

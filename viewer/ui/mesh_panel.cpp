@@ -41,6 +41,20 @@ void mesh_row(const char* label, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+// The number of boundary loops differs from that of the holes in the list below.
+void boundary_row(const CheckReport& report) {
+  const std::size_t loops = report.statistics.boundary_loops;
+  std::string value = std::to_string(loops);
+  if (report.holes.size() != loops) {
+    value += " (holes: " + std::to_string(report.holes.size()) + ")";
+  }
+  mesh_row("Boundaries", value);
+  explain(
+      "Closed loops of edges that belong to one face only.",
+      "A loop that touches itself counts as several holes. A loop along an unwelded seam is not "
+      "a hole.");
+}
+
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
@@ -78,7 +92,9 @@ void draw_defect(const Defect& defect) {
 }  // namespace
 
 void draw_mesh_panel(const Document& document, const std::string& unit) {
-  const MeshStatistics& s = document.report.statistics;
+  const CheckReport* report = document.mesh_steps.report();
+  if (report == nullptr) return ImGui::TextDisabled("Checking the mesh...");
+  const MeshStatistics& s = report->statistics;
   const std::string behind = unit.empty() ? "" : " " + unit;
   if (ImGui::BeginTable("mesh", 2, ImGuiTableFlags_SizingFixedFit)) {
     mesh_row("Opened file", document.opened.name);
@@ -86,22 +102,17 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
     mesh_row("Faces", std::to_string(s.faces));
     if (s.triangles != s.faces) mesh_row("Triangles", std::to_string(s.triangles));
     mesh_row("Components", std::to_string(s.component_sizes.size()));
-    mesh_row("Boundaries", std::to_string(s.boundary_loops));
+    boundary_row(*report);
     if (s.genus) mesh_row("Genus", std::to_string(*s.genus));
     const Eigen::Vector3d size = s.bounds.max - s.bounds.min;
     mesh_row("Size",
              number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
     mesh_row("Mean edge length", number(s.mean_edge_length) + behind);
     color_rows(document.opened);
-    const Mesh& now = *document.editor.state().rest;
-    if (!now.shares_faces_with(*document.opened.mesh)) {
-      mesh_row("Edited mesh", std::to_string(now.vertex_count()) + " vertices, " +
-                                  std::to_string(now.face_count()) + " faces");
-    }
     ImGui::EndTable();
   }
-  if (!document.report.has_problems()) ImGui::TextDisabled("No problems in the opened file.");
-  for (const Defect& defect : document.report.defects) draw_defect(defect);
+  if (!report->has_problems()) ImGui::TextDisabled("No problems found.");
+  for (const Defect& defect : report->defects) draw_defect(defect);
 }
 
 std::optional<Action> draw_carried_panel(Editor& editor) {

@@ -99,17 +99,17 @@ std::optional<std::vector<Index>> draw_hole_rows(MeshStepTool& tool,
 }
 
 std::optional<std::vector<Index>> draw_holes(MeshStepTool& tool, double size) {
-  const std::vector<Hole>* holes = tool.holes();
-  if (holes == nullptr) {
+  if (tool.report() == nullptr) {
     ImGui::TextDisabled("Looking for holes...");
     return {};
   }
-  if (holes->empty()) {
+  const std::vector<Hole>& holes = tool.report()->holes;
+  if (holes.empty()) {
     ImGui::TextDisabled("The surface is closed.");
     return {};
   }
   draw_command(tool, tool.drafts.fill, "Fill all", size);
-  return draw_hole_rows(tool, *holes);
+  return draw_hole_rows(tool, holes);
 }
 
 void draw_remesh(MeshStepTool& tool, const Editor& editor, double size) {

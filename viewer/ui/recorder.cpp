@@ -139,9 +139,10 @@ void Recorder::give_up(const std::string& why) {
   const auto given_up = std::exchange(recording_, nullptr);
   const TurntableRecording::Order& order = given_up->order();
   const int written = is_video(order.output) ? 0 : given_up->written();
-  say_({why + (written == 0 ? ": the turntable was not saved."
-                            : ": only the first " + std::to_string(written) +
-                                  " frames of the turntable were saved."),
+  say_({why + (written == 0   ? ": the turntable was not saved."
+               : written == 1 ? ": only the first frame of the turntable was saved."
+                              : ": only the first " + std::to_string(written) +
+                                    " frames of the turntable were saved."),
         Tone::warning});
 }
 

@@ -30,7 +30,7 @@ const char* words(Phase phase, const Preparation& preparation, bool has_handle) 
     case Phase::previewing:
       return "Preparing the preview";
     case Phase::solving:
-      return "Preview ready, preparing the rest";
+      return "Preview ready, preparing the solver";
     case Phase::ready:
       return words_of_ready(preparation);
     case Phase::settling:

@@ -115,7 +115,9 @@ std::optional<PathPurpose> draw_more_parts(TransplantTool& desk, Editor& editor,
   if (cuts && can_cut && !drafts.part_name.empty()) {
     library.cut(state, spec_of(state.selection.roi, "the region"), drafts.part_name);
   }
-  if (!can_cut) {
+  if (needs_settling(state)) {
+    draw_trouble("The last move is not refined yet. Wait for its result, or undo it.");
+  } else if (!can_cut) {
     ImGui::TextDisabled("Select a region to cut out.");
   } else if (drafts.part_name.empty()) {
     ImGui::TextDisabled("Type a name for the part.");
@@ -154,7 +156,7 @@ void draw_hole(TransplantTool& desk, const Editor& editor) {
   // The hole of an earlier step does not follow the ROI that is chosen now.
   if (chosen || !desk.taken_up()) {
     ImGui::SameLine();
-    const bool pressed = ImGui::RadioButton(desk.taken_up() ? "As before" : "Region", chosen);
+    const bool pressed = ImGui::RadioButton(desk.taken_up() ? "Unchanged" : "Region", chosen);
     if (pressed && !desk.taken_up()) desk.take_roi(true);
   }
   if (desk.takes_roi() && editor.state().selection.roi.vertices.empty()) {

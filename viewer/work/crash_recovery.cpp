@@ -50,9 +50,9 @@ bool moves_same_handles(DeformRequest a, const DeformRequest& b) {
   return a == b;
 }
 
-// Restores the undone steps for redo: performs the later moves and steps of the draft, then undoes
-// them. Returns false if the draft does not begin with the committed steps of the history.
-bool add_undone_steps(History& history, const Draft& undone, const CarryOut& carry_out) {
+// Performs the later moves and steps of the draft `undone`. Returns false if the draft does not
+// begin with the committed steps of the history.
+bool go_on_to(History& history, const Draft& undone, const CarryOut& carry_out) {
   const Draft now = draft_of(history.state());
   const std::size_t common = now.steps.size();
   if (common > undone.steps.size() ||
@@ -62,7 +62,6 @@ bool add_undone_steps(History& history, const Draft& undone, const CarryOut& car
   const bool is_open = common == undone.steps.size();
   const auto* next = is_open ? &undone.open : std::get_if<DeformRequest>(&undone.steps[common]);
   if (next == nullptr || !moves_same_handles(now.open, *next)) return false;
-  const std::size_t done = history.done();
   std::vector<HandleMove> moves;
   for (const MovedHandle& handle : next->handles) {
     moves.emplace_back(handle.move, handle.orientation, handle.path);
@@ -77,7 +76,6 @@ bool add_undone_steps(History& history, const Draft& undone, const CarryOut& car
     }
     perform(history, undone.open, undone.settled ? carry_out.solve : Solve{});
   }
-  history.go_to(done);
   return true;
 }
 
@@ -86,14 +84,20 @@ bool add_undone_steps(History& history, const Draft& undone, const CarryOut& car
 std::optional<History> with_undone_steps(const AppState& start, const InterruptedEdit& edit,
                                          const CarryOut& carry_out) {
   try {
-    History history = from_draft(start, *edit.undone, carry_out);
+    History history = from_draft(start, edit.draft, carry_out);
+    const std::size_t done = history.done();
+    const bool is_whole = std::ranges::all_of(edit.undone, [&](const Draft& undone) {
+      return is_begun_grab(undone.open) || go_on_to(history, undone, carry_out);
+    });
+    history.go_to(done);
+    if (is_whole) return history;
+    // Other settings than moves were undone as well. The last draft contains them, but only the
+    // last move of each handle.
+    history = from_draft(start, edit.undone.back(), carry_out);
     while (history.can_undo()) {
       history.undo();
       if (draft_of(history.state()) == edit.draft) return history;
     }
-    // The draft contains only the last move of each handle. The current move may be an earlier one.
-    history = from_draft(start, edit.draft, carry_out);
-    if (add_undone_steps(history, *edit.undone, carry_out)) return history;
   } catch (const Cancelled&) {
     throw;
   } catch (const Error&) {
@@ -111,7 +115,7 @@ History restore_after_crash(AppState start, const InterruptedEdit& edit, Kernels
     const std::optional<MovedVertices> kept = kept_result(edit, state);
     return kept ? result_again(state, *kept, kernels, progress) : run(state);
   };
-  if (edit.undone) {
+  if (!edit.undone.empty()) {
     if (auto history = with_undone_steps(start, edit, carry_out)) return std::move(*history);
   }
   return from_draft(std::move(start), edit.draft, carry_out);

@@ -56,11 +56,11 @@ void measure_circles(std::vector<double>& lengths, const GeodesicFront& front,
   const auto measure = [&](const Triangle& t, Index highest) {
     std::array<std::pair<double, Index>, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = {distances[t[k]], t[k]};
+    // Each triangle is measured only once, from its farthest corner.
+    if (std::ranges::max(corners).second != highest || !std::isfinite(distances[highest])) return;
     std::ranges::sort(corners);
     const auto [low, middle, high] =
         std::array{corners[0].second, corners[1].second, corners[2].second};
-    // Each triangle is measured only once, from its farthest corner.
-    if (high != highest || !std::isfinite(distances[high])) return;
     const auto crossing = [&](Index a, Index b, double radius) -> Vector3d {
       const double way = (radius - distances[a]) / (distances[b] - distances[a]);
       return positions[a] + way * (positions[b] - positions[a]);
