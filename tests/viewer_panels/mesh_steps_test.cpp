@@ -1,4 +1,6 @@
 // The Mesh tab: holes are listed and filled, and the mesh is remeshed, decimated and subdivided.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
