@@ -83,6 +83,30 @@ TEST(AGrab, InTheMiddleOfALimbTakesTheTipAlong) {
   for (const Index v : region.cut_off) EXPECT_LT(mesh.positions[v].z(), 15.0);
 }
 
+TEST(AGrab, CutsOffAnEndOfATubeOnlyIfTheOtherEndIsMuchLonger) {
+  const Mesh tube = cylinder(64, 241, 1.0, 80.0);
+  const double lowest =
+      std::ranges::min(tube.positions, {}, [](const Vector3d& p) { return p.z(); }).z();
+  for (const double height : {5.0, 12.0, 20.0, 35.0, 40.0}) {
+    const Index center = nearest_vertex(tube, {1.0, 0.0, lowest + height});
+    const GrabRegion region = grab(tube, center, 2.0);
+    const double below = height - region.radius;
+    const double above = 80.0 - height - region.radius;
+    if (below > 1.0 && below < 0.45 * above) {
+      EXPECT_THAT(region.cut_off, testing::Contains(nearest_vertex(tube, {1.0, 0.0, lowest})));
+    } else if (below > 0.55 * above) {
+      EXPECT_THAT(region.cut_off, testing::IsEmpty()) << height;
+    }
+  }
+}
+
+TEST(AGrab, OfARingCutsOffNothing) {
+  const Mesh ring = torus(192, 24, 8.0, 1.0);
+  for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
+    EXPECT_THAT(grab(ring, 0, 1.0, factor).cut_off, testing::IsEmpty()) << factor;
+  }
+}
+
 TEST(AGrab, RefusesWhatIsNotASurfaceOrASize) {
   Mesh mesh = grid(3, 3);
   mesh.positions.emplace_back(9.0, 9.0, 9.0);

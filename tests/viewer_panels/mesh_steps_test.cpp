@@ -1,4 +1,6 @@
 // The Mesh tab: holes are listed and filled, and the mesh is remeshed, decimated and subdivided.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -130,7 +132,7 @@ TEST_F(MeshSteps, ShowFramesTheRimOfAHole) {
   viewer_->look_at();
   const Document& document = *viewer_->app().document();
   std::vector<std::vector<Index>> rims;
-  for (const Hole& hole : *document.mesh_steps.holes()) rims.push_back(hole.rim);
+  for (const Hole& hole : document.mesh_steps.report()->holes) rims.push_back(hole.rim);
   EXPECT_THAT(rims, ::testing::Contains(document.editor.view().pointed_at()));
 }
 

@@ -57,25 +57,5 @@ TEST(PickSurface, FindsTheFirstTriangleAndItsNearestCorner) {
   }
 }
 
-TEST(PickSurface, FindsTheSameWithSpheres) {
-  const Mesh mesh = icosphere(5);
-  const Topology& topology = mesh.topology();
-  const TriangleSpheres spheres(topology, mesh.positions);
-  const Projection view = perspective({0, 0, 5}, {0, 0, 0});
-  std::size_t groups = 0;
-  for (std::size_t g = 0; g * TriangleSpheres::kTriangles < topology.triangles.size(); ++g) {
-    groups += spheres.may_meet(view.ray_through(0.5 * kWindow), g) ? 1 : 0;
-  }
-  EXPECT_LT(groups, topology.triangles.size() / TriangleSpheres::kTriangles / 10);
-  for (double x = 4.5; x < kWindow.x(); x += 13.0) {
-    const Ray ray = view.ray_through({x, 0.45 * x});
-    const auto expected = pick_surface(topology, mesh.positions, ray);
-    const auto found = pick_surface(topology, mesh.positions, ray, &spheres);
-    ASSERT_EQ(found.has_value(), expected.has_value());
-    const SurfacePoint missed;
-    EXPECT_EQ(found.value_or(missed).triangle, expected.value_or(missed).triangle);
-  }
-}
-
 }  // namespace
 }  // namespace lapwing::viewer::test

@@ -51,7 +51,6 @@ void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   make(now_ ? *now_ : *opened_);
   measured_.reset();
   dragged_version_.reset();
-  spheres_.reset();
   needs_classes_ = true;
 }
 
@@ -121,7 +120,6 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
     make(mesh);
     measured_.reset();
     dragged_version_.reset();
-    spheres_.reset();
     needs_classes_ = true;
   }
   device_->surface.place(positions);
@@ -217,11 +215,7 @@ std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
     if (!triangle) return {};
     if (const auto found = pick_triangle(topology, positions, *triangle, ray)) return found;
   }
-  if (!spheres_ || spheres_version_ != device_->surface.version()) {
-    spheres_.emplace(topology, positions);
-    spheres_version_ = device_->surface.version();
-  }
-  return pick_surface(topology, positions, ray, &*spheres_);
+  return pick_surface(topology, positions, ray);
 }
 
 // Applies the device's response and motions once per version of the surface.

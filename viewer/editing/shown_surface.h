@@ -201,8 +201,6 @@ class ShownSurface {
   std::vector<Eigen::Affine3d> dragged_by_;  // motions that the device shows, of a drag or after it
   Positions dragged_positions_;              // by those motions, for this version of the surface:
   std::optional<std::uint64_t> dragged_version_;
-  std::optional<TriangleSpheres> spheres_;  // of the positions on the screen, for this version:
-  std::uint64_t spheres_version_ = 0;
 
   std::optional<PoseMeasure> measure_;
   std::optional<PoseMeasure> measured_;  // by the paint's numbers, for this version of the surface:

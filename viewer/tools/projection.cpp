@@ -76,48 +76,26 @@ double Projection::length_of_pixel(const Vector3d& point) const {
   return (toward - toward.dot(beside.direction) * beside.direction).norm();
 }
 
-TriangleSpheres::TriangleSpheres(const Topology& topology, std::span<const Vector3d> positions)
-    : spheres_((topology.triangles.size() + kTriangles - 1) / kTriangles) {
-  parallel_for(spheres_.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t group = begin; group < end; ++group) {
-      Eigen::AlignedBox3d box;
-      const std::size_t first = group * kTriangles;
-      const std::size_t count = std::min(kTriangles, topology.triangles.size() - first);
-      for (const Triangle& triangle : std::span(topology.triangles).subspan(first, count)) {
-        for (const Index v : triangle) box.extend(positions[v]);
-      }
-      spheres_[group] = {box.center(), 0.5 * box.diagonal().norm()};
-    }
-  });
-}
-
-bool TriangleSpheres::may_meet(const Ray& ray, std::size_t group) const {
-  const auto& [center, radius] = spheres_[group];
-  // A sphere of this size also contains triangles that a ray meets only because of rounding errors.
-  constexpr double kRoom = 1.001;
-  return ray.direction.cross(center - ray.origin).norm() <= kRoom * radius;
-}
-
 namespace {
 
-// Returns the first intersection of the ray with the triangles that `visit_among(begin, end,
-// visit)` visits by their indices.
-template <typename VisitAmong>
+// Returns the first intersection of the ray with a triangle for which `counts` is true.
+template <typename Counts>
 std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const Vector3d> positions,
-                                     const Ray& ray, const VisitAmong& visit_among) {
+                                     const Ray& ray, const Counts& counts) {
   struct Hit {
     double distance = kMiss;
     Index triangle = kNoIndex;
     auto operator<=>(const Hit&) const = default;
   };
-  constexpr std::size_t kPerTask = 256 * TriangleSpheres::kTriangles;
+  constexpr std::size_t kPerTask = 16384;
   std::vector<Hit> hits((topology.triangles.size() + kPerTask - 1) / kPerTask);
   parallel_for(topology.triangles.size(), kPerTask, [&](std::size_t begin, std::size_t end) {
     Hit& hit = hits[begin / kPerTask];
-    visit_among(begin, end, [&](std::size_t t) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!counts(topology.triangles[t])) continue;
       const double distance = distance_to(topology.triangles[t], positions, ray);
       if (distance < hit.distance) hit = {distance, static_cast<Index>(t)};
-    });
+    }
   });
   const auto first = std::ranges::min_element(hits);
   if (first == hits.end() || first->triangle == kNoIndex) return std::nullopt;
@@ -144,30 +122,16 @@ std::optional<SurfacePoint> pick_triangle(const Topology& topology,
 }
 
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
-                                         std::span<const Vector3d> positions, const Ray& ray,
-                                         const TriangleSpheres* spheres) {
-  constexpr std::size_t kGroup = TriangleSpheres::kTriangles;
-  return first_of(topology, positions, ray,
-                  [&](std::size_t begin, std::size_t end, const auto& visit) {
-                    for (std::size_t first = begin; first < end; first += kGroup) {
-                      if (spheres != nullptr && !spheres->may_meet(ray, first / kGroup)) continue;
-                      const std::size_t last = std::min(first + kGroup, end);
-                      for (std::size_t t = first; t < last; ++t) visit(t);
-                    }
-                  });
+                                         std::span<const Vector3d> positions, const Ray& ray) {
+  return first_of(topology, positions, ray, [](const Triangle&) { return true; });
 }
 
 std::optional<SurfacePoint> pick_beside(const Topology& topology,
                                         std::span<const Vector3d> positions,
                                         std::span<const char> left_out, const Ray& ray) {
-  return first_of(topology, positions, ray,
-                  [&](std::size_t begin, std::size_t end, const auto& visit) {
-                    for (std::size_t t = begin; t < end; ++t) {
-                      const Triangle& corners = topology.triangles[t];
-                      if (std::ranges::none_of(corners, [&](Index v) { return left_out[v] != 0; }))
-                        visit(t);
-                    }
-                  });
+  return first_of(topology, positions, ray, [&](const Triangle& corners) {
+    return std::ranges::none_of(corners, [&](Index v) { return left_out[v] != 0; });
+  });
 }
 
 }  // namespace lapwing::viewer

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -50,28 +49,11 @@ struct SurfacePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Spheres around groups of consecutive triangles. A ray that misses a sphere misses its triangles.
-class TriangleSpheres {
- public:
-  static constexpr std::size_t kTriangles = 64;  ///< in a group
-
-  TriangleSpheres(const Topology& topology, std::span<const Eigen::Vector3d> positions);
-
-  bool may_meet(const Ray& ray, std::size_t group) const;
-
- private:
-  struct Sphere {
-    Eigen::Vector3d center;
-    double radius;
-  };
-  std::vector<Sphere> spheres_;
-};
-
 /// Returns the first point where `ray` meets the surface, from either side. Linear in its
-/// triangles. Faster with the `spheres` of these triangles and positions.
+/// triangles.
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
-                                         std::span<const Eigen::Vector3d> positions, const Ray& ray,
-                                         const TriangleSpheres* spheres = nullptr);
+                                         std::span<const Eigen::Vector3d> positions,
+                                         const Ray& ray);
 
 /// The same without the triangles that have a corner marked in `left_out`, one entry per vertex.
 std::optional<SurfacePoint> pick_beside(const Topology& topology,

@@ -56,11 +56,11 @@ void measure_circles(std::vector<double>& lengths, const GeodesicFront& front,
   const auto measure = [&](const Triangle& t, Index highest) {
     std::array<std::pair<double, Index>, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = {distances[t[k]], t[k]};
-    // Each triangle is measured only once, from its farthest corner.
-    if (std::ranges::max(corners).second != highest || !std::isfinite(distances[highest])) return;
     std::ranges::sort(corners);
     const auto [low, middle, high] =
         std::array{corners[0].second, corners[1].second, corners[2].second};
+    // Each triangle is measured only once, from its farthest corner.
+    if (high != highest || !std::isfinite(distances[high])) return;
     const auto crossing = [&](Index a, Index b, double radius) -> Vector3d {
       const double way = (radius - distances[a]) / (distances[b] - distances[a]);
       return positions[a] + way * (positions[b] - positions[a]);
@@ -220,6 +220,45 @@ double limited_to_half(double radius, const GeodesicFront& front, const Topology
   return radius;
 }
 
+// The parts outside a disk whose area is at most a limit.
+struct PartsOutside {
+  std::vector<std::pair<double, std::vector<Index>>> whole;  // area and vertices
+  double largest = 0.0;                                      // area of the largest of them
+  std::size_t larger = 0;  // number of larger parts; may count one of them more than once
+};
+
+PartsOutside parts_up_to(double limit, Outside outside, std::span<const Index> rim,
+                         const Topology& topology, std::span<const Vector3d> positions) {
+  PartsOutside parts;
+  enum : char { unknown, known, larger };  // the disk and whole parts are known
+  std::vector<char> state = vertex_mask(topology.vertex_count(), outside.inside());
+  for (const Index start : rim) {
+    double area = 0.0;
+    std::vector<Index> vertices;
+    outside.spread({&start, 1}, [&](Index v) {
+      area += area_of(v, topology, positions);
+      vertices.push_back(v);
+      state[v] = known;
+      return area <= limit;
+    });
+    if (vertices.empty()) continue;
+    const auto has_beside = [&](char which) {
+      return std::ranges::any_of(vertices, [&](Index v) {
+        return std::ranges::any_of(topology.rings[v], [&](Index w) { return state[w] == which; });
+      });
+    };
+    // A visit also ends beside an earlier visit of the same part that stopped at the limit.
+    if (area <= limit && !has_beside(unknown) && !has_beside(larger)) {
+      parts.largest = std::max(parts.largest, area);
+      parts.whole.emplace_back(area, std::move(vertices));
+      continue;
+    }
+    if (area > limit && !has_beside(larger)) ++parts.larger;
+    for (const Index v : vertices) state[v] = larger;
+  }
+  return parts;
+}
+
 // Returns the vertices of the parts into which the disk divides the rest of its component, without
 // the largest part and those that are nearly as large.
 VertexSet parts_cut_off(double radius, const GeodesicFront& front, const Topology& topology,
@@ -232,28 +271,26 @@ VertexSet parts_cut_off(double radius, const GeodesicFront& front, const Topolog
   Outside(outside).spread(
       std::span(rim).first(1), [&](Index) { return ++on_rim > 0; }, rim);
   if (on_rim == rim.size()) return {};
-  struct PartOutside {
-    double area = 0.0;
-    VertexSet vertices;
-  };
-  std::vector<PartOutside> parts;
-  for (const Index start : rim) {
-    PartOutside part;
-    outside.spread({&start, 1}, [&](Index v) {
-      part.area += area_of(v, topology, positions);
-      part.vertices.push_back(v);
-      return true;
-    });
-    if (!part.vertices.empty()) parts.push_back(std::move(part));
+  // Visiting the largest part would take time proportional to the mesh. Raise the limit until only
+  // one part is larger, and it is so much larger that its exact area does not matter.
+  double limit = 0.0;
+  for (const Index v : outside.inside()) limit += area_of(v, topology, positions);
+  while (true) {
+    const PartsOutside parts = parts_up_to(limit, outside, rim, topology, positions);
+    const bool is_certain =
+        parts.larger == 0 || (parts.larger == 1 && parts.largest < kCutOff * limit);
+    if (!is_certain) {
+      limit *= 2.0;
+      continue;
+    }
+    VertexSet cut_off;
+    for (const auto& [area, vertices] : parts.whole) {
+      if (parts.larger == 0 && area >= kCutOff * parts.largest) continue;
+      cut_off.insert(cut_off.end(), vertices.begin(), vertices.end());
+    }
+    std::ranges::sort(cut_off);
+    return cut_off;
   }
-  const double largest = std::ranges::max(parts, {}, &PartOutside::area).area;
-  VertexSet cut_off;
-  for (const PartOutside& part : parts) {
-    if (part.area >= kCutOff * largest) continue;
-    cut_off.insert(cut_off.end(), part.vertices.begin(), part.vertices.end());
-  }
-  std::ranges::sort(cut_off);
-  return cut_off;
 }
 
 }  // namespace
