@@ -197,26 +197,30 @@ class Wrapping {
   int steps_ = 0;
 };
 
-// The reaches of the springs, descending.
-std::vector<double> reaches_of(const Positions& rest, double edge) {
-  const double first = kFirstReach * bounds_of(rest).diagonal();
-  std::vector<double> reaches;
-  for (int k = 0; k < kReaches; ++k) {
-    const double fraction = static_cast<double>(k) / (kReaches - 1);
-    reaches.push_back(first * std::pow(kLastReach * edge / first, fraction));
+// Follows the reaches in [begin, end) of `reaches` and reports each.
+void follow(Wrapping& wrapping, std::span<const double> reaches, std::size_t begin, std::size_t end,
+            const Progress& progress) {
+  for (std::size_t k = begin; k < end; ++k) {
+    report_progress(progress, "wrap", static_cast<double>(k) / static_cast<double>(reaches.size()));
+    wrapping.follow(reaches[k]);
   }
-  return reaches;
 }
 
-// Wraps a decimated copy of a large template at all reaches that its edges can follow, and removes
-// these from `reaches`. The deformations at such reaches have long wavelengths and do not need more
-// vertices. Sets `pose` from the decimated copy. Returns the number of steps.
-int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>& rest,
-                const ScanSurface& scan, const EditRegion& region, Kernels& kernels,
-                std::vector<double>& reaches, Positions& pose) {
+struct CoarseSteps {
+  int steps = 0;
+  std::size_t reaches = 0;  // number of the reaches that were followed
+};
+
+// Wraps a decimated copy of a large template at all reaches that its edges can follow. The
+// deformations at such reaches have long wavelengths and do not need more vertices. Sets `pose`
+// from the decimated copy.
+CoarseSteps wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>& rest,
+                        const ScanSurface& scan, const EditRegion& region, Kernels& kernels,
+                        std::span<const double> reaches, const Progress& progress,
+                        Positions& pose) {
   CoarseSurfaces surfaces;
   const auto level = surfaces.of(region, topology, rest, kCoarseVertices);
-  if (level == nullptr) return 0;
+  if (level == nullptr) return {};
   const CoarseSurface& coarse = level->surface;
   Positions start;
   for (const Index v : coarse.kept) start.push_back(pose[v]);
@@ -224,9 +228,9 @@ int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>
   EditRegion own_region = coarse_region_of(region, inverse_index(coarse.kept, rest->size()));
   Wrapping wrapping(coarse.topology, own_rest, std::move(start), scan, std::move(own_region),
                     kernels);
-  auto reach = reaches.begin();
-  for (; *reach > wrapping.edge(); ++reach) wrapping.follow(*reach);
-  reaches.erase(reaches.begin(), reach);
+  std::size_t followed = 0;
+  while (reaches[followed] > wrapping.edge()) ++followed;
+  follow(wrapping, reaches, 0, followed, progress);
   CoarseEmbedding::Pose reached;
   for (Index c = 0; c < coarse.kept.size(); ++c) {
     reached.displacement.push_back(wrapping.positions()[c] - coarse.rest[c]);
@@ -239,27 +243,34 @@ int wrap_coarse(const Topology& topology, const std::shared_ptr<const Positions>
   Positions displacement(rest->size(), Vector3d::Zero());
   level->embedding.prolongate(at_rest, reached, displacement);
   for (std::size_t v = 0; v < pose.size(); ++v) pose[v] = (*rest)[v] + displacement[v];
-  return wrapping.steps();
+  return {wrapping.steps(), followed};
 }
 
 }  // namespace
+
+std::vector<double> reaches_of(const Positions& rest, double edge) {
+  const double first = kFirstReach * bounds_of(rest).diagonal();
+  std::vector<double> reaches;
+  for (int k = 0; k < kReaches; ++k) {
+    const double fraction = static_cast<double>(k) / (kReaches - 1);
+    reaches.push_back(first * std::pow(kLastReach * edge / first, fraction));
+  }
+  return reaches;
+}
 
 FittedTemplate nonrigid_icp(const Topology& topology, Positions rest_positions, Positions start,
                             const ScanSurface& scan, const EditRegion& region, Kernels& kernels,
                             const Progress& progress) {
   const auto rest = std::make_shared<const Positions>(std::move(rest_positions));
-  std::vector<double> reaches = reaches_of(*rest, mean_edge_length(topology.rings, *rest));
+  const std::vector<double> reaches = reaches_of(*rest, mean_edge_length(topology.rings, *rest));
   report_progress(progress, "wrap", 0.0);
-  const int coarse_steps = wrap_coarse(topology, rest, scan, region, kernels, reaches, start);
+  const CoarseSteps coarse =
+      wrap_coarse(topology, rest, scan, region, kernels, reaches, progress, start);
   Wrapping wrapping(topology, rest, std::move(start), scan, region, kernels);
-  for (std::size_t k = 0; k < reaches.size(); ++k) {
-    report_progress(progress, "wrap",
-                    static_cast<double>(k + 1) / static_cast<double>(reaches.size() + 1));
-    wrapping.follow(reaches[k]);
-  }
+  follow(wrapping, reaches, coarse.reaches, reaches.size(), progress);
   wrapping.finish();
   FittedTemplate fitted = wrapping.result();
-  fitted.steps += coarse_steps;
+  fitted.steps += coarse.steps;
   return fitted;
 }
 
