@@ -43,6 +43,7 @@ TEST_F(WrapRun, IsTheWrapOfBothMeshes) {
   EXPECT_EQ(step.roi, icosphere(2).vertex_count());
   ASSERT_TRUE(step.wrap.has_value());
   EXPECT_EQ(step.wrap->to_scan.mean, expected.report.to_scan.mean);
+  EXPECT_EQ(step.wrap->self_intersecting, 0U);
   EXPECT_EQ(step.wrap->scan_diagonal, bounds_of(read("egg.ply").positions).diagonal());
 }
 
@@ -86,6 +87,22 @@ TEST_F(WrapRun, ReportsDistancesAndWhyTheResultIsNotUsable) {
   EXPECT_EQ(json["coverage"], 0.0);
   EXPECT_EQ(json["trouble"], result->report.warnings[0]);
   EXPECT_GT(json["to_scan"]["percentile_95"], 0.0);
+}
+
+TEST_F(WrapRun, CountsTheTrianglesThatIntersectOnlyInTheResult) {
+  // One landmark pulls its vertex out of the other side.
+  std::string rows;
+  for (Index v = 0; v < 6; ++v) {
+    const Vector3d p = (v == 3 ? -3.0 : 1.0) * icosphere(2).positions[v];
+    rows += (v == 0 ? "[" : ", [") + std::to_string(v);
+    for (const double x : p) rows += ", " + std::to_string(x);
+    rows += "]";
+  }
+  const auto result =
+      run(R"({"op": "wrap", "scan": "egg.ply", "aligned": true, "landmarks": [)" + rows + "]}");
+  EXPECT_GT(result->report.steps.at(0).wrap->self_intersecting, 10U);
+  const auto json = nlohmann::json::parse(to_json(result->report))["steps"][0]["wrap"];
+  EXPECT_GT(json["self_intersecting_triangles"], 10);
 }
 
 }  // namespace

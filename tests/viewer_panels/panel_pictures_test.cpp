@@ -95,12 +95,13 @@ TEST_P(Panels, OfADeformAreWhole) {
   viewer_->scroll_to("10");
   ASSERT_TRUE(viewer_->shows("10")) << "the factor";
   check("deform-stiffness");
-  for (const char* tab : {"Deform", "Coat", "Mix", "Transplant", "Mesh", "Display"}) {
+  for (const char* tab : {"Deform", "Coat", "Mix", "Wrap", "Transplant", "Mesh", "Display"}) {
     EXPECT_TRUE(viewer_->shows(tab)) << tab;
   }
   // Each with something that it alone has.
   for (const auto& [tab, own] : {std::pair{"Coat", "New coat"},
                                  {"Mix", "New mix"},
+                                 {"Wrap", "Open scan..."},
                                  {"Transplant", "finger"},
                                  {"Mesh", "Mean edge length"},
                                  {"Display", "Show guide"}}) {

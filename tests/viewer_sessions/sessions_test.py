@@ -27,8 +27,13 @@ SKIPPED = 77
 SAME = 1e-3
 
 # Places in a window of this size, in pixels. The camera frames a newly opened mesh.
-TRANSPLANT_TAB = (210, 42)
-MESH_TAB = (280, 42)
+WRAP_TAB = (165, 42)
+TRANSPLANT_TAB = (228, 42)
+MESH_TAB = (291, 42)
+OPEN_SCAN = (57, 105)
+LOAD_LANDMARKS = (122, 143)  # while there are none
+WRAP = (33, 480)
+COAT_DETAIL = (217, 480)  # once it is wrapped
 MORE_PARTS = (40, 101)
 NAME_OF_PART = (150, 221)
 APPLY = (34, 480)
@@ -49,6 +54,47 @@ def distance_from_rigid(before, after):
     u, _, vt = np.linalg.svd(p.T @ q)
     flip = np.diag([1, 1, np.sign(np.linalg.det(u @ vt))])
     return np.linalg.norm(p @ (u @ flip @ vt) - q, axis=1).max()
+
+
+def normals_of(mesh):
+    corners = mesh.vertices[mesh.faces]
+    of_faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = np.zeros_like(mesh.vertices)
+    for k in range(3):
+        np.add.at(normals, mesh.faces[:, k], of_faces)
+    return normals / np.linalg.norm(normals, axis=1)[:, None]
+
+
+def heights_over(mesh, points):
+    """The distances of points near a dense mesh from it, along the normals of its vertices."""
+    normals, heights = normals_of(mesh), []
+    for part in np.array_split(points, len(points) // 50 + 1):
+        off = part[:, None] - mesh.vertices
+        nearest = (off**2).sum(2).argmin(1)
+        heights.append((off[np.arange(len(part)), nearest] * normals[nearest]).sum(1))
+    return np.abs(np.concatenate(heights))
+
+
+def scan_of(mesh):
+    """A scan of the mesh, bent, stretched, turned and enlarged, with finer triangles and ripples.
+    Also returns the places of the mesh's vertices on it."""
+    size, by_height = diagonal(mesh), np.argsort(mesh.vertices[:, 1])
+    held = len(by_height) // 20
+    lean = {"translate": [0.1 * size, 0, 0.03 * size], "rotate": {"axis": [0, 0, 1], "degrees": -20}}
+    bent = lapwing.deform(
+        mesh.vertices, mesh.faces, roi="all", belt={"vertices": by_height[:held].tolist()},
+        handles=[({"vertices": by_height[-held:].tolist()}, lean)],
+    ).vertices  # fmt: skip
+    fine = lapwing.remesh(bent, mesh.faces, scale=0.3).mesh
+    waves = np.sin(fine.vertices @ np.array([[200, 0], [120, 150], [0, 170]]) / size).prod(1)
+    scan = fine.vertices + 0.0025 * size * waves[:, None] * normals_of(fine)
+    turn = np.radians(25)
+    away = np.array([[np.cos(turn), 0, np.sin(turn)], [0, 1, 0], [-np.sin(turn), 0, np.cos(turn)]])
+
+    def placed(points):
+        return 1.7 * (points * [1.1, 0.95, 1.05]) @ away.T + size * np.array([2, 1, -1])
+
+    return lapwing.Mesh(placed(scan), fine.faces), placed(bent)
 
 
 class Sessions(unittest.TestCase):
@@ -136,6 +182,124 @@ class Sessions(unittest.TestCase):
         coated, (step,) = self.save_and_run("coated")
         self.assertEqual((step["op"], step["source"]), ("coat", "armadillo.off"))
         self.assertGreater(coated.vertex_count, 3000)  # the patch was remeshed
+
+    def open_with_scan(self):
+        """Opens a template, and a scan of it beside it."""
+        animal = lapwing.read(self.open("elephant.off"))
+        scan, places = scan_of(animal)
+        lapwing.write(self.folder / "scan.off", scan)
+        self.window.click(*WRAP_TAB)
+        self.window.settle()
+        self.answer(OPEN_SCAN, self.folder / "scan.off")
+        self.window.settle()
+        return animal, scan, places
+
+    def answer(self, button, path):
+        """Clicks a button that asks for a path."""
+        self.window.click(*button)
+        self.window.settle()
+        self.window.type(path)
+        self.window.keys("Return")
+        self.window.settle()
+
+    def wrap(self, picture):
+        """Clicks "Wrap" and waits for the colours of the result."""
+        self.window.click(*WRAP)
+        self.window.xdotool("mousemove", "700", "120")
+
+        def is_coloured():
+            width, _, rgb = self.window.screen()
+            right = np.frombuffer(rgb, np.uint8).reshape(-1, width, 3)[150:650, 850:].astype(int)
+            return (np.ptp(right, axis=2) > 70).mean() > 0.03
+
+        window.wait_for("the template shows its distances", is_coloured)
+        self.window.settle()
+        self.window.keep_picture(picture)
+
+    def test_a_template_is_wrapped_onto_a_scan_and_takes_its_detail(self):
+        animal, scan, places = self.open_with_scan()
+        pairs = [  # the trunk, the head, a tusk, three feet, an ear and an eye
+            ((784, 192), (1070, 207)), ((777, 375), (1100, 380)), ((586, 352), (1010, 370)),
+            ((765, 500), (1200, 525)), ((535, 600), (990, 590)), ((665, 595), (1080, 595)),
+            ((610, 500), (970, 485)), ((690, 385), (1043, 380)),
+        ]  # fmt: skip
+        for on_scan, on_template in pairs:
+            self.window.click(*on_scan)
+            self.window.click(*on_template)
+        self.window.settle()
+        self.window.keep_picture("pairs")
+        self.wrap("wrapped")
+        self.window.click(*COAT_DETAIL)
+        self.window.wait_for_steps(1)
+        self.window.keys("d", "i")
+        self.window.drag((970, 520), (1000, 560), (1020, 570))
+        self.window.settle()
+        self.window.keep_picture("coat")
+        self.window.keys("ctrl+Return")
+        self.window.wait_for_steps(2)
+        self.window.keep_picture("coated")
+        glb, recipe, made = (self.folder / name for name in ("a.glb", "a.json", "a.obj"))
+        self.window.save("ctrl+e", recipe)
+        self.window.save("ctrl+s", glb)
+        saved = lapwing.read(glb)
+        steps = json.loads(recipe.read_text())["steps"]
+        self.assertEqual([step["op"] for step in steps], ["wrap", "coat"])
+        self.assertEqual(len(steps[0]["landmarks"]), len(pairs))
+        subprocess.run([CLI, "run", recipe, "--save", made], check=True, capture_output=True)
+        # A GLB file has its vertices in another order.
+        run = np.sort(lapwing.read(made).vertices, axis=0)
+        self.assertLess(np.abs(run - np.sort(saved.vertices, axis=0)).max(), SAME * diagonal(scan))
+        del steps[1:]
+        recipe.write_text(json.dumps({**json.loads(recipe.read_text()), "steps": steps}))
+        subprocess.run([CLI, "run", recipe, "--save", made], check=True, capture_output=True)
+        wrapped = lapwing.read(made)
+        self.assertEqual(wrapped.vertex_count, animal.vertex_count)
+        errors = np.linalg.norm(wrapped.vertices - places, axis=1) / diagonal(scan)
+        self.assertLess(errors.mean(), 0.01)
+        # The coat has finer triangles, and follows the scan between the template's vertices.
+        old = {tuple(p) for p in np.round(wrapped.vertices / diagonal(scan), 4)}
+        added = np.array([p for p in saved.vertices if tuple(np.round(p / diagonal(scan), 4)) not in old])
+        self.assertGreater(len(added), 500)
+        middle = added.mean(0)
+        radius = 0.6 * np.linalg.norm(added - middle, axis=1).max()
+        flat = lapwing.subdivide(wrapped, times=2).mesh.vertices
+
+        def mean_height(points):
+            near = np.linalg.norm(points - middle, axis=1) < radius
+            return heights_over(scan, points[near]).mean() / diagonal(scan)
+
+        self.assertLess(mean_height(added), 0.9 * mean_height(flat))
+
+    def test_a_wrap_with_loaded_landmarks_is_cancelled_undone_and_survives_a_kill(self):
+        _, scan, places = self.open_with_scan()
+        rows = [[v, *places[v]] for v in range(0, len(places), 200)]
+        np.savetxt(self.folder / "good.csv", rows, delimiter=",", header="vertex,x,y,z", comments="")
+        rows[3][1:] = rows[3][1:] - 0.6 * diagonal(scan) * np.array([1, 0, 0])
+        np.savetxt(self.folder / "bad.csv", rows, delimiter=",", header="vertex,x,y,z", comments="")
+        self.answer(LOAD_LANDMARKS, self.folder / "bad.csv")
+        self.wrap("contradiction")
+        self.window.keys("ctrl+z")  # the loaded landmarks
+        self.window.settle()
+        self.answer(LOAD_LANDMARKS, self.folder / "good.csv")
+        self.window.click(*WRAP)
+        self.window.keys("Escape")
+        self.window.settle()
+        self.window.keep_picture("cancelled")
+        self.assertEqual(self.window.draft()[0], [])
+        self.wrap("wrapped")
+        self.window.keys("ctrl+Return")
+        self.window.wait_for_steps(1)
+        self.window.keys("ctrl+z")
+        self.window.wait_for_steps(0)
+        self.window.keys("ctrl+shift+z")
+        self.window.wait_for_steps(1)
+        self.window.kill()
+        self.restore()
+        self.window.wait_for_steps(1)
+        self.window.keep_picture("restored")
+        wrapped, (step,) = self.save_and_run("wrapped")
+        self.assertEqual((step["op"], len(step["landmarks"])), ("wrap", len(rows)))
+        self.assertLess(np.linalg.norm(wrapped.vertices - places, axis=1).mean(), 0.005 * diagonal(scan))
 
     def test_a_trunk_is_cut_out_and_transplanted(self):
         self.open("elephant.off")

@@ -65,6 +65,17 @@ TEST_F(LandmarkFile, OfATableHasVerticesOrPointsAndWeights) {
   EXPECT_THAT(read("c.csv").rows, ElementsAre(Landmark{Index{7}, Index{90}}));
 }
 
+TEST_F(LandmarkFile, IsReadBackAsItWasWritten) {
+  const Mesh ball = icosphere(1);
+  const std::vector<TargetRow> rows{{Index{7}, {0.1, 2, -3}, 1.0}, {Index{8}, {1e-9, 5, 6}, 0.5}};
+  write_landmarks(rows, ball, folder_ / "a.csv");
+  EXPECT_EQ(targets_of(read("a.csv"), ball, ball).rows, rows);
+  const std::vector<TargetRow> mixed{{Index{7}, {0.1, 2, -3}}, {ball.positions[3], {4, 5, 6}}};
+  write_landmarks(mixed, ball, folder_ / "b.csv");
+  EXPECT_EQ(targets_of(read("b.csv"), ball, ball).rows,
+            (std::vector<TargetRow>{{ball.positions[7], {0.1, 2, -3}}, mixed[1]}));
+}
+
 TEST_F(LandmarkFile, OfJsonNamesBothSides) {
   write("a.json", R"([{"vertex": 7, "position": [1, 2, 3]},
     {"point": [0, 0, 1], "scan_vertex": 90, "weight": 2, "label": "nose"}, [8, 4, 5, 6]])");

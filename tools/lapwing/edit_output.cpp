@@ -151,7 +151,9 @@ void print_wrap(const WrapStepReport& wrap) {
     std::printf("  largest error of a landmark %.4f%%\n",
                 100.0 * wrap.landmark_error / wrap.scan_diagonal);
   }
-  std::printf("  flipped triangles %zu, edge stretch %.3f\n", wrap.flipped_triangles,
+  std::printf("  flipped triangles %zu, self-intersecting triangles %s, edge stretch %.3f\n",
+              wrap.flipped_triangles,
+              wrap.self_intersecting ? std::to_string(*wrap.self_intersecting).c_str() : "unknown",
               wrap.edge_stretch);
 }
 

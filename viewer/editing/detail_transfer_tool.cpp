@@ -49,6 +49,7 @@ void DetailTransferTool::begin(Editor& editor, LayerDraft::Operation operation) 
   current_ = 0;
   weight_paint_.set_field({});
   seen_roi_ = {ListedVertices{}};
+  lies_on_target_ = is_to_place_ = false;
   is_open_ = true;
 }
 
@@ -93,7 +94,9 @@ void DetailTransferTool::cancel(Editor& editor) {
   close(editor);
 }
 
-void DetailTransferTool::use_source(std::size_t k, const std::filesystem::path& mesh) {
+void DetailTransferTool::use_source(std::size_t k, const std::filesystem::path& mesh,
+                                    bool lies_on_target) {
+  if (k == 0) lies_on_target_ = is_to_place_ = lies_on_target;
   draft_.sources[k] = LayerDraft::nothing();
   draft_.sources[k].mesh = mesh;
   if (reading_ == k) {
@@ -200,6 +203,7 @@ void DetailTransferTool::update(Editor& editor) {
   renew_own_views(target);
   take_what_was_done(editor);
   if (view() != nullptr) view()->update();
+  if (is_to_place_) place_source(editor);
   take_weight(*target);
   if (is_painting_) return show_weight(editor, target);
   const bool wanted = wants_preview(editor);
@@ -294,15 +298,30 @@ void DetailTransferTool::take_patches(const Editor& editor) {
   // Keep the patch if the ROI was cleared, perhaps because the triangles have changed.
   if (!is_chosen(roi)) return;
   draft_.target_patch = std::move(roi);
+  is_to_place_ = lies_on_target_;
   for (CoatSource& source : draft_.sources) {
     source.inner_pairs.clear();
     source.boundary_pairs.clear();
   }
 }
 
+// Takes the part of the source that lies on the target patch.
+void DetailTransferTool::place_source(const Editor& editor) {
+  if (!views_[0] || !is_chosen(draft_.target_patch)) return;
+  is_to_place_ = false;
+  say_errors(say_, [&] {
+    const std::shared_ptr<const Mesh> target = target_of(editor);
+    const VertexSet patch = resolve(draft_.target_patch, *target);
+    const Mesh& source = *views_[0]->state().rest;
+    views_[0]->choose_patch(patch_on(source, *target, patch));
+    take_patches(editor);
+    draft_.sources[0].inner_pairs = pairs_on(source, views_[0]->patch().vertices, *target, patch);
+  });
+}
+
 void DetailTransferTool::take_points(const Editor& editor) {
   if (picking_ == Picking::none || view() == nullptr) return;
-  if (const auto point = view()->take_point()) picked_source_ = point;
+  if (const auto point = view()->take_point()) picked_source_ = point->vertex;
   if (!picked_source_ || !point_tool_.picked) return;
   say_errors(say_, [&] { add_pair(editor); });
   picked_source_.reset();

@@ -45,8 +45,9 @@ class DetailTransferTool {
 
   LayerDraft& draft() { return draft_; }
   const LayerDraft& draft() const { return draft_; }
-  /// Sets where the source `k` comes from: a file, or the edited mesh if `mesh` is empty.
-  void use_source(std::size_t k, const std::filesystem::path& mesh);
+  /// Sets where the source `k` comes from: a file, or the edited mesh if `mesh` is empty. If the
+  /// source `lies_on_target`, its patch and pairs follow the target patch.
+  void use_source(std::size_t k, const std::filesystem::path& mesh, bool lies_on_target = false);
 
   /// The source that is shown beside the target.
   std::size_t current() const { return current_; }
@@ -93,6 +94,7 @@ class DetailTransferTool {
   void renew_own_views(const std::shared_ptr<const Mesh>& target);
   void take_what_was_done(const Editor& editor);
   void take_patches(const Editor& editor);
+  void place_source(const Editor& editor);
   void take_points(const Editor& editor);
   void add_pair(const Editor& editor);
   void take_weight(const Mesh& target);
@@ -116,6 +118,8 @@ class DetailTransferTool {
   std::array<std::unique_ptr<SourceView>, 2> views_;
   std::array<bool, 2> is_to_read_{};
   std::optional<std::size_t> reading_;
+  bool lies_on_target_ = false;  // the first source
+  bool is_to_place_ = false;
   RegionSpec seen_roi_{ListedVertices{}};
 
   Picking picking_ = Picking::none;

@@ -233,4 +233,22 @@ bool perform_on(DetailTransferTool& desk, Editor& editor, Action action) {
   }
 }
 
+bool perform_on(WrapTool& wrap, Editor& editor, Action action) {
+  if (!wrap.is_open()) return false;
+  switch (action) {
+    case Action::undo:
+      return wrap.undo();
+    case Action::redo:
+      return wrap.redo();
+    case Action::pick_pairs:
+      wrap.pick(!wrap.picks(), editor);
+      return true;
+    case Action::apply_step:
+      wrap.apply(editor);
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace lapwing::viewer

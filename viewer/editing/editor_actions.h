@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "editing/detail_transfer_tool.h"
+#include "editing/wrap_tool.h"
 #include "navigation/keymap.h"
 
 namespace lapwing::viewer {
@@ -13,6 +13,8 @@ namespace lapwing::viewer {
 bool perform_on(Editor& editor, Action action);
 /// The same for a coat or mix in progress.
 bool perform_on(DetailTransferTool& desk, Editor& editor, Action action);
+/// The same for a wrap in progress, which undoes changes of its landmarks first.
+bool perform_on(WrapTool& wrap, Editor& editor, Action action);
 
 /// Makes the result the rest shape and clears the selection, once the last edit has settled.
 void new_edit(Editor& editor);

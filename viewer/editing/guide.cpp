@@ -67,6 +67,32 @@ Guide guide_of_transplant(const TransplantTool& desk, const Editor& editor) {
   return guide;
 }
 
+Guide guide_of_wrap(const WrapTool& wrap, const Editor& editor) {
+  constexpr std::size_t kEnough = 3;
+  const bool has_scan = wrap.view() != nullptr;
+  const bool has_result = wrap.report() != nullptr && wrap.is_current(editor);
+  const bool has_pairs = has_result || wrap.landmarks().size() >= kEnough;
+  Guide guide;
+  guide.count = 4;
+  guide.steps = {
+      {{"Scan", has_scan}, {"Landmarks", has_pairs}, {"Wrap", has_result}, {"Apply", false}}};
+  guide.current = has_result ? 3 : has_pairs ? 2 : has_scan ? 1 : 0;
+  guide.what =
+      !has_scan                      ? "Reading the scan."
+      : wrap.preview().status().busy ? "Wrapping. Escape stops it."
+      : wrap.moved()          ? "Click the new place of the point, on the template or on the scan."
+      : wrap.picked_on_scan() ? "Click the same place on the template. K ends picking."
+      : wrap.picked_on_template() ? "Click the same place on the scan. K ends picking."
+      : has_result                ? "Look at the distances. Apply the result, or add landmarks and "
+                                    "wrap again."
+      : !wrap.picks()             ? "Press K to pick landmarks, or click \"Wrap\"."
+      : has_pairs
+          ? "Click \"Wrap\", or click more points: a place on the scan, then on the template."
+          : "Click a place on the scan and the same place on the template. Three pairs "
+            "align them.";
+  return guide;
+}
+
 }  // namespace
 
 Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, bool moves) {
@@ -88,7 +114,8 @@ Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, b
 }
 
 Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplant,
-               const Editor& editor) {
+               const WrapTool& wrap, const Editor& editor) {
+  if (wrap.is_open()) return guide_of_wrap(wrap, editor);
   if (transplant.is_open()) return guide_of_transplant(transplant, editor);
   if (layers.is_open()) return guide_of_layers(layers, editor);
   // These tools take no part in the steps.

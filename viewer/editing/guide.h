@@ -5,6 +5,7 @@
 
 #include "editing/detail_transfer_tool.h"
 #include "editing/transplant_tool.h"
+#include "editing/wrap_tool.h"
 
 namespace lapwing::viewer {
 
@@ -23,8 +24,8 @@ struct Guide {
 /// Returns what to do next while `tool` chooses `part`, or moves a handle if `moves`.
 Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, bool moves);
 
-/// Returns the guide for what is open: a coat, mix or transplant, or else the deform.
+/// Returns the guide for what is open: a coat, mix, transplant or wrap, or else the deform.
 Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplant,
-               const Editor& editor);
+               const WrapTool& wrap, const Editor& editor);
 
 }  // namespace lapwing::viewer

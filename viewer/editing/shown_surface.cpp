@@ -50,6 +50,7 @@ void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
   make(now_ ? *now_ : *opened_);
   measured_.reset();
+  shows_numbers_ = false;
   dragged_version_.reset();
   needs_classes_ = true;
 }
@@ -90,6 +91,7 @@ bool ShownSurface::take(const AppState& state) {
   followed_.clear();
   preview_ = {};
   preview_classes_.clear();
+  numbers_.clear();
   std::shared_ptr<const Mesh> surface = surface_of(state);
   if (now_ == surface && settled_ == state.settled) return false;
   if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
@@ -119,6 +121,7 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
     device_.reset();
     make(mesh);
     measured_.reset();
+    shows_numbers_ = false;
     dragged_version_.reset();
     needs_classes_ = true;
   }
@@ -148,6 +151,7 @@ void ShownSurface::show_preview(std::shared_ptr<const Mesh> preview,
                                 std::vector<VertexClass> classes) {
   preview_ = std::move(preview);
   preview_classes_ = std::move(classes);
+  numbers_.clear();
   preview_positions_ = preview_->positions;
   preview_bounds_ = bounds_of(surface_positions(preview_positions_, preview_->topology()));
   needs_classes_ = true;
@@ -164,6 +168,7 @@ void ShownSurface::end_preview() {
   if (!previews()) return;
   preview_ = {};
   preview_classes_.clear();
+  numbers_.clear();
   needs_classes_ = true;
   show_still();
 }
@@ -186,15 +191,20 @@ void ShownSurface::set_classes(std::vector<VertexClass> classes) {
 }
 
 bool ShownSurface::is_measured() const {
-  return measure_ && measured_ == measure_ && measured_version_ == device_->surface.version();
+  if (measured_version_ != device_->surface.version()) return false;
+  return has_numbers() ? shows_numbers_ : !shows_numbers_ && measure_ && measured_ == measure_;
 }
 
 void ShownSurface::renew_measure() {
   // Only a still surface is measured; a drag has no numbers yet.
   const bool still = !follows_ && device_->surface.source() == SurfaceSource::still;
-  if (!measure_ || !still || !is_comparable() || is_measured()) return;
-  const auto numbers =
-      measure_pose(*measure_, opened_->topology(), opened_->positions, still_positions());
+  if (!still || is_measured()) return;
+  if (!has_numbers() && (!measure_ || !is_comparable())) return;
+  shows_numbers_ = has_numbers();
+  const std::vector<float> numbers =
+      has_numbers()
+          ? numbers_
+          : measure_pose(*measure_, opened_->topology(), opened_->positions, still_positions());
   device_->surface.paint().set_scalars(numbers);
   measure_range_ = range_without_outliers(numbers);
   measured_ = measure_;

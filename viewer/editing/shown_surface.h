@@ -127,6 +127,9 @@ class ShownSurface {
 
   /// Colours by a difference from the opened mesh, or by regions without `measure`.
   void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
+  /// Colours the preview by numbers instead, one per vertex, until it ends. None: as before.
+  void color_by(std::vector<float> numbers) { numbers_ = std::move(numbers); }
+  bool has_numbers() const { return !numbers_.empty(); }
   /// Returns whether it has the triangles of the opened mesh.
   bool is_comparable() const { return device_->topology.get() == &opened_->topology(); }
   /// Returns whether the paint's numbers are those of the surface; false while it follows a drag.
@@ -156,6 +159,8 @@ class ShownSurface {
   /// Returns the bounds of the displayed surface without a drag and of the opened mesh.
   Bounds bounds() const;
   const Bounds& opened_bounds() const { return opened_bounds_; }
+  /// Returns the bounds of the preview, or of the surface of the state.
+  const Bounds& surface_bounds() const { return previews() ? preview_bounds_ : bounds_; }
 
  private:
   void make(const Mesh& mesh);
@@ -203,6 +208,8 @@ class ShownSurface {
   std::optional<std::uint64_t> dragged_version_;
 
   std::optional<PoseMeasure> measure_;
+  std::vector<float> numbers_;  // of the preview
+  bool shows_numbers_ = false;
   std::optional<PoseMeasure> measured_;  // by the paint's numbers, for this version of the surface:
   std::uint64_t measured_version_ = 0;
   ScalarRange measure_range_;

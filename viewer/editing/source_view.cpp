@@ -54,7 +54,7 @@ ToolAnswer SourceView::choose(const InputEvent& event) {
     if (event.kind != InputKind::press || event.button != MouseButton::left) return {};
     const auto picked = pick(event.position);
     if (!picked) return ToolAnswer::passed_on();
-    point_ = picked->vertex;
+    point_ = picked;
     return ToolAnswer::only_taken();
   }
   const Projection projection = view.projection();

@@ -37,8 +37,8 @@ class SourceView {
   Handled handle(const InputEvent& event, const Keymap& keymap);
   /// Returns whether a button that was pressed on it is still down.
   bool holds_mouse() const { return camera_.is_moving() || disk_.is_dragging(); }
-  /// Returns the vertex that was picked last, once.
-  std::optional<Index> take_point() { return std::exchange(point_, std::nullopt); }
+  /// Returns the point that was picked last, once.
+  std::optional<SurfacePoint> take_point() { return std::exchange(point_, std::nullopt); }
 
   /// Call this once per frame, before drawing.
   void update();
@@ -55,7 +55,7 @@ class SourceView {
   bool is_framed_ = false;
   SourceTool tool_ = SourceTool::disk;
   DiskTool disk_;
-  std::optional<Index> point_;
+  std::optional<SurfacePoint> point_;
   bool classes_are_old_ = true;
 };
 

@@ -25,9 +25,15 @@ constexpr std::array<std::string_view, 15> kCarried{
     ".glb",   ".gltf", ".obj", ".off", ".ply", ".stl",  ".coff",    ".noff",
     ".cnoff", ".csv",  ".txt", ".tsv", ".npy", ".fcsv", ".mrk.json"};
 
+constexpr std::array<std::string_view, 7> kLandmarkFile{".csv",  ".txt",  ".tsv",     ".npy",
+                                                        ".fcsv", ".json", ".mrk.json"};
+constexpr std::array<std::string_view, 1> kTable{".csv"};
+
 constexpr FileKind kAll{"All files", {}};
 constexpr std::array kMeshes{FileKind{"Meshes", kMesh}, kAll};
 constexpr std::array kRecipes{FileKind{"Recipes", kRecipe}, kAll};
+constexpr std::array kLandmarks{FileKind{"Landmarks", kLandmarkFile}, kAll};
+constexpr std::array kTables{FileKind{"Tables", kTable}, kAll};
 constexpr std::array kPictures{FileKind{"Images", kPicture}, kAll};
 constexpr std::array kTurntables{FileKind{"Videos and image sequences", kTurntable}, kAll};
 constexpr std::array kOpened{FileKind{"Meshes and recipes", kMeshOrRecipe},
@@ -38,7 +44,7 @@ constexpr std::string_view kFormats =
     "The extension sets the format: glb, gltf, obj, off, ply or stl.";
 
 // The texts of each PathPurpose, in the order of the enumeration.
-constexpr std::array<PathWords, 12> kWords{{
+constexpr std::array<PathWords, 16> kWords{{
     {"Open", "A mesh, or a recipe to run.", "Open", Wants::file, kOpened},
     {"Save mesh", kFormats, "Save", Wants::new_file, kMeshes},
     {"Save repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
@@ -47,6 +53,14 @@ constexpr std::array<PathWords, 12> kWords{{
     {"Replay recipe", "Runs its steps on the open mesh.", "Replay", Wants::file, kRecipes},
     {"Open source mesh", "Select a patch of it in the view beside the open mesh.", "Open",
      Wants::file, kMeshes},
+    {"Open scan", "The open mesh is deformed so that it covers this mesh or point cloud.", "Open",
+     Wants::file, kMeshes},
+    {"Load landmarks",
+     "Pairs of points, or the points of the template (3D Slicer). They replace the present ones.",
+     "Load", Wants::file, kLandmarks},
+    {"Load landmarks of the scan", "The points of the scan that belong to those of the template.",
+     "Load", Wants::file, kLandmarks},
+    {"Save landmarks", "A table for lapwing wrap --landmarks.", "Save", Wants::new_file, kTables},
     {"Attach object", "A mesh, point cloud or table of points that follows the surface.", "Attach",
      Wants::file, kFollowers},
     {"Save image", "The view without panels.", "Save", Wants::new_file, kPictures},

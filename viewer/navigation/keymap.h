@@ -68,6 +68,7 @@ enum class Action {
   toggle_mirror,
   begin_coat,
   begin_mix,
+  begin_wrap,
   open_source,
   other_source,
   pick_pairs,

@@ -22,6 +22,8 @@ ImU32 encoded(const Eigen::Vector3f& linear) {
   return IM_COL32(srgb_byte_of(linear[0]), srgb_byte_of(linear[1]), srgb_byte_of(linear[2]), 255);
 }
 
+}  // namespace
+
 void draw_legend(const SurfaceStyle& style) {
   constexpr int kParts = 24;
   const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -43,6 +45,8 @@ void draw_legend(const SurfaceStyle& style) {
   ImGui::SameLine(std::max(0.0F, ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(high).x));
   ImGui::TextUnformatted(high);
 }
+
+namespace {
 
 void choose_coloring(Coloring& coloring) {
   constexpr std::array kChoices{std::pair{"Plain", Coloring::plain},
@@ -76,9 +80,10 @@ std::optional<PoseMeasure> measure_of(Coloring coloring) {
 SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
   SurfaceStyle style = choices.style;
   style.color = choices.coloring == Coloring::plain ? SurfaceColor::plain : SurfaceColor::regions;
-  if (measure_of(choices.coloring) && editor.view().shown().is_measured()) {
+  const ShownSurface& shown = editor.view().shown();
+  if ((measure_of(choices.coloring) || shown.has_numbers()) && shown.is_measured()) {
     style.color = SurfaceColor::scalar;
-    style.range = editor.view().shown().measure_range();
+    style.range = shown.measure_range();
   }
   return style;
 }
@@ -127,7 +132,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   if (measure && !editor.view().shown().is_comparable()) {
     ImGui::TextDisabled("The triangles have changed, so there is\nnothing to compare with.");
   }
-  if (measure && editor.view().shown().is_measured()) {
+  if (measure && editor.view().shown().is_measured() && !editor.view().shown().has_numbers()) {
     std::string title(legend_title(*measure));
     std::replace(title.begin(), title.end(), '\n', ' ');
     ImGui::TextDisabled("%s", in_window_words(title).c_str());

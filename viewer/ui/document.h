@@ -7,6 +7,7 @@
 #include "editing/editor.h"
 #include "editing/mesh_step_tool.h"
 #include "editing/transplant_tool.h"
+#include "editing/wrap_tool.h"
 #include "files/load_file.h"
 #include "ui/doctor_banner.h"
 
@@ -27,12 +28,37 @@ struct Document {
         banner(opened.name, opened.mesh, report, wake),
         desk(opened.up_axis, context, say, wake),
         mesh_steps(opened.mesh, report, context, wake),
-        transplant(context, std::move(say), std::move(wake)) {}
+        transplant(context, say, wake),
+        wrap(opened.up_axis, context, std::move(say), std::move(wake)) {}
 
   OpenedMesh opened;
-  /// Opens a coat, a mix or a transplant of the edit again.
+  /// Opens a coat, a mix, a wrap or a transplant of the edit again.
   void edit_step(std::size_t index) {
-    if (!desk.take_up(editor, index)) transplant.take_up(editor, index);
+    if (desk.take_up(editor, index) || wrap.take_up(editor, index)) return;
+    transplant.take_up(editor, index);
+  }
+  /// Opens a coat with the detail of a scan that the mesh covers.
+  void coat_detail(const std::filesystem::path& scan) {
+    desk.begin(editor, LayerDraft::Operation::coat);
+    desk.use_source(0, scan, true);
+  }
+  /// Whether an operation is open that shows a preview on the surface.
+  bool has_open_task() const { return desk.is_open() || transplant.is_open() || wrap.is_open(); }
+  /// The mesh that is shown beside the edited one, or null.
+  SourceView* source() {
+    return wrap.is_open() ? wrap.view() : desk.is_open() ? desk.view() : nullptr;
+  }
+  /// The names of the source and of the edited mesh beside it.
+  std::pair<std::string, std::string> pane_names() const {
+    if (wrap.is_open()) {
+      return {"Scan: " + wrap.scan().filename().string(), "Template: " + opened.name};
+    }
+    const std::filesystem::path& mesh = desk.draft().sources[desk.current()].mesh;
+    const char* which = desk.draft().source_count() == 1 ? "Source: "
+                        : desk.current() == 0            ? "First source: "
+                                                         : "Second source: ";
+    return {which + (mesh.empty() ? "this mesh" : mesh.filename().string()),
+            "Target: " + opened.name};
   }
   /// Names the window after the file that holds the edit.
   void set_title(const std::string& name) {
@@ -49,6 +75,7 @@ struct Document {
   DetailTransferTool desk;
   MeshStepTool mesh_steps;
   TransplantTool transplant;
+  WrapTool wrap;
   /// Where Save writes without asking: chosen by the first save, so that the opened file is never
   /// replaced by accident. Empty until then.
   std::filesystem::path save_path;

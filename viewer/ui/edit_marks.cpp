@@ -1,5 +1,4 @@
 #include <array>
-#include <filesystem>
 #include <imgui.h>
 
 #include "ui/draw_gizmo.h"
@@ -110,9 +109,6 @@ void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optiona
 void EditMarks::draw(const DetailTransferTool& desk, const Editor& editor, const ViewFrame& view,
                      const Vector2d& corner, double pixels_per_unit) {
   if (desk.view() == nullptr) return;
-  const double right = corner.x() + desk.view()->view_frame().size.x();
-  const std::array<Vector2d, 2> seam{Vector2d(right, 0.0), Vector2d(right, view.size.y())};
-  Pen(view, pixels_per_unit, points_).line(seam, false, kLine, 1.0);
   const CoatSource& source = desk.draft().sources[desk.current()];
   Pen beside(desk.view()->view_frame(), pixels_per_unit, points_, corner);
   draw_ends(beside, source, 0, desk.picked_source(), desk.view()->shown().positions());
@@ -122,18 +118,42 @@ void EditMarks::draw(const DetailTransferTool& desk, const Editor& editor, const
   draw_ends(pen, source, 1, desk.picked_target(), editor.view().positions());
 }
 
-void EditMarks::draw_pane_names(const DetailTransferTool& desk, const std::string& target,
-                                const PictureArea& area, double width) {
-  const std::filesystem::path& mesh = desk.draft().sources[desk.current()].mesh;
-  const double gap = 0.7 * static_cast<double>(ImGui::GetFontSize());
-  readout_ = desk.draft().source_count() == 1 ? "Source: "
-             : desk.current() == 0            ? "First source: "
-                                              : "Second source: ";
-  readout_ += mesh.empty() ? "this mesh" : mesh.filename().string();
+void EditMarks::draw(const WrapTool& wrap, const Editor& editor, const ViewFrame& view,
+                     const Vector2d& corner, double pixels_per_unit) {
+  if (wrap.view() == nullptr) return;
+  const bool is_on_template = editor.view().shown().has_triangles_of_state();
+  const Positions& positions = editor.view().positions();
+  Pen beside(wrap.view()->view_frame(), pixels_per_unit, points_, corner);
+  Pen pen(view, pixels_per_unit, points_);
+  const Vector2d pane = wrap.view()->view_frame().size;
+  const auto mark = [&](Pen& on, const Eigen::Vector3d& place, std::size_t number) {
+    const auto pixel = on.projection().to_pixel(place);
+    // Not over the other pane.
+    if (!pixel || (&on == &beside) != (pixel->x() < (&on == &beside ? 0.0 : corner.x()) + pane.x()))
+      return;
+    on.dot(*pixel, ImGui::GetColorU32(color_of_pair(number)));
+    on.text(*pixel, {8.0, -8.0}, std::to_string(number + 1));
+  };
+  const std::span<const Target> landmarks = wrap.landmarks();
+  for (std::size_t k = 0; k < landmarks.size(); ++k) {
+    mark(beside, landmarks[k].position, k);
+    if (is_on_template) mark(pen, point_of(landmarks[k], positions), k);
+  }
+  const std::size_t next = wrap.moved().value_or(landmarks.size());
+  if (wrap.picked_on_scan()) mark(beside, *wrap.picked_on_scan(), next);
+  const auto vertex = wrap.picked_on_template();
+  if (vertex && is_on_template) mark(pen, positions[*vertex], next);
+}
+
+void EditMarks::draw_panes(const std::string& left, const std::string& right,
+                           const PictureArea& area, double width) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  draw_words(list, area.corner + Vector2d(gap, gap), readout_);
-  readout_ = "Target: " + target;
-  draw_words(list, area.corner + Vector2d(width + gap, gap), readout_);
+  const double gap = 0.7 * static_cast<double>(ImGui::GetFontSize());
+  const ImVec2 seam = to_imgui(area.corner + Vector2d(width, 0.0));
+  list.AddLine({seam.x, 0.0F}, {seam.x, ImGui::GetMainViewport()->Size.y}, kShade, 3.0F);
+  list.AddLine({seam.x, 0.0F}, {seam.x, ImGui::GetMainViewport()->Size.y}, kLine, 1.0F);
+  draw_words(list, area.corner + Vector2d(gap, gap), left);
+  draw_words(list, area.corner + Vector2d(width + gap, gap), right);
 }
 
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,

@@ -261,6 +261,23 @@ void FileController::use(const ChosenPath& chosen) {
     case PathPurpose::open_source:
       document_->desk.use_source(document_->desk.current(), path);
       break;
+    case PathPurpose::open_scan:
+      document_->wrap.open_scan(document_->editor, path);
+      break;
+    case PathPurpose::load_landmarks:
+      template_landmarks_ = path;
+      // Files of 3D Slicer contain the points of one mesh.
+      if (path.string().ends_with(".fcsv") || path.string().ends_with(".mrk.json")) {
+        return dialogs_.ask_for(PathPurpose::load_scan_landmarks);
+      }
+      document_->wrap.load_landmarks(path);
+      break;
+    case PathPurpose::load_scan_landmarks:
+      document_->wrap.load_landmarks(template_landmarks_, path);
+      break;
+    case PathPurpose::save_landmarks:
+      dialogs_.write_to(path, [this, path] { document_->wrap.save_landmarks(path); });
+      break;
     case PathPurpose::carry_file:
       document_->editor.actions().carry_along({path});
       break;

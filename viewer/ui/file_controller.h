@@ -89,6 +89,7 @@ class FileController {
   std::function<void(bool is_restored)> opened_;
   Job<LoadedFile> loader_;
   Loading loading_;
+  std::filesystem::path template_landmarks_;  // chosen; those of the scan are asked for
   Load load_again_;  // repeats the load once if the device fails; empty afterwards
   bool rethrows_ = false;
   std::exception_ptr failure_;  // an error that another device would not fix

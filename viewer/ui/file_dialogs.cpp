@@ -45,6 +45,8 @@ std::string FileDialogs::suggested_name(PathPurpose purpose) const {
       return edited_path(document_->opened).replace_extension(".json").filename();
     case PathPurpose::save_repaired:
       return path_beside(document_->opened, "-repaired").filename();
+    case PathPurpose::save_landmarks:
+      return path_beside(document_->opened, "-landmarks").stem().string() + ".csv";
     case PathPurpose::save_picture:
       return edited_path(document_->opened).stem().string() + ".png";
     case PathPurpose::save_turntable:

@@ -14,6 +14,7 @@
 #include "editing/guide.h"
 #include "editing/mesh_step_tool.h"
 #include "editing/part_library_view.h"
+#include "editing/wrap_tool.h"
 #include "files/file_purpose.h"
 #include "files/recent_files.h"
 #include "lapwing/gpu/devices.h"
@@ -44,7 +45,7 @@ struct PanelDrafts {
 // its arguments.
 
 /// The tabs of the sidebar.
-enum class Task { deform, coat, mix, transplant, mesh, display };
+enum class Task { deform, coat, mix, wrap, transplant, mesh, display };
 
 /// Returns the height of the status line, in ImGui's units.
 float status_height();
@@ -122,6 +123,16 @@ std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& ed
                                             const std::string& unit);
 /// Draws Apply, Cancel and the result of an open coat or mix.
 void draw_layer_result(DetailTransferTool& desk, Editor& editor);
+/// Requests from the Wrap tab.
+struct WrapWish {
+  std::optional<PathPurpose> path = {};
+  std::filesystem::path coat = {};  ///< the scan whose detail to coat; empty for none
+};
+/// Draws the wrap's scan, landmarks and settings, and a legend in the colours of `style`. If none
+/// is open, draws how to begin one.
+WrapWish draw_wrap_panel(WrapTool& wrap, Editor& editor, const SurfaceStyle& style);
+/// Draws Wrap, Apply, Cancel and the report of an open wrap.
+WrapWish draw_wrap_result(WrapTool& wrap, Editor& editor);
 /// Draws the domain with the edges of both patches, the source's below, as wide as the panel.
 /// Without `layers`, draws only the frame.
 void draw_domain(const LayeredCoat* layers, std::size_t source);
@@ -137,6 +148,10 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
 /// What the colours of the surface show.
 enum class Coloring { plain, regions, displacement, rotation, detail, stretch };
 std::optional<PoseMeasure> measure_of(Coloring coloring);
+/// Title of the legend of a wrap's distances.
+inline constexpr const char* kScanDistance = "distance from the scan\n(% of its diagonal)";
+/// Draws the colours of `style` with the ends of its range, as wide as the panel.
+void draw_legend(const SurfaceStyle& style);
 
 /// The choices in the Display tab.
 struct DisplayChoices {
@@ -178,9 +193,13 @@ class EditMarks {
   /// view is at `corner`.
   void draw(const DetailTransferTool& desk, const Editor& editor, const ViewFrame& view,
             const Eigen::Vector2d& corner, double pixels_per_unit);
-  /// Names the two panes of `area`. The source's is `width` wide, in ImGui's units.
-  void draw_pane_names(const DetailTransferTool& desk, const std::string& target,
-                       const PictureArea& area, double width);
+  /// The same for the landmarks of a wrap, one colour for each.
+  void draw(const WrapTool& wrap, const Editor& editor, const ViewFrame& view,
+            const Eigen::Vector2d& corner, double pixels_per_unit);
+  /// Draws the line between the two panes of `area` and their names. The left one is `width` wide,
+  /// in ImGui's units.
+  void draw_panes(const std::string& left, const std::string& right, const PictureArea& area,
+                  double width);
   /// Draws the loops of a transplant's part and hole, and the part's gizmo.
   void draw_transplant(const TransplantTool& desk, const ViewFrame& view, double pixels_per_unit);
   /// Draws the line between the original and the edited mesh, with their names below `top`. `line`

@@ -38,7 +38,9 @@ RenderOptions Recorder::render_options(VkExtent2D size) const {
       static_cast<float>(viewport_.camera().pixels_per_point() * static_cast<double>(size.height) /
                          viewport_.camera().size().y());
   if (options.style.color == SurfaceColor::scalar) {
-    options.legend_title = legend_title(*measure_of(display_.coloring));
+    options.legend_title = document_->editor.view().shown().has_numbers()
+                               ? kScanDistance
+                               : legend_title(*measure_of(display_.coloring));
   }
   return options;
 }

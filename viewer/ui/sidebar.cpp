@@ -19,31 +19,39 @@ constexpr float kResultLines = 8.0F;
 constexpr float kHistoryLines = 5.0F;
 // Largest share of the height. On a low window the tabs keep the greater part.
 constexpr float kMostOfHeight = 0.27F;
+// The choices of the Display tab need this width, in letters.
+constexpr double kLeastLetters = 26.0;
+// Between tabs. The smallest window has room for no more.
+constexpr float kTabGap = 1.0F;
 
 struct Tab {
   const char* name;
   Task task;
 };
-constexpr Tab kTabs[]{{"Deform", Task::deform}, {"Coat", Task::coat},
-                      {"Mix", Task::mix},       {"Transplant", Task::transplant},
-                      {"Mesh", Task::mesh},     {"Display", Task::display}};
+constexpr Tab kTabs[]{{"Deform", Task::deform},
+                      {"Coat", Task::coat},
+                      {"Mix", Task::mix},
+                      {"Wrap", Task::wrap},
+                      {"Transplant", Task::transplant},
+                      {"Mesh", Task::mesh},
+                      {"Display", Task::display}};
 
 // Returns the width of all tabs without the padding beside their names.
 float bare_width_of_tabs() {
   float width = 0.0F;
   for (const Tab& tab : kTabs) {
-    width += ImGui::CalcTextSize(tab.name).x + ImGui::GetStyle().ItemInnerSpacing.x + 1.0F;
+    width += ImGui::CalcTextSize(tab.name).x + kTabGap + 1.0F;
   }
   return width;
 }
 
-// Returns the smallest width of the sidebar, in letters of the font, at which the tabs have their
-// usual padding.
+// Returns the smallest width of the sidebar, in letters of the font, at which the tabs have a third
+// of their usual padding. A wider sidebar would leave too little room for the tools.
 double least_letters() {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = 2.0F * style.WindowPadding.x + bare_width_of_tabs() +
-                      2.0F * style.FramePadding.x * static_cast<float>(std::size(kTabs));
-  return std::ceil(static_cast<double>(width / ImGui::GetFontSize()));
+                      2.0F / 3.0F * style.FramePadding.x * static_cast<float>(std::size(kTabs));
+  return std::max(kLeastLetters, std::ceil(static_cast<double>(width / ImGui::GetFontSize())));
 }
 
 // Returns the padding beside a tab's name. In a small window it is narrow, so that no name is cut
@@ -105,6 +113,7 @@ void Sidebar::draw_edge(float right, float top, float height) {
 void Sidebar::follow_task() {
   const DetailTransferTool& desk = document_->desk;
   const Task begun = document_->transplant.is_open()                         ? Task::transplant
+                     : document_->wrap.is_open()                             ? Task::wrap
                      : !desk.is_open()                                       ? Task::deform
                      : desk.draft().operation == LayerDraft::Operation::coat ? Task::coat
                                                                              : Task::mix;
@@ -115,16 +124,21 @@ void Sidebar::follow_task() {
 void Sidebar::draw_tabs() {
   follow_task();
   const ImVec2 padding{padding_of_tabs(), ImGui::GetStyle().FramePadding.y};
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  const ImVec2 gap{kTabGap, ImGui::GetStyle().ItemInnerSpacing.y};
+  const auto push = [&] {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, gap);
+  };
+  push();
   const bool is_drawn = ImGui::BeginTabBar("tasks");
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   if (!is_drawn) return;
   for (const Tab& tab : kTabs) {
     const bool wanted = task_to_show_ == tab.task;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    push();
     const bool is_open =
         ImGui::BeginTabItem(tab.name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     if (!is_open) continue;
     ImGui::BeginChild(tab.name);
     draw_task(tab.task);
@@ -150,6 +164,9 @@ void Sidebar::draw_task(Task task) {
         wish_.path = purpose;
       }
       break;
+    case Task::wrap:
+      take(draw_wrap_panel(document_->wrap, editor, display_.style));
+      break;
     case Task::transplant:
       if (const auto purpose =
               draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_)) {
@@ -173,8 +190,13 @@ void Sidebar::draw_task(Task task) {
   }
 }
 
+void Sidebar::take(const WrapWish& wish) {
+  if (wish.path) wish_.path = wish.path;
+  if (!wish.coat.empty()) document_->coat_detail(wish.coat);
+}
+
 void Sidebar::draw_mesh_commands() {
-  if (document_->desk.is_open() || document_->transplant.is_open()) {
+  if (document_->has_open_task()) {
     ImGui::TextDisabled("Apply or cancel the open operation before you change the triangles.");
     return;
   }
@@ -189,6 +211,9 @@ void Sidebar::draw_result() {
   if (document_->desk.is_open()) return draw_layer_result(document_->desk, editor);
   if (document_->transplant.is_open()) {
     return draw_transplant_result(document_->transplant, editor);
+  }
+  if (document_->wrap.is_open()) {
+    return take(draw_wrap_result(document_->wrap, editor));
   }
   if (document_->mesh_steps.is_open()) return draw_mesh_step_result(document_->mesh_steps, editor);
   const ResultWish wish = draw_result_panel(editor, viewport_.shows_vertices());

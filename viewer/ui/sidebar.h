@@ -36,6 +36,7 @@ class Sidebar {
   void draw_tabs();
   void draw_task(Task task);
   void draw_mesh_commands();
+  void take(const WrapWish& wish);
   void draw_result();
 
   const std::unique_ptr<Document>& document_;

@@ -17,6 +17,7 @@ constexpr auto kAskedPaths = std::to_array<std::pair<Action, PathPurpose>>(
      {Action::save_as, PathPurpose::save_mesh},
      {Action::save_recipe, PathPurpose::save_recipe},
      {Action::replay_recipe, PathPurpose::replay_recipe},
+     {Action::begin_wrap, PathPurpose::open_scan},
      {Action::carry_file, PathPurpose::carry_file}});
 
 }  // namespace
@@ -46,6 +47,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   sidebar_.release_device();
   if (document_) {
     document_->mesh_steps.release_device();
+    document_->wrap.release_device();
     document_->transplant.release_device();
     document_->desk.release_device();
     document_->editor.release_device();
@@ -55,6 +57,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   if (document_) {
     document_->editor.use_device(context_);
     document_->desk.use_device(context_);
+    document_->wrap.use_device(context_);
     document_->mesh_steps.use_device(context_);
     document_->transplant.use_device(context_);
   }
@@ -148,7 +151,9 @@ bool ViewerApp::handle(const InputEvent& event) {
     escape();
     return true;
   }
-  if (const auto changed = viewport_.handle(event)) return *changed;
+  const auto changed = viewport_.handle(event);
+  if (document_) document_->wrap.take_points(document_->editor);
+  if (changed) return *changed;
   if (escapes) {
     if (cancel_layers()) return true;
     escape();
@@ -157,14 +162,20 @@ bool ViewerApp::handle(const InputEvent& event) {
   return true;
 }
 
-// Ends the first of these that is in progress: picking or painting for a coat or mix, its step, or
-// the coat or mix. Returns false if none is, or if Escape must first close something in front of
-// it.
+// Ends the first of these that is in progress: picking or painting for a coat, mix or wrap, its
+// computation, or the coat, mix or wrap. Returns false if none is, or if Escape must first close
+// something in front of it.
 bool ViewerApp::cancel_layers() {
   const bool is_behind =
       viewport_.shows_vertices() || show_machine_ || show_messages_ || files_.is_loading();
-  if (!document_ || !document_->desk.is_open() || is_behind) return false;
-  document_->desk.cancel(document_->editor);
+  if (!document_ || is_behind) return false;
+  if (document_->wrap.is_open()) {
+    document_->wrap.cancel(document_->editor);
+  } else if (document_->desk.is_open()) {
+    document_->desk.cancel(document_->editor);
+  } else {
+    return false;
+  }
   return true;
 }
 
@@ -188,6 +199,7 @@ void ViewerApp::escape() {
 }
 
 void ViewerApp::perform(Action action) {
+  if (document_ && perform_on(document_->wrap, document_->editor, action)) return;
   if (document_ && perform_on(document_->editor, action)) return;
   if (document_ && perform_on(document_->desk, document_->editor, action)) return;
   if (viewport_.perform(action)) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -108,7 +109,8 @@ class ViewerApp final : public App {
   bool show_controls_ = false;
   bool show_machine_ = false;
   bool show_messages_ = false;
-  bool transplants_ = false;  ///< a transplant was open in the last frame
+  /// Whether a coat or mix, a transplant and a wrap were open in the last frame.
+  std::array<bool, 3> was_open_{};
   std::string status_line_;   ///< reused from frame to frame
   std::string state_line_;
   std::optional<PictureOrder> order_;

@@ -140,13 +140,13 @@ void ViewerApp::draw_over_picture() {
   const double taken = draw_banner(area.corner + inside, area.corner + area.size - inside);
   if (taken > 0.0) panels.banner = taken + gap;
   if (!panels.are_shown || !edits || !preferences_.shows_guide) return;
-  const Guide guide = guide_of(document_->desk, document_->transplant, document_->editor);
+  const Guide guide =
+      guide_of(document_->desk, document_->transplant, document_->wrap, document_->editor);
   panels.guide = draw_guide(guide, viewport_.free_area());
 }
 
 double ViewerApp::draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end) {
-  const bool others = document_->desk.is_open() || document_->transplant.is_open();
-  if (others && !document_->banner.is_empty()) return 0.0;
+  if (document_->has_open_task() && !document_->banner.is_empty()) return 0.0;
   DoctorBanner& banner = document_->banner;
   const bool had_picture = banner.has_picture();
   const auto wish = banner.draw(document_->editor, corner, end - corner);
@@ -197,15 +197,19 @@ void ViewerApp::update_document() {
   Editor& editor = document_->editor;
   DetailTransferTool& desk = document_->desk;
   TransplantTool& transplant = document_->transplant;
+  WrapTool& wrap = document_->wrap;
   editor.update();
-  // Both preview on the surface, so the one begun last closes the other.
-  if (desk.is_open() && transplant.is_open()) {
-    transplants_ ? transplant.close(editor) : desk.close(editor);
+  // All of them preview on the surface, so the one begun last closes the other.
+  if (desk.is_open() + transplant.is_open() + wrap.is_open() > 1) {
+    if (was_open_[0]) desk.close(editor);
+    if (was_open_[1]) transplant.close(editor);
+    if (was_open_[2]) wrap.close(editor);
   }
-  transplants_ = transplant.is_open();
+  was_open_ = {desk.is_open(), transplant.is_open(), wrap.is_open()};
   desk.update(editor);
   transplant.update(editor);
-  const bool others = desk.is_open() || transplant.is_open();
+  wrap.update(editor);
+  const bool others = document_->has_open_task();
   document_->banner.update(editor, others || document_->mesh_steps.is_open());
   document_->mesh_steps.update(editor, others);
   sidebar_.update(*context_);

@@ -123,6 +123,7 @@ void ViewerApp::draw_edit_menu() {
                               kDivider,
                               Item{"Coat...", Action::begin_coat},
                               Item{"Mix...", Action::begin_mix},
+                              Item{"Wrap onto a scan...", Action::begin_wrap},
                               Item{"Transplant part", Action::take_part}};
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
 }

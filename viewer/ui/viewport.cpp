@@ -64,11 +64,20 @@ bool is_inside(const Vector3d& point, const Bounds& bounds) {
   return (bounds.min.array() <= point.array()).all() && (point.array() <= bounds.max.array()).all();
 }
 
+// Returns whether a view of `a` does not show `b` well.
+bool are_apart(const Bounds& a, const Bounds& b) {
+  constexpr double kOtherSize = 2.0;
+  const double ratio = a.diagonal() / b.diagonal();
+  return !is_inside(a.center(), b) || !is_inside(b.center(), a) || ratio > kOtherSize ||
+         ratio < 1.0 / kOtherSize;
+}
+
 }  // namespace
 
 void Viewport::begin() {
   slider_.reset();
   view_before_.reset();
+  surface_ = document_->editor.view().shown().surface_bounds();
   set_up_axis(document_->opened.up_axis);
   frame_all();
 }
@@ -85,10 +94,12 @@ void Viewport::resize(const Vector2d& size, double pixels_per_point) {
 
 void Viewport::update() {
   const auto area = source_area();
-  if (area) document_->desk.view()->resize(area->size, camera_.pixels_per_point());
+  if (area) document_->source()->resize(area->size, camera_.pixels_per_point());
   set_camera(camera_.camera());
-  // The free part of the window has changed.
-  if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
+  // The free part of the window has changed, or a wrap has moved the surface elsewhere.
+  const Bounds before = std::exchange(surface_, document_->editor.view().shown().surface_bounds());
+  const bool has_resized = std::exchange(shows_source_, area.has_value()) != area.has_value();
+  if (has_resized || are_apart(before, surface_)) frame_all();
 }
 
 // The view is centred in the part of the window that is not covered.
@@ -147,7 +158,7 @@ Scene Viewport::scene() {
     scene.style.sides = Sides::front;
   }
   if (const auto area = source_area()) {
-    const SourceView& source = *document_->desk.view();
+    const SourceView& source = *document_->source();
     SideScene& beside = scene.beside.emplace();
     beside.surface = &source.shown().device().shown();
     beside.paint = &source.shown().device().paint();
@@ -175,9 +186,13 @@ void Viewport::draw_marks() {
   }
   const auto area = source_area();
   if (!area) return;
-  marks_.draw(document_->desk, document_->editor, frame(), area->corner, per_unit);
-  marks_.draw_pane_names(document_->desk, document_->opened.name, free_area(),
-                         area->size.x() / per_unit);
+  if (document_->wrap.is_open()) {
+    marks_.draw(document_->wrap, document_->editor, frame(), area->corner, per_unit);
+  } else {
+    marks_.draw(document_->desk, document_->editor, frame(), area->corner, per_unit);
+  }
+  const auto [left, right] = document_->pane_names();
+  marks_.draw_panes(left, right, free_area(), area->size.x() / per_unit);
 }
 
 double Viewport::pixels_per_unit() const {
@@ -203,9 +218,9 @@ PictureArea Viewport::free_area() const {
   return {corner, (end - corner).cwiseMax(0.0)};
 }
 
-// Returns the rectangle of the window, in pixels, in which the source of a coat or mix is shown.
+// Returns the rectangle of the window, in pixels, in which the source of an operation is shown.
 std::optional<PictureArea> Viewport::source_area() const {
-  if (!document_ || !document_->desk.is_open() || document_->desk.view() == nullptr) return {};
+  if (!document_ || document_->source() == nullptr) return {};
   const double left = std::round(sidebar_pixels());
   const double width = std::floor(0.5 * (camera_.size().x() - left));
   if (width < 1.0) return {};
@@ -370,7 +385,7 @@ std::optional<bool> Viewport::handle_source(const InputEvent& event) {
       document_->editor.tool().is_dragging()) {
     return {};
   }
-  SourceView& view = *document_->desk.view();
+  SourceView& view = *document_->source();
   if (!view.holds_mouse() && !area->holds(event.position)) return {};
   InputEvent inside = event;
   inside.position -= area->corner;

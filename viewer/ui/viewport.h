@@ -102,6 +102,7 @@ class Viewport {
   bool on_slider_ = false;      // its line is being dragged
   bool on_axis_gizmo_ = false;  // the motion began on the axis gizmo
   bool shows_source_ = false;   // beside the mesh
+  Bounds surface_;              // of the last frame
 };
 
 }  // namespace lapwing::viewer

@@ -14,6 +14,14 @@ constexpr float kLabelShare = 0.42F;
 
 }  // namespace
 
+ImVec4 color_of_pair(std::size_t number) {
+  constexpr float kGoldenRatio = 0.618F;
+  ImVec4 color{0.0F, 0.0F, 0.0F, 1.0F};
+  ImGui::ColorConvertHSVtoRGB(std::fmod(kGoldenRatio * static_cast<float>(number), 1.0F), 0.75F,
+                              1.0F, color.x, color.y, color.z);
+  return color;
+}
+
 void draw_swatch(const ImVec4& color) {
   const float side = 0.7F * ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();

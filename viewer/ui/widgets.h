@@ -33,6 +33,9 @@ inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
 /// Returns the screen coordinate of the right end of the current line. Call this at its start.
 float right_end();
 
+/// Returns the colour of a pair of corresponding points. Neighbouring numbers differ clearly.
+ImVec4 color_of_pair(std::size_t number);
+
 /// Draws a square of that colour before an item with a frame, on the same line.
 void draw_swatch(const ImVec4& color);
 float swatch_width();

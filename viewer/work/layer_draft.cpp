@@ -1,15 +1,34 @@
 #include "work/layer_draft.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/parameterize/patch.h"
+#include "lapwing/wrap/scan_surface.h"
 
 namespace lapwing::viewer {
 namespace {
 
 // The default detail size in mean edge lengths. Users perceive smaller features as bumps.
 constexpr double kEdgesPerDetail = 8.0;
+
+// Number of pairs that place a source on the target.
+constexpr std::size_t kPlacedPairs = 8;
+
+// Returns the vertices of `patch` whose neighbours are all in it.
+VertexSet without_border(const VertexSet& patch, const Mesh& mesh) {
+  const std::vector<char> is_in_patch = vertex_mask(mesh.vertex_count(), patch);
+  VertexSet inside;
+  for (const Index v : patch) {
+    if (std::ranges::all_of(mesh.topology().rings[v],
+                            [&](Index n) { return is_in_patch[n] != 0; })) {
+      inside.push_back(v);
+    }
+  }
+  return inside;
+}
 
 void require_complete(const LayerDraft& draft) {
   for (std::size_t k = 0; k < draft.source_count(); ++k) {
@@ -112,6 +131,57 @@ Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh) 
   return *std::min_element(border.begin(), border.end(), [&](Index a, Index b) {
     return (mesh.positions[a] - place).squaredNorm() < (mesh.positions[b] - place).squaredNorm();
   });
+}
+
+RegionSpec patch_on(const Mesh& source, const Mesh& target, const VertexSet& patch) {
+  const ScanSurface surface(target.topology(), target.positions);
+  const std::vector<char> is_in_patch = vertex_mask(target.vertex_count(), patch);
+  std::vector<Index> hints;
+  ListedVertices list;
+  const std::vector<Counterpart> on_target = counterparts_of(
+      source.positions, ScanSurface(source.topology(), source.positions).normals(), surface, hints);
+  for (Index v = 0; v < on_target.size(); ++v) {
+    const auto& corners = on_target[v].point.corners;
+    if (on_target[v].agrees &&
+        std::ranges::all_of(corners, [&](Index c) { return is_in_patch[c] != 0; })) {
+      list.vertices.push_back(v);
+    }
+  }
+  if (list.vertices.empty()) {
+    throw InputError(
+        "The source does not lie on the region. Select another region, or drag a disk "
+        "on the source.");
+  }
+  return {DiskInRegion{{{std::move(list), "source patch"}}}, "source patch"};
+}
+
+std::vector<VertexPair> pairs_on(const Mesh& source, const VertexSet& source_patch,
+                                 const Mesh& target, const VertexSet& patch) {
+  const VertexSet inside = without_border(patch, target);
+  const VertexSet source_inside = without_border(source_patch, source);
+  std::vector<VertexPair> pairs;
+  if (source_inside.empty()) return pairs;
+  const auto nearest = [&](Index v) {
+    return *std::ranges::min_element(source_inside, {}, [&](Index s) {
+      return (source.positions[s] - target.positions[v]).squaredNorm();
+    });
+  };
+  // Each vertex is the one that is farthest from those before it and from the border.
+  std::vector<double> distances(inside.size(), std::numeric_limits<double>::infinity());
+  const auto mark = [&](Index from) {
+    for (std::size_t k = 0; k < inside.size(); ++k) {
+      distances[k] = std::min(distances[k],
+                              (target.positions[inside[k]] - target.positions[from]).squaredNorm());
+    }
+  };
+  for (const Index v : subtract(patch, inside)) mark(v);
+  while (pairs.size() < std::min(kPlacedPairs, inside.size())) {
+    const auto farthest = std::ranges::max_element(distances) - distances.begin();
+    const Index v = inside[static_cast<std::size_t>(farthest)];
+    pairs.push_back({nearest(v), v});
+    mark(v);
+  }
+  return pairs;
 }
 
 }  // namespace lapwing::viewer

@@ -96,7 +96,8 @@ constexpr std::array kChoiceWords{Words{"rsi", "RSI"},     Words{"carry", "Move 
                                   Words{"refuse", "Stop"}, Words{"auto", "Automatic"},
                                   Words{"none", "Off"},    Words{"one_ring", "One-ring"}};
 
-constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
+constexpr std::array kStageWords{Words{"align", "Aligning"},
+                                 Words{"analyze", "Ordering the matrix"},
                                  Words{"assemble", "Assembling the matrix"},
                                  Words{"carry", "Moving attached objects"},
                                  Words{"check", "Checking the mesh"},
@@ -121,6 +122,7 @@ constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
                                  Words{"repair", "Repairing"},
                                  Words{"response", "Computing the linear response"},
                                  Words{"sample", "Sampling detail"},
+                                 Words{"scan", "Reading the scan"},
                                  Words{"settle", "Refining"},
                                  Words{"shares", "Computing handle weights"},
                                  Words{"smooth", "Smoothing"},
@@ -129,6 +131,7 @@ constexpr std::array kStageWords{Words{"analyze", "Ordering the matrix"},
                                  Words{"source", "Preparing source detail"},
                                  Words{"subdivide", "Subdividing"},
                                  Words{"topology", "Building the topology"},
+                                 Words{"wrap", "Wrapping"},
                                  Words{"zip", "Joining the part"}};
 
 // Phrases of the engine, the longer ones first.

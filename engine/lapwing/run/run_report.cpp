@@ -197,6 +197,8 @@ Json json_of(const WrapStepReport& wrap) {
           {"coverage", number(wrap.coverage)},
           {"landmark_error", number(wrap.landmark_error)},
           {"flipped_triangles", wrap.flipped_triangles},
+          {"self_intersecting_triangles",
+           wrap.self_intersecting ? Json(*wrap.self_intersecting) : Json()},
           {"edge_stretch", number(wrap.edge_stretch)},
           {"minimizations", wrap.steps},
           {"trouble", wrap.trouble}};

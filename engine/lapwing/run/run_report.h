@@ -23,6 +23,9 @@ struct PeelReport {
 struct WrapStepReport : WrapReport {
   double scan_diagonal = 0.0;
   std::string trouble;           ///< why_failed
+  /// Number of triangles that intersect others in the result, but not in the template. Not set if
+  /// too many triangles overlap.
+  std::optional<std::size_t> self_intersecting = {};
   std::vector<float> distances;  ///< as in Wrapped
 };
 

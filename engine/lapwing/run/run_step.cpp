@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <utility>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/coating/coat.h"
 #include "lapwing/deform/modifiers/attachments.h"
+#include "lapwing/doctor/self_intersections.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/transplant/transplant.h"
@@ -241,6 +244,31 @@ StepReport run_step(const FillRequest& step, const StepContext& on) {
   return report_of_mesh_step(std::move(added), std::move(timings), on.result);
 }
 
+// Returns for each triangle whether it intersects another one.
+std::vector<char> intersecting(std::span<const Triangle> triangles, const Positions& positions) {
+  std::vector<char> intersects(triangles.size(), 0);
+  for (const auto& [a, b] : self_intersections(triangles, positions)) {
+    intersects[a] = intersects[b] = 1;
+  }
+  return intersects;
+}
+
+// Returns the number of triangles that intersect others only in the pose `after`; nullopt if too
+// many overlap.
+std::optional<std::size_t> new_intersections(std::span<const Triangle> triangles,
+                                             const Positions& before, const Positions& after) {
+  try {
+    const std::vector<char> old = intersecting(triangles, before);
+    const std::vector<char> now = intersecting(triangles, after);
+    return std::inner_product(now.begin(), now.end(), old.begin(), std::size_t{0}, std::plus<>(),
+                              [](char in_result, char in_template) {
+                                return static_cast<std::size_t>(in_result > in_template);
+                              });
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 StepReport run_step(const WrapStep& step, const StepContext& on) {
   RunResult& result = on.result;
   StepReport report;
@@ -264,8 +292,13 @@ StepReport run_step(const WrapStep& step, const StepContext& on) {
   const Topology& topology = result.mesh.topology();
   const std::string trouble = why_failed(done.report, topology.triangles.size());
   if (!trouble.empty()) result.warn(std::array{trouble});
+  std::optional<std::size_t> self_intersecting;
+  stage("check", report.timings, on.progress, [&] {
+    self_intersecting =
+        new_intersections(topology.triangles, result.mesh.positions, done.positions);
+  });
   report.wrap = WrapStepReport{std::move(done.report), bounds_of(scan->positions).diagonal(),
-                               trouble, std::move(done.distances)};
+                               trouble, self_intersecting, std::move(done.distances)};
   result.mesh.positions = std::move(done.positions);
   result.region = {first_vertices(topology.vertex_count()), {}, {}};
   report.roi = report.free = result.region.roi.size();

@@ -10,9 +10,11 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/point_table.h"
 #include "lapwing/io/text_scanner.h"
+#include "lapwing/io/writing.h"
 #include "lapwing/mesh/closest_point.h"
 
 namespace lapwing {
@@ -307,6 +309,30 @@ TargetSpec targets_of(const LandmarkSpec& spec, const Mesh& wrapped, const Mesh&
     targets.rows.push_back({row.on_template, position, row.weight});
   }
   return targets;
+}
+
+void write_landmarks(std::span<const TargetRow> rows, const Mesh& wrapped, const fs::path& path) {
+  const bool has_positions = std::ranges::any_of(
+      rows, [](const TargetRow& row) { return std::holds_alternative<Vector3d>(row.point); });
+  std::string text = has_positions ? "px,py,pz,x,y,z,weight\n" : "vertex,x,y,z,weight\n";
+  const auto append = [&text](const Vector3d& numbers) {
+    for (const double number : numbers) {
+      append_number(text, number);
+      text += ',';
+    }
+  };
+  for (const TargetRow& row : rows) {
+    const auto* v = std::get_if<Index>(&row.point);
+    if (has_positions) {
+      append(v != nullptr ? wrapped.positions[*v] : std::get<Vector3d>(row.point));
+    } else {
+      text += std::to_string(*v) + ',';
+    }
+    append(row.position);
+    append_number(text, row.weight);
+    text += '\n';
+  }
+  replace_file(path, text);
 }
 
 }  // namespace lapwing

@@ -68,4 +68,10 @@ LandmarkSpec with_rows(LandmarkSpec spec, const std::filesystem::path& base_dire
 /// hundredth of its diagonal.
 TargetSpec targets_of(const LandmarkSpec& spec, const Mesh& wrapped, const Mesh& scan);
 
+/// Writes the result of `targets_of` to a .csv file that `with_rows` reads: vertex, x, y, z,
+/// weight. If a row contains a position on the template, all rows begin with px, py, pz instead of
+/// the vertex. Throws IoError.
+void write_landmarks(std::span<const TargetRow> rows, const Mesh& wrapped,
+                     const std::filesystem::path& path);
+
 }  // namespace lapwing

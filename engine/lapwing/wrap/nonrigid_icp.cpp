@@ -234,25 +234,29 @@ class Wrapping {
   int steps_ = 0;
 };
 
-// The reaches of the springs, descending.
-std::vector<double> reaches_of(const Positions& rest, double edge) {
-  const double first = kFirstReach * bounds_of(rest).diagonal();
-  std::vector<double> reaches;
-  for (int k = 0; k < kReaches; ++k) {
-    const double fraction = static_cast<double>(k) / (kReaches - 1);
-    reaches.push_back(first * std::pow(kLastReach * edge / first, fraction));
+// Follows the reaches in [begin, end) of `reaches` and reports each.
+void follow(Wrapping& wrapping, std::span<const double> reaches, std::size_t begin, std::size_t end,
+            const Progress& progress) {
+  for (std::size_t k = begin; k < end; ++k) {
+    report_progress(progress, "wrap", static_cast<double>(k) / static_cast<double>(reaches.size()));
+    wrapping.follow(reaches[k]);
   }
-  return reaches;
 }
 
-// Wraps a decimated copy of a large template at all reaches that its edges can follow, and removes
-// these from `reaches`. The deformations at such reaches have long wavelengths and do not need more
-// vertices. Sets `task.start` from the decimated copy. Returns the number of steps.
-int wrap_coarse(FittingTask& task, const std::shared_ptr<const Positions>& rest, Kernels& kernels,
-                std::vector<double>& reaches) {
+struct CoarseSteps {
+  int steps = 0;
+  std::size_t reaches = 0;  // number of the reaches that were followed
+};
+
+// Wraps a decimated copy of a large template at all reaches that its edges can follow. The
+// deformations at such reaches have long wavelengths and do not need more vertices. Sets
+// `task.start` from the decimated copy.
+CoarseSteps wrap_coarse(FittingTask& task, const std::shared_ptr<const Positions>& rest,
+                        Kernels& kernels, std::span<const double> reaches,
+                        const Progress& progress) {
   CoarseSurfaces surfaces;
   const auto level = surfaces.of(task.region, task.topology, rest, kCoarseVertices);
-  if (level == nullptr) return 0;
+  if (level == nullptr) return {};
   const CoarseSurface& coarse = level->surface;
   Positions start;
   for (const Index v : coarse.kept) start.push_back(task.start[v]);
@@ -261,9 +265,9 @@ int wrap_coarse(FittingTask& task, const std::shared_ptr<const Positions>& rest,
   // The vertices of the decimated copy do not form pairs.
   Wrapping wrapping(coarse.topology, own_rest, std::move(start), task.scans, nullptr,
                     std::move(own_region), kernels);
-  auto reach = reaches.begin();
-  for (; *reach > wrapping.edge(); ++reach) wrapping.follow(*reach);
-  reaches.erase(reaches.begin(), reach);
+  std::size_t followed = 0;
+  while (reaches[followed] > wrapping.edge()) ++followed;
+  follow(wrapping, reaches, 0, followed, progress);
   CoarseEmbedding::Pose reached;
   for (Index c = 0; c < coarse.kept.size(); ++c) {
     reached.displacement.push_back(wrapping.positions()[c] - coarse.rest[c]);
@@ -276,27 +280,33 @@ int wrap_coarse(FittingTask& task, const std::shared_ptr<const Positions>& rest,
   Positions displacement(rest->size(), Vector3d::Zero());
   level->embedding.prolongate(at_rest, reached, displacement);
   for (std::size_t v = 0; v < rest->size(); ++v) task.start[v] = (*rest)[v] + displacement[v];
-  return wrapping.steps();
+  return {wrapping.steps(), followed};
 }
 
 }  // namespace
 
+std::vector<double> reaches_of(const Positions& rest, double edge) {
+  const double first = kFirstReach * bounds_of(rest).diagonal();
+  std::vector<double> reaches;
+  for (int k = 0; k < kReaches; ++k) {
+    const double fraction = static_cast<double>(k) / (kReaches - 1);
+    reaches.push_back(first * std::pow(kLastReach * edge / first, fraction));
+  }
+  return reaches;
+}
+
 FittedTemplate nonrigid_icp(FittingTask task, Kernels& kernels, const Progress& progress) {
   const Topology& topology = task.topology;
   const auto rest = std::make_shared<const Positions>(std::move(task.rest));
-  std::vector<double> reaches = reaches_of(*rest, mean_edge_length(topology.rings, *rest));
+  const std::vector<double> reaches = reaches_of(*rest, mean_edge_length(topology.rings, *rest));
   report_progress(progress, "wrap", 0.0);
-  const int coarse_steps = wrap_coarse(task, rest, kernels, reaches);
+  const CoarseSteps coarse = wrap_coarse(task, rest, kernels, reaches, progress);
   Wrapping wrapping(topology, rest, std::move(task.start), task.scans, task.mirror,
                     std::move(task.region), kernels);
-  for (std::size_t k = 0; k < reaches.size(); ++k) {
-    report_progress(progress, "wrap",
-                    static_cast<double>(k + 1) / static_cast<double>(reaches.size() + 1));
-    wrapping.follow(reaches[k]);
-  }
+  follow(wrapping, reaches, coarse.reaches, reaches.size(), progress);
   wrapping.finish(task.detail);
   FittedTemplate fitted = wrapping.result();
-  fitted.steps += coarse_steps;
+  fitted.steps += coarse.steps;
   return fitted;
 }
 

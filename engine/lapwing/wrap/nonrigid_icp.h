@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/kernels/kernels.h"
@@ -9,6 +10,10 @@
 #include "lapwing/wrap/template_mirror.h"
 
 namespace lapwing {
+
+/// Returns the reaches of the springs, descending from half the diagonal of the template to half
+/// its mean edge length `edge`.
+std::vector<double> reaches_of(const Positions& rest, double edge);
 
 /// A template that was fitted to a scan.
 struct FittedTemplate {
@@ -32,7 +37,8 @@ struct FittingTask {
 
 /// Deforms a template toward a scan by alternating closest points and minimizations (nonrigid
 /// iterative closest points: Amberg, Romdhani, Vetter 2007), as `wrap` describes. Reports the stage
-/// "wrap". Throws SolverError, GpuError and Cancelled.
+/// "wrap", with the fraction of the reaches that are done. Throws SolverError, GpuError and
+/// Cancelled.
 FittedTemplate nonrigid_icp(FittingTask task, Kernels& kernels, const Progress& progress);
 
 }  // namespace lapwing
