@@ -48,6 +48,7 @@ class DetailTransferTool {
   /// Sets where the source `k` comes from: a file, or the edited mesh if `mesh` is empty. If the
   /// source `lies_on_target`, its patch and pairs follow the target patch.
   void use_source(std::size_t k, const std::filesystem::path& mesh, bool lies_on_target = false);
+  bool lies_on_target() const { return lies_on_target_; }
 
   /// The source that is shown beside the target.
   std::size_t current() const { return current_; }

@@ -69,7 +69,10 @@ void draw_patch(DetailTransferTool& desk) {
     return;
   }
   if (view->patch().vertices.empty()) {
-    ImGui::TextWrapped("Drag a disk on the source shown beside the mesh, or use the whole source.");
+    ImGui::TextWrapped(
+        "%s", desk.lies_on_target()
+                  ? "The part of the source that lies on the region is used."
+                  : "Drag a disk on the source shown beside the mesh, or use the whole source.");
   } else {
     ImGui::Text("Source patch: %zu vertices", view->patch().vertices.size());
   }

@@ -21,8 +21,6 @@ constexpr float kHistoryLines = 5.0F;
 constexpr float kMostOfHeight = 0.27F;
 // The choices of the Display tab need this width, in letters.
 constexpr double kLeastLetters = 26.0;
-// Between tabs. The smallest window has room for no more.
-constexpr float kTabGap = 1.0F;
 
 struct Tab {
   const char* name;
@@ -40,7 +38,7 @@ constexpr Tab kTabs[]{{"Deform", Task::deform},
 float bare_width_of_tabs() {
   float width = 0.0F;
   for (const Tab& tab : kTabs) {
-    width += ImGui::CalcTextSize(tab.name).x + kTabGap + 1.0F;
+    width += ImGui::CalcTextSize(tab.name).x + ImGui::GetStyle().ItemInnerSpacing.x + 1.0F;
   }
   return width;
 }
@@ -124,21 +122,16 @@ void Sidebar::follow_task() {
 void Sidebar::draw_tabs() {
   follow_task();
   const ImVec2 padding{padding_of_tabs(), ImGui::GetStyle().FramePadding.y};
-  const ImVec2 gap{kTabGap, ImGui::GetStyle().ItemInnerSpacing.y};
-  const auto push = [&] {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, gap);
-  };
-  push();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   const bool is_drawn = ImGui::BeginTabBar("tasks");
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
   if (!is_drawn) return;
   for (const Tab& tab : kTabs) {
     const bool wanted = task_to_show_ == tab.task;
-    push();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
     const bool is_open =
         ImGui::BeginTabItem(tab.name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar();
     if (!is_open) continue;
     ImGui::BeginChild(tab.name);
     draw_task(tab.task);

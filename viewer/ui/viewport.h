@@ -10,8 +10,9 @@
 
 namespace lapwing::viewer {
 
-/// Largest share of the window's width that the sidebar covers.
-inline constexpr double kMostOfSidebar = 0.5;
+/// Largest share of the window's width that the sidebar covers. In the smallest window, the names
+/// of the tabs need this share.
+inline constexpr double kMostOfSidebar = 0.6;
 
 /// How far the panels cover the window, in ImGui's units. The code that draws a panel sets its
 /// size.

@@ -18,8 +18,7 @@ constexpr const char* kCoatDetail = "Coat the scan's detail...";
 
 // While nothing is open, draws how to begin, and the steps that can be changed.
 void draw_beginnings(WrapTool& wrap, Editor& editor, WrapWish& wish) {
-  ImGui::TextWrapped(
-      "Deforms this mesh, the template, so that it covers a scan: a mesh or a point cloud.");
+  ImGui::TextWrapped("Deforms the mesh so that it covers a scan.");
   if (ImGui::Button("Open scan...")) wish.path = PathPurpose::open_scan;
   const auto& steps = editor.state().steps;
   for (std::size_t k = 0; k < steps.size(); ++k) {
