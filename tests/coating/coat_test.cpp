@@ -121,7 +121,7 @@ std::vector<std::string> warnings_of(const Mesh& target, const Mesh& source) {
 }
 
 TEST(CoatOfInwardSurface, SaysThatTheDetailGoesInward) {
-  const std::string turn = "; turn it with `lapwing check MESH --fix OUT`";
+  const std::string turn = "; turn it with `lapwing check MESH --fix OUT`, or negate \"amplitude\"";
   EXPECT_THAT(warnings_of(sphere(true), sphere(false)),
               ElementsAre("target: the surface is inside out, so bumps on it go inward" + turn));
   EXPECT_THAT(warnings_of(sphere(false), sphere(true)),

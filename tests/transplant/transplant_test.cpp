@@ -75,9 +75,11 @@ Mesh tube(bool pierced) {
 TEST(TransplantTransition, IsNarrowedBesideAHoleAndSaysSo) {
   const Mesh host = icosphere(4);
   const Transplanted whole = transplant(host, tube(false), onto_the_pole());
-  EXPECT_THAT(whole.warnings, Each(Not(HasSubstr("narrowed"))));
+  EXPECT_THAT(texts_of(whole.report.warnings), Each(Not(HasSubstr("narrowed"))));
   const Transplanted pierced = transplant(host, tube(true), onto_the_pole());
-  EXPECT_THAT(pierced.warnings, Contains(HasSubstr("narrowed")));
+  EXPECT_THAT(texts_of(pierced.report.warnings), Contains(HasSubstr("narrowed")));
+  EXPECT_EQ(pierced.report.warnings.back().advice, Advice::set_transition_width);
+  EXPECT_EQ(pierced.report.warnings.back().value, pierced.report.transition_width);
   EXPECT_LT(pierced.report.transition_width, 0.9 * whole.report.transition_width);
   EXPECT_GT(pierced.report.transition_width, 0.2 * whole.report.transition_width);
   EXPECT_LT(pierced.report.padding, whole.report.padding) << "what goes by it as well";

@@ -268,7 +268,21 @@ TEST_F(AWrap, IsEditedAgain) {
   EXPECT_THAT(last_step().landmarks.rows, SizeIs(3));
 }
 
-TEST_F(AWrap, ShowsAPointCloudAsItsScan) {
+TEST_F(AWrap, TakesAPointCloudWithNormalsAsItsScan) {
+  Mesh cloud;
+  for (const Vector3d& p : icosphere(4).positions) {
+    cloud.positions.push_back(p.cwiseProduct(Vector3d(1.0, 1.2, 1.4)));
+    cloud.edit_attributes().normals.push_back(p.cwiseQuotient(Vector3d(1.0, 1.2, 1.4)));
+  }
+  write_mesh(cloud, folder_ / "egg.ply");
+  open_scan();
+  wrap_->aligned = true;
+  wrap_->wrap(*editor_);
+  update_until([&] { return wrap_->report() != nullptr; });
+  EXPECT_GT(wrap_->report()->coverage, 0.95);
+}
+
+TEST_F(AWrap, RefusesAPointCloudWithoutNormals) {
   Mesh cloud = egg_;
   cloud.edit_faces() = {};
   write_mesh(cloud, folder_ / "egg.ply");

@@ -44,6 +44,19 @@ class Guides : public ::testing::Test {
     drag_disk(60.0);
     ASSERT_FALSE(roi().vertices.empty());
   }
+  // Places a part that is too short for a transition of the usual width.
+  void place_a_short_part() {
+    write_mesh(lapwing::test::finger(24, 2, 0.2, 0.02), folder_ / "data/lapwing/parts/finger.ply");
+    start();
+    viewer_->key('N');
+    viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); },
+                      "the part is in hand");
+    viewer_->drag(middle(), middle());
+    viewer_->scroll_to("Seam settings");
+    viewer_->click("Seam settings");
+    viewer_->scroll_to("Transition");
+    viewer_->click("Transition");
+  }
   // Until it has settled.
   void move_handle() {
     viewer_->key('G');
@@ -183,17 +196,20 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   EXPECT_EQ(document.editor.tool().part().role, Part::Role::roi);
 }
 
+TEST_F(Guides, AWarningOfATransplantPreviewSetsATransitionThatFits) {
+  place_a_short_part();
+  const TransplantTool& transplant = viewer_->app().document()->transplant;
+  const auto width = [&] { return transplant.tool().draft().parameters.transition->width; };
+  const double wide = width();
+  viewer_->wait_for([&] { return viewer_->shows("Set transition width"); }, "the preview warns");
+  viewer_->click("Set transition width");
+  viewer_->wait_for([&] { return transplant.preview().result() != nullptr; }, "another preview");
+  EXPECT_FALSE(viewer_->shows("Set transition width"));
+  EXPECT_LT(width(), wide);
+}
+
 TEST_F(Guides, AWarningOfATransplantOffersToEditItsStep) {
-  // A part that is too short for a transition of the usual width.
-  write_mesh(lapwing::test::finger(24, 2, 0.2, 0.02), folder_ / "data/lapwing/parts/finger.ply");
-  start();
-  viewer_->key('N');
-  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
-  viewer_->drag(middle(), middle());
-  viewer_->scroll_to("Seam settings");
-  viewer_->click("Seam settings");
-  viewer_->scroll_to("Transition");
-  viewer_->click("Transition");
+  place_a_short_part();
   viewer_->key(kEnter);
   viewer_->wait_for([&] { return viewer_->shows("Edit step"); }, "the warning");
   viewer_->click("Edit step");

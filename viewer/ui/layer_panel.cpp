@@ -1,5 +1,6 @@
 // Draws the Coat and Mix tabs.
 
+#include <cmath>
 #include <imgui.h>
 #include <utility>
 
@@ -224,6 +225,41 @@ void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   ImGui::TreePop();
 }
 
+// Calls `visit` with each source that the warning is about.
+void visit_sources(const Warning& warning, LayerDraft& draft, const auto& visit) {
+  for (std::size_t k = 0; k < draft.source_count(); ++k) {
+    if (!warning.source || *warning.source == k) visit(draft.sources[k]);
+  }
+}
+
+// Returns whether the user has followed the advice with a slider. Sliders do not renew warnings.
+bool is_followed(const Warning& warning, LayerDraft& draft) {
+  if (warning.advice != Advice::negate_amplitude) return false;
+  bool is_negative = true;
+  visit_sources(warning, draft, [&](const CoatSource& source) {
+    is_negative = is_negative && source.amplitude < 0.0;
+  });
+  return is_negative;
+}
+
+void follow_advice(const Warning& warning, DetailTransferTool& desk, Editor& editor) {
+  LayerDraft& draft = desk.draft();
+  if (warning.advice == Advice::set_transition_width) {
+    if (!draft.parameters.transition) draft.parameters.transition.emplace();
+    draft.parameters.transition->width = warning.value;
+  } else if (warning.advice == Advice::set_scale) {
+    visit_sources(warning, draft,
+                  [&](CoatSource& source) { source.sampling.scale = warning.value; });
+  } else if (warning.advice == Advice::negate_amplitude) {
+    visit_sources(warning, draft,
+                  [](CoatSource& source) { source.amplitude = -std::abs(source.amplitude); });
+  } else if (warning.advice == Advice::refine_target) {
+    const RemeshRequest finer{.region = draft.target_patch, .scale = 0.5};
+    desk.close(editor);
+    editor.actions().carry_out(finer);
+  }
+}
+
 }  // namespace
 
 std::optional<PathPurpose> draw_layer_panel(DetailTransferTool& desk, Editor& editor, Task task,
@@ -279,8 +315,12 @@ void draw_layer_result(DetailTransferTool& desk, Editor& editor) {
   if (!preview.message().empty())
     ImGui::TextWrapped("%s", in_window_words(preview.message()).c_str());
   if (const LayeredCoat* layers = preview.layers()) {
-    for (const std::string& warning : layers->warnings())
-      draw_colored(Tone::warning, in_window_words(warning));
+    const std::vector<Warning> warnings = layers->warnings();
+    for (const Warning& warning : warnings) {
+      if (!is_followed(warning, desk.draft()) && draw_advised(warning)) {
+        return follow_advice(warning, desk, editor);
+      }
+    }
   }
 }
 

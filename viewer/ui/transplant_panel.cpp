@@ -197,6 +197,28 @@ void draw_draft(TransplantTool& desk, Editor& editor) {
   draw_computed(draft);
 }
 
+void draw_warnings(TransplantTool& desk, const TransplantResult& result) {
+  if (!result.carried_out.report.transplant) return;
+  const std::vector<Warning>& warnings = result.carried_out.report.transplant->warnings;
+  TransplantDraft& draft = desk.tool().draft();
+  // The texts also include notes about the part's file.
+  for (const std::string& text : result.carried_out.warnings) {
+    const auto found = std::ranges::find(warnings, text, &Warning::text);
+    const Warning warning = found != warnings.end() ? *found : Warning{text};
+    if (!draw_advised(warning)) continue;
+    if (warning.advice == Advice::set_transition_width) {
+      std::optional<Transition>& transition = draft.parameters.transition;
+      if (!transition) transition.emplace();
+      transition->width = warning.value;
+    } else {
+      // A hole that was chosen as a region gives way to a disk.
+      draft.chosen_hole.reset();
+      desk.take_roi(false);
+      draft.hole_share = std::min(1.5 * draft.hole_share, 3.0);
+    }
+  }
+}
+
 void draw_steps(TransplantTool& desk, const Editor& editor) {
   const auto& steps = editor.state().steps;
   for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -263,7 +285,7 @@ void draw_transplant_result(TransplantTool& desk, Editor& editor) {
       ImGui::TextWrapped("Seam: %zu triangles, %zu vertices blended", report->strip_triangles,
                          result->carried_out.report.free);
     }
-    for (const std::string& warning : result->carried_out.warnings) draw_trouble(warning);
+    draw_warnings(desk, *result);
   }
   draw_trouble(preview.message());
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "window/theme.h"
+#include "work/window_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -93,6 +94,35 @@ void draw_colored(Tone tone, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, text_color(tone));
   ImGui::TextWrapped("%s", text.c_str());
   ImGui::PopStyleColor();
+}
+
+bool draw_advised(const Warning& warning) {
+  draw_colored(Tone::warning, in_window_words(warning.text));
+  const auto [label, what] = [&]() -> std::pair<const char*, const char*> {
+    switch (warning.advice) {
+      case Advice::none:
+        break;
+      case Advice::set_transition_width:
+        return {"Set transition width", "Sets \"Transition width\" to a value that fits."};
+      case Advice::set_scale:
+        return {"Set scale", "Gives the detail the mean scale of the patches everywhere."};
+      case Advice::negate_amplitude:
+        return {"Negate amplitude", "Turns dents into bumps."};
+      case Advice::refine_target:
+        return {"Refine region",
+                "Cancels this operation and remeshes the region with half the edge length. Then "
+                "select the region again."};
+      case Advice::enlarge_hole:
+        return {"Enlarge hole", "Enlarges the hole in the mesh by half."};
+    }
+    return {};
+  }();
+  if (label == nullptr) return false;
+  ImGui::PushID(warning.text.c_str());
+  const bool pressed = ImGui::SmallButton(label);
+  ImGui::PopID();
+  explain(what);
+  return pressed;
 }
 
 void explain(std::string_view what, std::string_view more) {

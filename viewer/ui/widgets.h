@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "lapwing/base/warning.h"
 #include "navigation/keymap.h"
 #include "state/message.h"
 
@@ -79,6 +80,10 @@ float button_width(const char* label);
 /// Keeps the next item on the current line if an item of `width` fits to the left of the screen
 /// coordinate `right`.
 void stay_on_line(float width, float right);
+
+/// Draws a warning of the engine, and a button that does what it advises. Returns true if the
+/// button was pressed.
+bool draw_advised(const Warning& warning);
 
 void draw_colored(Tone tone, const std::string& text);
 

@@ -17,7 +17,7 @@ Coated result_of(const LayeredCoat& layers, double amplitude) {
   Coated coated;
   Positions positions = layers.positions(amplitude);
   coated.report = layers.report(positions);
-  coated.warnings = layers.warnings();
+  coated.warnings = texts_of(layers.warnings());
   coated.mesh = layers.mesh();
   coated.mesh.positions = std::move(positions);
   return coated;

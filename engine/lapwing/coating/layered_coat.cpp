@@ -149,11 +149,13 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
     if (!length.asks_for_remeshing()) continue;
     if (length.vertex_estimate() > kMostVertices) {
       warnings_.push_back(
-          layer.source.asked().where +
-          ": the source is so much finer than the target that the patch would need " +
-          std::to_string(static_cast<std::size_t>(length.vertex_estimate())) +
-          " vertices; it gets fewer, and the finest detail is lost. To keep it, refine the target "
-          "with `lapwing remesh` first");
+          {layer.source.asked().where +
+               ": the source is so much finer than the target that the patch would need " +
+               std::to_string(static_cast<std::size_t>(length.vertex_estimate())) +
+               " vertices; it gets fewer, and the finest detail is lost. To keep it, refine the "
+               "target "
+               "with `lapwing remesh` first",
+           Advice::refine_target});
       length.limit_vertices(kMostVertices);
     }
     lengths.push_back(std::move(length));
@@ -168,7 +170,7 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
     vertices_before_remeshing_ = target_->patch().vertices.size();
     coater_.reset();
     const std::string note = target_->remesh(shortest, progress);
-    if (!note.empty()) warnings_.push_back(note);
+    if (!note.empty()) warnings_.push_back({note});
     for (Layer& layer : layers_) {
       // Keep the pins; choosing them again on the new triangles could return other positions.
       layer.pairs.boundary_pairs = layer.map.pins;
@@ -291,31 +293,34 @@ void LayeredCoat::note_held_scales() {
          << " vertices, the local scale of the coating would exceed " << kLargestLocalScale
          << " times the scale of the patches, so it is limited to that. Choose a rounder patch, "
             "without horns or legs, or give \"scale\"";
-    warnings_.push_back(text.str());
+    warnings_.push_back({text.str(), Advice::set_scale, coater_->scales()[k].mean, k});
   }
 }
 
 // Adds warnings about surfaces that face inward. If only one of source and target faces inward, the
 // transferred detail points inward.
 void LayeredCoat::note_inward_sides() {
-  const auto note = [&](const std::string& where, const char* effect, Facing facing) {
+  const auto note = [&](const std::string& where, const char* effect, Facing facing,
+                        std::optional<std::size_t> source) {
     const bool is_closed = facing == Facing::inside_out;
-    warnings_.push_back(where + ": the surface " +
-                        (is_closed ? "is inside out" : "has inward normals") + ", so " + effect +
-                        "; " +
-                        (is_closed ? "turn it with `lapwing check MESH --fix OUT`"
-                                   : "reverse its faces, or negate \"amplitude\""));
+    warnings_.push_back(
+        {where + ": the surface " + (is_closed ? "is inside out" : "has inward normals") + ", so " +
+             effect + "; " +
+             (is_closed ? "turn it with `lapwing check MESH --fix OUT`" : "reverse its faces") +
+             ", or negate \"amplitude\"",
+         Advice::negate_amplitude, 0.0, source});
   };
   const Facing target = facing_of(mesh_, target_->patch().vertices.front());
   bool is_target_noted = false;
-  for (const Layer& layer : layers_) {
+  for (std::size_t k = 0; k < layers_.size(); ++k) {
+    const Layer& layer = layers_[k];
     const Index vertex = layer.source.coating().patch.vertices.front();
     const Facing source = facing_of(layer.source.mesh(), vertex);
     if ((source == Facing::outward) == (target == Facing::outward)) continue;
     if (source != Facing::outward) {
-      note(layer.source.asked().patch.where, "its bumps become dents", source);
+      note(layer.source.asked().patch.where, "its bumps become dents", source, k);
     } else if (!std::exchange(is_target_noted, true)) {
-      note(request_.target_patch.where, "bumps on it go inward", target);
+      note(request_.target_patch.where, "bumps on it go inward", target, {});
     }
   }
 }
@@ -329,7 +334,8 @@ void LayeredCoat::note_wide_transition() {
   text << request_.where << ": the transition of " << options_.transition.width
        << " exceeds the depth of the target patch, so at most " << std::lround(100.0 * share)
        << "% of the coating is visible; choose a larger patch or a narrower \"transition\"";
-  warnings_.push_back(text.str());
+  warnings_.push_back(
+      {text.str(), Advice::set_transition_width, share * options_.transition.width});
 }
 
 StageTimings LayeredCoat::timings() const {

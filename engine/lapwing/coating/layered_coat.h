@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/base/warning.h"
 #include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/coat_sides.h"
 #include "lapwing/coating/correspondence.h"
@@ -107,7 +108,7 @@ class LayeredCoat {
   /// Returns the report for `result`, which must be a result of `positions`.
   CoatReport report(const Positions& result) const;
   /// Messages to the user, in the order of the stages.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   struct Layer {
@@ -143,7 +144,7 @@ class LayeredCoat {
   std::optional<Coater> coater_;
   std::size_t vertices_before_remeshing_ = 0;
   StageTimings timings_;
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace lapwing

@@ -99,7 +99,7 @@ StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions po
     report.handles.push_back(handle.vertices.size());
     result.region.handles.push_back(handle.vertices);
   }
-  result.warn(coat.warnings());
+  result.warn(texts_of(coat.warnings()));
   if (const RemeshResult* remeshed = coat.remeshed()) {
     // The original position of a new vertex is its position in the remeshed patch.
     Positions original = remeshed->mesh.positions;
@@ -143,7 +143,7 @@ StepReport run_step(const TransplantStep& step, const StepContext& on) {
   const std::string name = read ? step.part.stem().string() : "part";
   Transplanted done = transplant(result.mesh, part, name, step, on.kernels, on.progress);
   for (const auto& [stage_name, ms] : done.timings.stages()) report.timings.add(stage_name, ms);
-  result.warn(done.warnings);
+  result.warn(texts_of(done.report.warnings));
   report.roi = done.region.size();
   report.belt = done.belt.size();
   report.free = report.roi - report.belt;

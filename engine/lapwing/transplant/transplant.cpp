@@ -97,7 +97,7 @@ void TransplantRun::assemble() {
     hole_ = cut_hole(request_.target_region, host_mesh_);
     part = place_part(request_, part_, host_mesh_, hole_);
   });
-  for (std::string& note : part.notes) result_.warnings.push_back(std::move(note));
+  for (std::string& note : part.notes) report.warnings.push_back({std::move(note)});
   timed("zip", [&] {
     const BridgeLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
     const BridgeLoop part_loop = zip_loop_of(part.mesh, part.loop);
@@ -105,7 +105,7 @@ void TransplantRun::assemble() {
     Joined joined =
         join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, bridge, part_name_);
     for (const std::string& note : joined.notes) {
-      result_.warnings.push_back(request_.where + ": " + note);
+      report.warnings.push_back({request_.where + ": " + note});
     }
     joined_.mesh = std::move(joined.mesh);
     joined_.host_vertices.assign(joined_.mesh.vertex_count(), kNoIndex);
@@ -163,7 +163,9 @@ TransplantOptions TransplantRun::options() {
       text << request_.where << ": the part extends only " << joined_.depth
            << " from its loop, so the transition's width, padding and belt, together " << needed
            << ", were scaled by " << share << ". Choose a narrower \"transition\"";
-      result_.warnings.push_back(text.str());
+      // With padding and belt of the usual widths, this transition fits.
+      result_.report.warnings.push_back(
+          {text.str(), Advice::set_transition_width, 0.9 * options.transition.width});
     }
   }
   return options;
@@ -186,7 +188,7 @@ void TransplantRun::warn_narrowed(double from, double to) {
   text << request_.where << ": the transition was narrowed from " << from << " to " << to
        << ", because it would reach another boundary or a topological handle. To choose the width "
           "yourself, set \"width\" of \"transition\"";
-  result_.warnings.push_back(text.str());
+  result_.report.warnings.push_back({text.str(), Advice::set_transition_width, to});
 }
 
 void TransplantRun::remesh() {
@@ -215,7 +217,7 @@ void TransplantRun::remesh() {
     RemeshResult remeshed =
         remesh_isotropic(smooth, lengths.region(), std::cref(lengths), {}, progress_);
     if (!remeshed.note.empty()) {
-      result_.warnings.push_back(request_.where + ": " + remeshed.note);
+      result_.report.warnings.push_back({request_.where + ": " + remeshed.note});
     }
     take_over(remeshed);
     result_.report.remeshed_vertices = remeshed.region.size();
@@ -290,10 +292,12 @@ void TransplantRun::reconstruct() {
                                            result_.timings, progress_);
   require_valid(seam);
   if (!seam.sampled_host) {
-    result_.warnings.push_back(
-        request_.where +
-        ": the target region or the part has no inner vertices whose detail could be blended, so "
-        "the seam is only smooth; choose a larger \"target_region\" to blend detail");
+    report.warnings.push_back(
+        {request_.where +
+             ": the target region or the part has no inner vertices whose detail could be blended, "
+             "so "
+             "the seam is only smooth; choose a larger \"target_region\" to blend detail",
+         Advice::enlarge_hole});
   }
   hand_over(std::move(seam));
 }

@@ -7,6 +7,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/base/warning.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/mesh/topology.h"
@@ -37,13 +38,13 @@ struct TransplantReport {
   double seam_degrees = 0.0;
   double largest_displacement = 0.0;  ///< by the reconstruction
   Index largest_displacement_vertex = kNoIndex;
+  std::vector<Warning> warnings;  ///< messages to the user, in the order of the stages
 };
 
 /// The result of `transplant`.
 struct Transplanted {
   Mesh mesh;  ///< the joined mesh; the host's vertices and faces come first, in their order
   TransplantReport report;
-  std::vector<std::string> warnings;  ///< messages to the user, in the order of the stages
   VertexSet region;                   ///< the reconstructed vertices around the seam
   VertexSet belt;                     ///< the held vertices of `region`
   std::vector<Index> host_vertices;   ///< per vertex: the vertex of the host, or kNoIndex
