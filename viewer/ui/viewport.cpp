@@ -64,12 +64,13 @@ bool is_inside(const Vector3d& point, const Bounds& bounds) {
   return (bounds.min.array() <= point.array()).all() && (point.array() <= bounds.max.array()).all();
 }
 
-// Returns whether a view of `a` does not show `b` well.
+// Returns whether `b` is outside of a view of `a`, or far larger or smaller. A drag by a handle
+// never moves a surface so far.
 bool are_apart(const Bounds& a, const Bounds& b) {
-  constexpr double kOtherSize = 2.0;
+  constexpr double kOtherSize = 10.0;
   const double ratio = a.diagonal() / b.diagonal();
-  return !is_inside(a.center(), b) || !is_inside(b.center(), a) || ratio > kOtherSize ||
-         ratio < 1.0 / kOtherSize;
+  return (a.max.array() < b.min.array()).any() || (b.max.array() < a.min.array()).any() ||
+         ratio > kOtherSize || ratio < 1.0 / kOtherSize;
 }
 
 }  // namespace
