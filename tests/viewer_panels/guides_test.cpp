@@ -196,18 +196,6 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   EXPECT_EQ(document.editor.tool().part().role, Part::Role::roi);
 }
 
-TEST_F(Guides, AWarningOfATransplantPreviewSetsATransitionThatFits) {
-  place_a_short_part();
-  const TransplantTool& transplant = viewer_->app().document()->transplant;
-  const auto width = [&] { return transplant.tool().draft().parameters.transition->width; };
-  const double wide = width();
-  viewer_->wait_for([&] { return viewer_->shows("Set transition width"); }, "the preview warns");
-  viewer_->click("Set transition width");
-  viewer_->wait_for([&] { return transplant.preview().result() != nullptr; }, "another preview");
-  EXPECT_FALSE(viewer_->shows("Set transition width"));
-  EXPECT_LT(width(), wide);
-}
-
 TEST_F(Guides, AWarningOfATransplantOffersToEditItsStep) {
   place_a_short_part();
   viewer_->key(kEnter);

@@ -147,9 +147,14 @@ TransplantOptions TransplantRun::options() {
   options.transition =
       parameters.transition.value_or(Transition{0.5 * hole_radius_, Transition::Profile::smooth});
   const double edge = mean_edge_length(joined_.mesh.topology().rings, joined_.mesh.positions);
-  const double width = std::max(options.transition.width, edge);
-  options.padding = parameters.padding.value_or(0.5 * width);
-  options.belt = parameters.belt.value_or(std::max(0.25 * width, 1.5 * edge));
+  const auto padding_of = [&](double width) {
+    return parameters.padding.value_or(0.5 * std::max(width, edge));
+  };
+  const auto belt_of = [&](double width) {
+    return parameters.belt.value_or(std::max(0.25 * width, 1.5 * edge));
+  };
+  options.padding = padding_of(options.transition.width);
+  options.belt = belt_of(options.transition.width);
 
   constexpr double kMostOfThePart = 0.8;
   const double needed = options.transition.width + options.padding + options.belt;
@@ -163,9 +168,11 @@ TransplantOptions TransplantRun::options() {
       text << request_.where << ": the part extends only " << joined_.depth
            << " from its loop, so the transition's width, padding and belt, together " << needed
            << ", were scaled by " << share << ". Choose a narrower \"transition\"";
-      // With padding and belt of the usual widths, this transition fits.
+      const double narrower = 0.9 * options.transition.width;
+      const bool fits =
+          narrower + padding_of(narrower) + belt_of(narrower) <= kMostOfThePart * joined_.depth;
       result_.report.warnings.push_back(
-          {text.str(), Advice::set_transition_width, 0.9 * options.transition.width});
+          {text.str(), fits ? Advice::set_transition_width : Advice::none, narrower});
     }
   }
   return options;
