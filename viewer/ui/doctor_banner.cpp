@@ -195,8 +195,9 @@ std::optional<BannerWish> DoctorBanner::draw_preview(Editor& editor) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::TextWrapped("Preview. Saving writes the repaired mesh to a new file and opens that file.");
   ImGui::PopStyleColor();
+  const float right = right_end();
   if (ImGui::Button("Save repaired mesh...")) wish = BannerWish::keep_repair;
-  ImGui::SameLine();
+  stay_on_line(button_width("Discard repair"), right);
   if (ImGui::Button("Discard repair")) show_as_before(editor);
   return wish;
 }
