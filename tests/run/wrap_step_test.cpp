@@ -90,7 +90,7 @@ TEST_F(WrapRun, ReportsDistancesAndWhyTheResultIsNotUsable) {
 }
 
 TEST_F(WrapRun, CountsTheTrianglesThatIntersectOnlyInTheResult) {
-  // One landmark pulls its vertex out of the other side.
+  // One landmark pulls its vertex to the other side.
   std::string rows;
   for (Index v = 0; v < 6; ++v) {
     const Vector3d p = (v == 3 ? -3.0 : 1.0) * icosphere(2).positions[v];

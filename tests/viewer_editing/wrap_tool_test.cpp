@@ -1,4 +1,4 @@
-// Wraps by the tool of the Wrap tab, and coats the detail of their scan.
+// Tests the tool of the Wrap tab, and the coat with the detail of its scan.
 #include "editing/wrap_tool.h"
 
 #include <fstream>
@@ -300,7 +300,7 @@ TEST_F(AWrap, OfAnotherMeshClosesWhenTheTrianglesChange) {
   EXPECT_FALSE(wrap_->is_open());
 }
 
-// Its patch and its pairs follow the region.
+// The patch and the pairs of the coat follow the region.
 TEST_F(AWrap, TheCoatOfAScanTakesTheScanWhereItLies) {
   Mesh rough = icosphere(5);
   for (Vector3d& p : rough.positions) p *= 1.0 + 0.01 * std::sin(20.0 * p.x());

@@ -184,7 +184,7 @@ class Sessions(unittest.TestCase):
         self.assertGreater(coated.vertex_count, 3000)  # the patch was remeshed
 
     def open_with_scan(self):
-        """Opens a template, and a scan of it beside it."""
+        """Opens a template, and a scan of it in the second view."""
         animal = lapwing.read(self.open("elephant.off"))
         scan, places = scan_of(animal)
         lapwing.write(self.folder / "scan.off", scan)

@@ -27,7 +27,7 @@ inline constexpr const char* kRegionHelp =
 /// Throws a CLI::ValidationError that names `flag`.
 nlohmann::ordered_json mirror_json(const std::string& flag, const std::string& text);
 
-/// Converts a mirror plane after a flag, as `mirror_json` does, to a MirrorSpec.
+/// Converts the argument of a mirror flag to a MirrorSpec, as `mirror_json` does.
 MirrorSpec mirror_spec(const std::string& flag, const std::string& text);
 
 inline constexpr const char* kMirrorHelp = "auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z";

@@ -65,7 +65,7 @@ struct Pose {
   Positions positions = {};
 };
 
-// Returns the files of all poses, without positions. A folder contributes its mesh files in the
+// Lists the files of all poses without reading them. A folder contributes its mesh files in the
 // order of their names. A single pose file has a single output file; otherwise the output is a
 // folder.
 std::vector<Pose> pose_files(const TransferArguments& a) {

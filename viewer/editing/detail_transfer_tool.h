@@ -45,7 +45,7 @@ class DetailTransferTool {
 
   LayerDraft& draft() { return draft_; }
   const LayerDraft& draft() const { return draft_; }
-  /// Sets where the source `k` comes from: a file, or the edited mesh if `mesh` is empty. If the
+  /// Sets the mesh of source `k` to a file, or to the edited mesh if `mesh` is empty. If the
   /// source `lies_on_target`, its patch and pairs follow the target patch.
   void use_source(std::size_t k, const std::filesystem::path& mesh, bool lies_on_target = false);
   bool lies_on_target() const { return lies_on_target_; }

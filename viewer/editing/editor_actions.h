@@ -13,7 +13,7 @@ namespace lapwing::viewer {
 bool perform_on(Editor& editor, Action action);
 /// The same for a coat or mix in progress.
 bool perform_on(DetailTransferTool& desk, Editor& editor, Action action);
-/// The same for a wrap in progress, which undoes changes of its landmarks first.
+/// Like the function above, for a wrap in progress. Undoes changes of its landmarks first.
 bool perform_on(WrapTool& wrap, Editor& editor, Action action);
 
 /// Makes the result the rest shape and clears the selection, once the last edit has settled.

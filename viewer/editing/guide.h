@@ -24,7 +24,8 @@ struct Guide {
 /// Returns what to do next while `tool` chooses `part`, or moves a handle if `moves`.
 Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, bool moves);
 
-/// Returns the guide for what is open: a coat, mix, transplant or wrap, or else the deform.
+/// Returns the guide for the open coat, mix, transplant or wrap. If none is open, returns the guide
+/// for the deform.
 Guide guide_of(const DetailTransferTool& layers, const TransplantTool& transplant,
                const WrapTool& wrap, const Editor& editor);
 

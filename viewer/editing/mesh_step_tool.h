@@ -24,7 +24,7 @@ struct MeshStepDrafts {
 /// preview, and applies it as one step. Also checks the surface when its triangles change.
 class MeshStepTool {
  public:
-  /// `report` is about `mesh`.
+  /// `report` is the report about `mesh`.
   MeshStepTool(std::shared_ptr<const Mesh> mesh, CheckReport report,
                const std::shared_ptr<gpu::Context>& context, std::function<void()> wake);
 

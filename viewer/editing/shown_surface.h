@@ -127,7 +127,8 @@ class ShownSurface {
 
   /// Colours by a difference from the opened mesh, or by regions without `measure`.
   void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
-  /// Colours the preview by numbers instead, one per vertex, until it ends. None: as before.
+  /// Colours the preview by `numbers`, one per vertex, until it ends. If `numbers` is empty,
+  /// restores the usual colours.
   void color_by(std::vector<float> numbers) { numbers_ = std::move(numbers); }
   bool has_numbers() const { return !numbers_.empty(); }
   /// Returns whether it has the triangles of the opened mesh.

@@ -37,7 +37,7 @@ class SourceView {
   Handled handle(const InputEvent& event, const Keymap& keymap);
   /// Returns whether a button that was pressed on it is still down.
   bool holds_mouse() const { return camera_.is_moving() || disk_.is_dragging(); }
-  /// Returns the point that was picked last, once.
+  /// Returns the last picked point. The next call returns nothing until another point is picked.
   std::optional<SurfacePoint> take_point() { return std::exchange(point_, std::nullopt); }
 
   /// Call this once per frame, before drawing.

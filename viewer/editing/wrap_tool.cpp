@@ -11,7 +11,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// Returns the mesh in which the scan is shown: a point cloud has a surfel for each point.
+// Returns the mesh that displays the scan. A point cloud is displayed as surfels.
 std::shared_ptr<const Mesh> read_scan(const std::filesystem::path& file) {
   Mesh mesh = read_mesh(file);
   if (mesh.face_count() == 0 && mesh.vertex_count() > 0) mesh = surfels_of(mesh, file.string());
@@ -122,7 +122,7 @@ void WrapTool::set_landmarks(const LandmarkSpec& spec) {
 
 void WrapTool::set_landmarks(std::vector<TargetRow> rows) {
   say_errors(say_, [&] {
-    // A repeated row has no effect, and has no number then.
+    // A repeated row has no effect and gets no number.
     std::vector<TargetRow> distinct;
     for (const TargetRow& row : rows) {
       if (std::ranges::count(distinct, row) == 0) distinct.push_back(row);
@@ -216,7 +216,7 @@ void WrapTool::show(Editor& editor) {
   const AppState& state = base(editor);
   Positions positions = positions_of(state);
   place(std::get<MovedVertices>(*preview_.result()->result), positions);
-  // Where the triangles are those of the state, the user can also pick on the result.
+  // If the result has the triangles of the state, the user can also pick points on it.
   const bool is_of_state = state.rest->shares_faces_with(*editor.state().rest);
   shown.show_preview(surface_of(is_of_state ? editor.state() : state));
   shown.show_preview(positions);

@@ -20,35 +20,36 @@ class WrapTool {
            std::function<void()> wake);
 
   /// `open_scan` begins a wrap onto another scan, without landmarks. `take_up` opens the recipe
-  /// step at `index` for editing; it returns false, without any change, if that step is no wrap.
+  /// step at `index` for editing; if that step is not a wrap, it
+  /// returns false and changes nothing.
   void open_scan(Editor& editor, const std::filesystem::path& scan);
   bool take_up(Editor& editor, std::size_t index);
-  /// Discards what was not applied.
+  /// Closes the wrap and discards its result and landmarks.
   void close(Editor& editor);
-  /// Ends the first of these that is in progress: the wrap, an incomplete pair or move of a point,
-  /// picking. Otherwise closes.
+  /// Stops the computation if it is running. Otherwise ends an incomplete pair or move of a point,
+  /// or picking. If none of these is in progress, closes the wrap.
   void cancel(Editor& editor);
   bool is_open() const { return !scan_.empty(); }
-  /// The step that is edited again, if any.
+  /// Returns the index of the step that is being edited again, if there is one.
   std::optional<std::size_t> taken_up() const { return taken_up_; }
 
   const std::filesystem::path& scan() const { return scan_; }
-  /// The scan, shown beside the template. Null while it is read, or if it cannot be read.
+  /// Returns the view of the scan, or null while the scan is read and if it cannot be read.
   SourceView* view() { return view_.get(); }
   const SourceView* view() const { return view_.get(); }
   bool is_reading() const { return is_reading_; }
 
-  /// The pairs, resolved on the template.
+  /// Returns the landmarks as points of the template with their positions on the scan.
   const std::vector<Target>& landmarks() const { return edits_[edit_].points; }
   void remove(std::size_t landmark);
   /// The next click on the template or on the scan moves that point of the landmark.
   void move(Editor& editor, std::size_t landmark);
   std::optional<std::size_t> moved() const { return moved_; }
-  /// Returns false if there is no change of the landmarks to undo or to redo.
+  /// Undoes or redoes a change of the landmarks. Returns false if there is none.
   bool undo();
   bool redo();
-  /// Adds to the history of the landmarks. `scan_file` contains the points on the scan if `file`
-  /// only contains those on the template.
+  /// Replaces the landmarks, as one change that can be undone. If `file` contains only the points
+  /// on the template, `scan_file` contains those on the scan.
   void load_landmarks(std::filesystem::path file, std::filesystem::path scan_file = {});
   void save_landmarks(const std::filesystem::path& file);
 
@@ -56,7 +57,7 @@ class WrapTool {
   void pick(bool on, Editor& editor);
   /// Takes the points that were clicked. Call this after each event.
   void take_points(Editor& editor);
-  /// The points of an incomplete pair.
+  /// Return the points of an incomplete pair.
   std::optional<Index> picked_on_template() const { return point_tool_.picked; }
   const std::optional<Eigen::Vector3d>& picked_on_scan() const { return on_scan_; }
 
@@ -67,11 +68,11 @@ class WrapTool {
   /// Computes the result in the background, once the last edit has settled.
   void wrap(const Editor& editor);
   const StepPreview& preview() const { return preview_; }
-  /// The report of the result; null if there is none.
+  /// Returns the report of the result, or null if there is no result.
   const WrapStepReport* report() const;
   /// Returns whether the result is that of the present landmarks and settings.
   bool is_current(const Editor& editor) const { return step_ == step(editor); }
-  /// The reaches of the springs as fractions of the template's diagonal, for the progress.
+  /// Returns the reaches of the springs as fractions of the template's diagonal.
   const std::vector<double>& reaches() const { return reaches_; }
   /// Adds the current result to the history as a step, or replaces the step that is edited again.
   void apply(Editor& editor);
@@ -118,7 +119,7 @@ class WrapTool {
   std::optional<std::size_t> moved_;
 
   std::optional<WrapStep> step_;  // of the result
-  // The surface on which the step was started; null before.
+  // The surface on which the computation began; null before that.
   std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const MovedVertices> settled_;
   std::vector<double> reaches_;

@@ -91,7 +91,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'-', kControl, Action::shrink, "Shrink selection by one ring"},
      {'I', kControl, Action::invert, "Invert selection"},
      {kDelete, kPlain, Action::remove_handle, "Remove the handle"},
-     {'N', kPlain, Action::take_part, "Pick up a part. Again: the next part"},
+     {'N', kPlain, Action::take_part, "Pick up a part; press again for the next part"},
      {'N', kShift, Action::take_up_part, "Pick up the last transplant again"},
      {'C', kPlain, Action::toggle_before, "Toggle the original mesh, to compare"},
      {'C', kShift, Action::toggle_slider,

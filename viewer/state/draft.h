@@ -27,7 +27,7 @@ Draft draft_of(const AppState& state);
 /// Returns whether the viewer's tools can create the step. They cannot create targets.
 bool is_selection(const DeformRequest& step);
 
-/// Returns whether the step is a grab that has not moved yet. It is not a step of the history.
+/// Returns whether the step is a grab that has not moved yet, which is not a step of the history.
 bool is_begun_grab(const DeformRequest& step);
 
 /// Returns the recipe of the current surface: the committed steps, and the open step if it has

@@ -42,13 +42,13 @@ struct Document {
     desk.begin(editor, LayerDraft::Operation::coat);
     desk.use_source(0, scan, true);
   }
-  /// Whether an operation is open that shows a preview on the surface.
+  /// Returns whether an open operation shows a preview on the surface.
   bool has_open_task() const { return desk.is_open() || transplant.is_open() || wrap.is_open(); }
-  /// The mesh that is shown beside the edited one, or null.
+  /// Returns the view of the mesh beside the edited one, or null.
   SourceView* source() {
     return wrap.is_open() ? wrap.view() : desk.is_open() ? desk.view() : nullptr;
   }
-  /// The names of the source and of the edited mesh beside it.
+  /// Returns the titles of the two panes.
   std::pair<std::string, std::string> pane_names() const {
     if (wrap.is_open()) {
       return {"Scan: " + wrap.scan().filename().string(), "Template: " + opened.name};

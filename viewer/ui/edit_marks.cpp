@@ -128,7 +128,7 @@ void EditMarks::draw(const WrapTool& wrap, const Editor& editor, const ViewFrame
   const Vector2d pane = wrap.view()->view_frame().size;
   const auto mark = [&](Pen& on, const Eigen::Vector3d& place, std::size_t number) {
     const auto pixel = on.projection().to_pixel(place);
-    // Not over the other pane.
+    // Marks must not cover the other pane.
     if (!pixel || (&on == &beside) != (pixel->x() < (&on == &beside ? 0.0 : corner.x()) + pane.x()))
       return;
     on.dot(*pixel, ImGui::GetColorU32(color_of_pair(number)));

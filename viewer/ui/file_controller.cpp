@@ -266,7 +266,7 @@ void FileController::use(const ChosenPath& chosen) {
       break;
     case PathPurpose::load_landmarks:
       template_landmarks_ = path;
-      // Files of 3D Slicer contain the points of one mesh.
+      // A file of 3D Slicer contains the points of only one mesh.
       if (path.string().ends_with(".fcsv") || path.string().ends_with(".mrk.json")) {
         return dialogs_.ask_for(PathPurpose::load_scan_landmarks);
       }

@@ -317,7 +317,7 @@ void draw_layer_result(DetailTransferTool& desk, Editor& editor) {
   if (const LayeredCoat* layers = preview.layers()) {
     const std::vector<Warning> warnings = layers->warnings();
     for (const Warning& warning : warnings) {
-      if (!is_followed(warning, desk.draft()) && draw_advised(warning)) {
+      if (!is_followed(warning, desk.draft()) && draw_engine_warning(warning)) {
         return follow_advice(warning, desk, editor);
       }
     }

@@ -41,7 +41,7 @@ void mesh_row(const char* label, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
-// The number of boundary loops differs from that of the holes in the list below.
+// Also shows the number of holes if it differs from that of the boundary loops.
 void boundary_row(const CheckReport& report) {
   const std::size_t loops = report.statistics.boundary_loops;
   std::string value = std::to_string(loops);

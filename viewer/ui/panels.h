@@ -126,10 +126,10 @@ void draw_layer_result(DetailTransferTool& desk, Editor& editor);
 /// Requests from the Wrap tab.
 struct WrapWish {
   std::optional<PathPurpose> path = {};
-  std::filesystem::path coat = {};  ///< the scan whose detail to coat; empty for none
+  std::filesystem::path coat = {};  ///< the scan whose detail the Coat tab should use; may be empty
 };
-/// Draws the wrap's scan, landmarks and settings, and a legend in the colours of `style`. If none
-/// is open, draws how to begin one.
+/// Draws the scan, landmarks and settings of the open wrap, and a legend in the colours of `style`.
+/// If no wrap is open, draws a button that opens a scan.
 WrapWish draw_wrap_panel(WrapTool& wrap, Editor& editor, const SurfaceStyle& style);
 /// Draws Wrap, Apply, Cancel and the report of an open wrap.
 WrapWish draw_wrap_result(WrapTool& wrap, Editor& editor);
@@ -193,7 +193,7 @@ class EditMarks {
   /// view is at `corner`.
   void draw(const DetailTransferTool& desk, const Editor& editor, const ViewFrame& view,
             const Eigen::Vector2d& corner, double pixels_per_unit);
-  /// The same for the landmarks of a wrap, one colour for each.
+  /// Like the function above, for the landmarks of a wrap. Each pair has its own colour.
   void draw(const WrapTool& wrap, const Editor& editor, const ViewFrame& view,
             const Eigen::Vector2d& corner, double pixels_per_unit);
   /// Draws the line between the two panes of `area` and their names. The left one is `width` wide,

@@ -19,7 +19,7 @@ constexpr float kResultLines = 8.0F;
 constexpr float kHistoryLines = 5.0F;
 // Largest share of the height. On a low window the tabs keep the greater part.
 constexpr float kMostOfHeight = 0.27F;
-// The choices of the Display tab need this width, in letters.
+// The width that the choices of the Display tab need, in letters.
 constexpr double kLeastLetters = 26.0;
 
 struct Tab {

@@ -201,17 +201,17 @@ void draw_warnings(TransplantTool& desk, const TransplantResult& result) {
   if (!result.carried_out.report.transplant) return;
   const std::vector<Warning>& warnings = result.carried_out.report.transplant->warnings;
   TransplantDraft& draft = desk.tool().draft();
-  // The texts also include notes about the part's file.
+  // The list of texts also contains notes about the file of the part.
   for (const std::string& text : result.carried_out.warnings) {
     const auto found = std::ranges::find(warnings, text, &Warning::text);
     const Warning warning = found != warnings.end() ? *found : Warning{text};
-    if (!draw_advised(warning)) continue;
+    if (!draw_engine_warning(warning)) continue;
     if (warning.advice == Advice::set_transition_width) {
       std::optional<Transition>& transition = draft.parameters.transition;
       if (!transition) transition.emplace();
       transition->width = warning.value;
     } else {
-      // A hole that was chosen as a region gives way to a disk.
+      // A larger disk replaces a hole that was chosen as a region.
       draft.chosen_hole.reset();
       desk.take_roi(false);
       draft.hole_share = std::min(1.5 * draft.hole_share, 3.0);

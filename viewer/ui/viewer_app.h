@@ -109,7 +109,7 @@ class ViewerApp final : public App {
   bool show_controls_ = false;
   bool show_machine_ = false;
   bool show_messages_ = false;
-  /// Whether a coat or mix, a transplant and a wrap were open in the last frame.
+  /// In this order: whether a coat or mix, a transplant, and a wrap were open in the last frame.
   std::array<bool, 3> was_open_{};
   std::string status_line_;   ///< reused from frame to frame
   std::string state_line_;

@@ -199,7 +199,7 @@ void ViewerApp::update_document() {
   TransplantTool& transplant = document_->transplant;
   WrapTool& wrap = document_->wrap;
   editor.update();
-  // All of them preview on the surface, so the one begun last closes the other.
+  // Each of them shows its preview on the surface, so the one that begins closes the others.
   if (desk.is_open() + transplant.is_open() + wrap.is_open() > 1) {
     if (was_open_[0]) desk.close(editor);
     if (was_open_[1]) transplant.close(editor);

@@ -64,8 +64,8 @@ bool is_inside(const Vector3d& point, const Bounds& bounds) {
   return (bounds.min.array() <= point.array()).all() && (point.array() <= bounds.max.array()).all();
 }
 
-// Returns whether `b` is outside of a view of `a`, or far larger or smaller. A drag by a handle
-// never moves a surface so far.
+// Returns whether the bounds do not overlap or have very different sizes. A drag by a handle rarely
+// moves a surface that far.
 bool are_apart(const Bounds& a, const Bounds& b) {
   constexpr double kOtherSize = 10.0;
   const double ratio = a.diagonal() / b.diagonal();

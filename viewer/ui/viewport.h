@@ -67,7 +67,7 @@ class Viewport {
   void show_vertices(const std::vector<Index>& vertices);
   bool shows_vertices() const { return view_before_.has_value(); }
   void look_back();
-  /// Show the defects that the banner lists, or return to the earlier view.
+  /// Show the defects that the banner lists, or restore the earlier view.
   void look_at_places();
   void look_back_from_places();
 

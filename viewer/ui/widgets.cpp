@@ -96,7 +96,7 @@ void draw_colored(Tone tone, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-bool draw_advised(const Warning& warning) {
+bool draw_engine_warning(const Warning& warning) {
   draw_colored(Tone::warning, in_window_words(warning.text));
   const auto [label, what] = [&]() -> std::pair<const char*, const char*> {
     switch (warning.advice) {

@@ -34,7 +34,8 @@ inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
 /// Returns the screen coordinate of the right end of the current line. Call this at its start.
 float right_end();
 
-/// Returns the colour of a pair of corresponding points. Neighbouring numbers differ clearly.
+/// Returns the colour of the pair of corresponding points with this number. Consecutive numbers
+/// have clearly different colours.
 ImVec4 color_of_pair(std::size_t number);
 
 /// Draws a square of that colour before an item with a frame, on the same line.
@@ -83,7 +84,7 @@ void stay_on_line(float width, float right);
 
 /// Draws a warning of the engine, and a button that does what it advises. Returns true if the
 /// button was pressed.
-bool draw_advised(const Warning& warning);
+bool draw_engine_warning(const Warning& warning);
 
 void draw_colored(Tone tone, const std::string& text);
 

@@ -16,7 +16,8 @@ namespace {
 constexpr float kMostPairLines = 6.0F;
 constexpr const char* kCoatDetail = "Coat the scan's detail...";
 
-// While nothing is open, draws how to begin, and the steps that can be changed.
+// Draws the contents of the tab while no wrap is open: a button that opens a scan, and the wraps
+// that can be edited.
 void draw_beginnings(WrapTool& wrap, Editor& editor, WrapWish& wish) {
   ImGui::TextWrapped("Deforms the mesh so that it covers a scan.");
   if (ImGui::Button("Open scan...")) wish.path = PathPurpose::open_scan;
@@ -108,8 +109,8 @@ void draw_progress(const WrapTool& wrap, const WorkStatus& status) {
   }
   ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F}, words);
   explain(
-      "Springs pull deformations of longer wavelength than the reach, a share of the "
-      "template's diagonal.");
+      "Only deformations with wavelengths above the reach follow the springs. The reach is in "
+      "percent of the template's diagonal.");
 }
 
 void draw_distance(const char* name, const SurfaceDistance& distance, double diagonal) {
@@ -146,7 +147,7 @@ void draw_report(const WrapStepReport& report) {
                      crossing ? std::to_string(*crossing).c_str() : "too many");
 }
 
-// Draws the result with its warnings, or why there is none.
+// Draws the report with its warnings, or the reason why there is no result.
 void draw_outcome(const WrapTool& wrap, const Editor& editor) {
   const StepPreview& preview = wrap.preview();
   if (!preview.message().empty()) draw_colored(Tone::error, in_window_words(preview.message()));

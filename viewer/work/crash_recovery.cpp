@@ -91,8 +91,8 @@ std::optional<History> with_undone_steps(const AppState& start, const Interrupte
     });
     history.go_to(done);
     if (is_whole) return history;
-    // Other settings than moves were undone as well. The last draft contains them, but only the
-    // last move of each handle.
+    // The undone changes include settings other than moves. The last draft contains these settings,
+    // but only the last move of each handle.
     history = from_draft(start, edit.undone.back(), carry_out);
     while (history.can_undo()) {
       history.undo();

@@ -166,7 +166,7 @@ std::vector<VertexPair> pairs_on(const Mesh& source, const VertexSet& source_pat
       return (source.positions[s] - target.positions[v]).squaredNorm();
     });
   };
-  // Each vertex is the one that is farthest from those before it and from the border.
+  // Each vertex is as far as possible from the earlier ones and from the border.
   std::vector<double> distances(inside.size(), std::numeric_limits<double>::infinity());
   const auto mark = [&](Index from) {
     for (std::size_t k = 0; k < inside.size(); ++k) {

@@ -56,7 +56,7 @@ Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh);
 /// Returns the largest disk in the part of `source` that lies on `patch` of `target`. Throws
 /// InputError if no part does.
 RegionSpec patch_on(const Mesh& source, const Mesh& target, const VertexSet& patch);
-/// Returns a few pairs of vertices in the same places, spread over both patches and inside them.
+/// Returns a few pairs of vertices at the same positions, spread over the interior of both patches.
 std::vector<VertexPair> pairs_on(const Mesh& source, const VertexSet& source_patch,
                                  const Mesh& target, const VertexSet& patch);
 

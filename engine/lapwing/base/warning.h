@@ -11,8 +11,8 @@ namespace lapwing {
 /// A change of a coat, mix or transplant that avoids a warning.
 enum class Advice {
   none,
-  set_transition_width,  ///< to Warning::value
-  set_scale,             ///< to Warning::value
+  set_transition_width,  ///< set it to Warning::value
+  set_scale,             ///< set it to Warning::value
   negate_amplitude,
   refine_target,
   enlarge_hole,
@@ -23,7 +23,8 @@ struct Warning {
   std::string text;
   Advice advice = Advice::none;
   double value = 0.0;
-  std::optional<std::size_t> source = {};  ///< the source that the advice is about; not set: all
+  std::optional<std::size_t> source =
+      {};  ///< the source that the advice concerns; if not set, all sources
 };
 
 inline std::vector<std::string> texts_of(std::span<const Warning> warnings) {

@@ -60,7 +60,7 @@ std::size_t add_rows(const std::vector<Vector3d>& rows, bool with_bounds, GltfAp
   return appender.add_accessor(json + "}");
 }
 
-// Returns the index of a primitive's accessor, or nothing.
+// Returns the index of an accessor of a primitive, or nullopt if the primitive has none.
 std::optional<std::size_t> number_of(const JsonNode& attributes, const char* name) {
   const auto node = attributes.find(name);
   return node ? std::optional(node->count()) : std::nullopt;
@@ -72,7 +72,7 @@ bool has_records(const JsonNode& attributes, const GltfRecords& set) {
          number_of(attributes, "NORMAL") == normals;
 }
 
-// Returns the names of the morph targets of a glTF mesh: "target 2" without a name in the file.
+// Returns the names of the morph targets of a glTF mesh. A target without a name is "target 2".
 std::vector<std::string> target_names(const JsonNode& mesh, std::size_t count) {
   std::vector<std::string> names;
   const auto extras = mesh.find("extras");
@@ -86,7 +86,7 @@ std::vector<std::string> target_names(const JsonNode& mesh, std::size_t count) {
   return names;
 }
 
-// A morph target with the mesh in its pose.
+// A morph target, and the mesh at the weight 1.
 struct PosedMesh {
   const std::string& name;
   Mesh mesh;

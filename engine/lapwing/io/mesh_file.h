@@ -66,8 +66,8 @@ struct WriteOptions {
   /// Writes a new file instead of changing the source file's bytes, so that attributes set since
   /// reading are written.
   bool anew = false;
-  /// For a mesh from a glTF file: the positions stay, and these morph targets are added (see
-  /// gltf_morph.h).
+  /// If the mesh was read from a glTF file, its positions stay and these morph targets are added
+  /// (see gltf_morph.h).
   std::vector<MorphTarget> morph_targets = {};
   /// The file that the mesh was made from, if the triangles have changed since. In a glTF file, the
   /// new triangles replace the old ones (see gltf_patch.h).

@@ -247,7 +247,7 @@ PartsOutside parts_up_to(double limit, Outside outside, std::span<const Index> r
         return std::ranges::any_of(topology.rings[v], [&](Index w) { return state[w] == which; });
       });
     };
-    // A visit also ends beside an earlier visit of the same part that stopped at the limit.
+    // A visit also ends if it meets an earlier visit of the same part that stopped at the limit.
     if (area <= limit && !has_beside(unknown) && !has_beside(larger)) {
       parts.largest = std::max(parts.largest, area);
       parts.whole.emplace_back(area, std::move(vertices));

@@ -244,7 +244,7 @@ StepReport run_step(const FillRequest& step, const StepContext& on) {
   return report_of_mesh_step(std::move(added), std::move(timings), on.result);
 }
 
-// Returns for each triangle whether it intersects another one.
+// Returns, for each triangle, whether it intersects another triangle.
 std::vector<char> intersecting(std::span<const Triangle> triangles, const Positions& positions) {
   std::vector<char> intersects(triangles.size(), 0);
   for (const auto& [a, b] : self_intersections(triangles, positions)) {

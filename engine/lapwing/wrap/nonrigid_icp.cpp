@@ -89,8 +89,8 @@ class Wrapping {
   int steps() const { return steps_; }
   FittedTemplate result() const { return {now_, steps_}; }
 
-  // Minimizes once more if `detail` prescribes the vertices that have a counterpart, or to make
-  // rigid parts exactly rigid: these follow no springs.
+  // If `detail` is true, prescribes the vertices that have a counterpart and minimizes once more.
+  // Also minimizes once more without springs on rigid parts, so that these become exactly rigid.
   void finish(bool detail) {
     if (detail) prescribe_counterparts();
     const auto is_rigid = [](const VertexStiffness& part) {
@@ -152,12 +152,12 @@ class Wrapping {
     Pull& pull = pulls_.front();
     const std::vector<Counterpart> on_scan =
         counterparts_of(now_, surface.normals(), pull.scan, pull.hints);
-    const double far = std::max(edge_, far_distance(on_scan));
+    const std::vector<SurfacePoint> points = accepted(on_scan, edge_);
     region_.targets = hard_landmarks_ ? landmarks_ : std::vector<Target>();
     region_.hard_targets = true;
     const std::vector<char> prescribed = vertex_mask(now_.size(), corners_of(region_.targets));
     for (Index v = 0; v < on_scan.size(); ++v) {
-      if (on_scan[v].agrees && on_scan[v].distance <= far && prescribed[v] == 0) {
+      if (!points[v].is_nowhere() && prescribed[v] == 0) {
         region_.targets.push_back(at_vertex(v, on_scan[v].position, 1.0));
       }
     }
@@ -187,7 +187,7 @@ class Wrapping {
     }
   }
 
-  // Springs from the template's vertices to the scan.
+  // Adds springs from the template's vertices to the scan.
   void add_pull_of(std::span<const Counterpart> on_scan, double weight) {
     const double scale = std::max(far_distance(on_scan), tolerated_);
     for (Index v = 0; v < on_scan.size(); ++v) {
@@ -200,8 +200,8 @@ class Wrapping {
     }
   }
 
-  // Springs from the samples of the scan to points of the template. All samples together pull at
-  // most as much as the vertices of the template.
+  // Adds springs from the samples of the scan to points of the template. The total weight of all
+  // samples is at most that of the template's vertices.
   void add_pull_from(std::span<const Counterpart> on_surface, std::span<const Vector3d> samples,
                      double weight) {
     const double scale = std::max(far_distance(on_surface), tolerated_);

@@ -115,4 +115,13 @@ double far_distance(std::span<const Counterpart> counterparts) {
   return kFar * *middle;
 }
 
+std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, double edge) {
+  const double far = std::max(edge, far_distance(counterparts));
+  std::vector<SurfacePoint> points;
+  for (const Counterpart& c : counterparts) {
+    points.push_back(c.agrees && c.distance <= far ? c.point : SurfacePoint::nowhere());
+  }
+  return points;
+}
+
 }  // namespace lapwing

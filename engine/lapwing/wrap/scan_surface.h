@@ -71,4 +71,8 @@ std::vector<Counterpart> counterparts_of(std::span<const Eigen::Vector3d> points
 /// median distance of the counterparts that agree; 0 if there is none.
 double far_distance(std::span<const Counterpart> counterparts);
 
+/// Returns the counterparts whose normals agree and that are closer than `far_distance` or `edge`.
+/// The others are "nowhere".
+std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, double edge);
+
 }  // namespace lapwing

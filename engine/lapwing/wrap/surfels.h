@@ -14,7 +14,8 @@ namespace lapwing {
 /// has no normals or too few points; the message begins with `where`. Also throws Cancelled.
 Mesh surfels_of(const Mesh& cloud, const std::string& where);
 
-/// Returns the point of the cloud to which a point on a surfel belongs; nowhere if it is nowhere.
+/// Returns the point of the cloud to which a point on a surfel belongs, or "nowhere" if the given
+/// point is nowhere.
 SurfacePoint point_of_surfel(const SurfacePoint& place);
 
 }  // namespace lapwing

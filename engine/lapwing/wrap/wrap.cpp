@@ -50,16 +50,6 @@ SurfaceDistance distance_from_scan(const ScanSurface& scan, const ScanSurface& s
   return measure(std::move(distances));
 }
 
-// Returns the counterparts whose normals agree and that are not much farther away than most.
-std::vector<SurfacePoint> accepted(std::span<const Counterpart> counterparts, double edge) {
-  const double far = std::max(edge, far_distance(counterparts));
-  std::vector<SurfacePoint> points;
-  for (const Counterpart& c : counterparts) {
-    points.push_back(c.agrees && c.distance <= far ? c.point : SurfacePoint::nowhere());
-  }
-  return points;
-}
-
 Alignment align(const ScanSurface& surface, const ScanSurface& scan,
                 std::span<const Target> landmarks, bool aligned) {
   constexpr std::size_t kEnough = 3;
@@ -134,7 +124,7 @@ void add_mirror_images(const TemplateMirror& mirror, const Mesh& aligned, const 
   region.targets.insert(region.targets.end(), images.begin(), images.end());
 }
 
-// `wrap` for a template without seams and a surface or surfels. The first `measured_vertices`
+// Wraps a template without seams onto a surface or onto surfels. The first `measured_vertices`
 // vertices of the scan are samples.
 Wrapped wrap_joined(const Mesh& wrapped, const Mesh& scan, std::size_t measured_vertices,
                     const WrapRequest& request, Kernels& kernels, const Progress& progress) {

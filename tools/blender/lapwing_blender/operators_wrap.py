@@ -50,7 +50,7 @@ class Landmarks:
         ours, theirs = landmarks_of(template), landmarks_of(scan)
         names = [name for name in ours if name in theirs]
         self.pairs = [(ours[name].name, theirs[name].name) for name in names]
-        #: As in a recipe, in the world.
+        #: The landmarks in world coordinates, as in a recipe.
         self.rows = [
             {"label": ours[name].name, "point": list(ours[name].matrix_world.translation),
              "position": list(theirs[name].matrix_world.translation)}
