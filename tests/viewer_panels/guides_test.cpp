@@ -1,13 +1,18 @@
 // Every key that a person needs for an edit, a coat, a mix or a transplant stands on the screen
 // when it is needed: in the guide, at the control that does the same, or in a menu.
+#include <numeric>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/transform.h"
+#include "run/transplant_runs.h"
 #include "state/waypoints.h"
 #include "support/environment.h"
 #include "support/gpu.h"
+#include "transplant/loops.h"
 #include "viewer_panels/shown_viewer.h"
 
 namespace lapwing::viewer::test {
@@ -39,19 +44,27 @@ class Guides : public ::testing::Test {
   void drag_disk(double radius) {
     viewer_->drag(middle(), middle() + Eigen::Vector2d(radius, 0.0));
   }
+  void drag_disk_of_source() {
+    const auto& [width, height] = viewer_->look().size;
+    const Eigen::Vector2d source(0.45 * width, 0.55 * height);
+    viewer_->drag(source, source + Eigen::Vector2d(60.0, 0.0));
+  }
   void choose_roi() {
     viewer_->key('I');
     drag_disk(60.0);
     ASSERT_FALSE(roi().vertices.empty());
   }
-  // Places a part that is too short for a transition of the usual width.
-  void place_a_short_part() {
-    write_mesh(lapwing::test::finger(24, 2, 0.2, 0.02), folder_ / "data/lapwing/parts/finger.ply");
-    start();
+  void place_part() {
     viewer_->key('N');
     viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); },
                       "the part is in hand");
     viewer_->drag(middle(), middle());
+  }
+  // Places a part that is too short for a transition of the usual width.
+  void place_a_short_part() {
+    write_mesh(lapwing::test::finger(24, 2, 0.2, 0.02), folder_ / "data/lapwing/parts/finger.ply");
+    start();
+    place_part();
     viewer_->scroll_to("Seam settings");
     viewer_->click("Seam settings");
     viewer_->scroll_to("Transition");
@@ -206,12 +219,60 @@ TEST_F(Guides, AWarningOfATransplantOffersToEditItsStep) {
   EXPECT_EQ(transplant.taken_up(), 0U);
 }
 
+TEST_F(Guides, AWarningOfATransplantPreviewSetsATransitionThatFits) {
+  write_mesh(rippled_cylinder(96, 161), folder_ / "tube.obj");
+  const Mesh whole = lapwing::test::finger(24, 60, 0.2, 0.6);
+  write_mesh(lapwing::test::with_hole(whole, {0.2, 0.0, 0.05}, 0.02),
+             folder_ / "data/lapwing/parts/finger.ply");
+  start();
+  place_part();
+  viewer_->wait_for([&] { return viewer_->shows("Set transition width"); }, "the preview warns");
+  const TransplantTool& transplant = viewer_->app().document()->transplant;
+  ASSERT_TRUE(transplant.preview().result());
+  const double narrowed =
+      transplant.preview().result()->carried_out.report.transplant->transition_width;
+  viewer_->click("Set transition width");
+  viewer_->wait_for([&] { return transplant.preview().result() != nullptr; }, "another preview");
+  EXPECT_FALSE(viewer_->shows("Set transition width"));
+  const auto& transition = transplant.tool().draft().parameters.transition;
+  ASSERT_TRUE(transition);
+  EXPECT_EQ(transition->width, narrowed);
+}
+
+TEST_F(Guides, AWarningOfATransplantPreviewEnlargesTheHole) {
+  place_part();
+  viewer_->wait_for([&] { return viewer_->shows("Enlarge hole"); }, "the preview warns");
+  const TransplantTool& transplant = viewer_->app().document()->transplant;
+  const double share = transplant.tool().draft().hole_share;
+  ASSERT_TRUE(transplant.preview().result());
+  const std::size_t rim = transplant.preview().result()->carried_out.report.transplant->host_loop;
+  viewer_->click("Enlarge hole");
+  EXPECT_DOUBLE_EQ(transplant.tool().draft().hole_share, 1.5 * share);
+  viewer_->wait_for([&] { return transplant.preview().result() != nullptr; }, "another preview");
+  EXPECT_GT(transplant.preview().result()->carried_out.report.transplant->host_loop, rim);
+}
+
+TEST_F(Guides, AWarningOfACoatPreviewNegatesTheAmplitude) {
+  Mesh inward = icosphere(3);
+  std::vector<Index> faces(inward.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  flip_faces(inward, faces);
+  write_mesh(inward, folder_ / "inward.obj");
+  viewer_->key('K', kControl);
+  viewer_->wait_for([&] { return viewer_->says("Source: "); }, "the coat begins");
+  choose_roi();
+  auto& desk = const_cast<DetailTransferTool&>(viewer_->app().document()->desk);
+  desk.use_source(0, folder_ / "inward.obj");
+  viewer_->wait_for([&] { return desk.view() != nullptr && !desk.is_reading(); },
+                    "the source is read");
+  drag_disk_of_source();
+  viewer_->wait_for([&] { return viewer_->shows("Negate amplitude"); }, "the preview warns");
+  viewer_->click("Negate amplitude");
+  EXPECT_FALSE(viewer_->shows("Negate amplitude"));
+  EXPECT_EQ(desk.draft().sources[0].amplitude, -1.0);
+}
+
 TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
-  const auto drag_source = [&] {
-    const auto& [width, height] = viewer_->look().size;
-    const Eigen::Vector2d source(0.45 * width, 0.55 * height);
-    viewer_->drag(source, source + Eigen::Vector2d(60.0, 0.0));
-  };
   const Document& document = *viewer_->app().document();
   for (const int key : {static_cast<int>('K'), static_cast<int>('M')}) {
     viewer_->key(key, kControl);
@@ -219,7 +280,7 @@ TEST_F(Guides, ReturnToTheRegionAfterACoatOrMix) {
     choose_roi();
     for (std::size_t k = 0; k < document.desk.draft().source_count(); ++k) {
       if (k > 0) viewer_->key('K', {.shift = true});
-      drag_source();
+      drag_disk_of_source();
     }
     viewer_->key('M');
     ASSERT_EQ(document.editor.tool().row()->action, Action::take_move);

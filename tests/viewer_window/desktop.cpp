@@ -63,14 +63,18 @@ Image read_dump(const std::string& bytes) {
   const std::size_t start = word(0) + kColorBytes * word(19);
   const std::size_t row_bytes = word(12);
   Image image{word(4), word(5), {}};
-  image.rgba.reserve(std::size_t{4} * image.width * image.height);
+  if (bytes.size() < start + row_bytes * image.height) {
+    throw std::runtime_error("the screen's dump is cut short");
+  }
+  image.rgba.resize(std::size_t{4} * image.width * image.height);
+  std::uint8_t* to = image.rgba.data();
   for (std::size_t y = 0; y < image.height; ++y) {
-    for (std::size_t x = 0; x < image.width; ++x) {
-      const std::size_t at = start + y * row_bytes + 4 * x;
-      for (const std::size_t channel : {2U, 1U, 0U}) {
-        image.rgba.push_back(static_cast<std::uint8_t>(bytes.at(at + channel)));
-      }
-      image.rgba.push_back(255);
+    const char* from = bytes.data() + start + y * row_bytes;
+    for (std::size_t x = 0; x < image.width; ++x, from += 4, to += 4) {
+      to[0] = static_cast<std::uint8_t>(from[2]);
+      to[1] = static_cast<std::uint8_t>(from[1]);
+      to[2] = static_cast<std::uint8_t>(from[0]);
+      to[3] = 255;
     }
   }
   return image;
@@ -161,7 +165,7 @@ void Desktop::vanish() {
 
 Image Desktop::settled_picture() const {
   constexpr double kPatience = 15.0;
-  constexpr double kBetween = 0.3;
+  constexpr double kBetween = 0.5;
   Image last = picture();
   eventually(kPatience, [&] {
     sleep_seconds(kBetween);
