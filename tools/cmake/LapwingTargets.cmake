@@ -84,3 +84,11 @@ endfunction()
 set(lapwing_common_headers
   <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <filesystem> <functional> <memory> <span> <string>
   <vector>)
+
+# lapwing_leave_out_of_sanitized_builds(TARGET): a build with sanitizers makes TARGET only if it is
+# named, because the tests of CI do not run it there.
+function(lapwing_leave_out_of_sanitized_builds target)
+  if(LAPWING_SANITIZE)
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endfunction()
