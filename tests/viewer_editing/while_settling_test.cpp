@@ -60,7 +60,7 @@ class WhileItSettles : public AnEditor {
       go_on();
       ASSERT_TRUE(editor_->actions().waits());
       EXPECT_EQ(editor_->session().history().done(), 2U) << "nothing before it has settled";
-      EXPECT_NE(said_.find("until the last edit is refined"), std::string::npos) << said_;
+      EXPECT_NE(said_.find("when the last edit is refined"), std::string::npos) << said_;
       let_worker_go();
     });
     EXPECT_TRUE(same(editor_->state(), wanted));

@@ -253,9 +253,30 @@ TEST_F(AWrap, IsCancelledAndThenClosed) {
   EXPECT_FALSE(wrap_->is_open());
 }
 
+TEST_F(AWrap, IsOpenedAgainWithTheLandmarksAndSettingsWithWhichItWasClosed) {
+  open_scan();
+  load({{3, 3}, {50, 50}});
+  wrap_->settings.hard = true;
+  wrap_->close(*editor_);
+  EXPECT_THAT(wrap_->landmarks(), IsEmpty());
+  write_mesh(ball_, folder_ / "other.ply");
+  wrap_->open_scan(*editor_, folder_ / "other.ply");
+  EXPECT_THAT(wrap_->landmarks(), IsEmpty());
+  EXPECT_FALSE(wrap_->settings.hard);
+  open_scan();
+  EXPECT_THAT(wrap_->landmarks(), IsEmpty()) << "the last wrap was onto the other scan";
+  load({{3, 3}, {50, 50}, {100, 100}});
+  wrap_->close(*editor_);
+  open_scan();
+  ASSERT_THAT(wrap_->landmarks(), SizeIs(3));
+  EXPECT_EQ(wrap_->landmarks()[2].position, egg_.positions[100]);
+}
+
 TEST_F(AWrap, IsEditedAgain) {
   open_scan();
   load({{3, 3}, {50, 50}, {100, 100}, {200, 200}});
+  wrap_->settings = {
+      .aligned = true, .hard = true, .mirror = MirrorSpec{MirrorPlane{}}, .detail = true};
   wrap();
   wrap_->apply(*editor_);
   ASSERT_TRUE(wrap_->take_up(*editor_, 0));
@@ -266,6 +287,8 @@ TEST_F(AWrap, IsEditedAgain) {
   update_until([&] { return !editor_->session().is_carrying_out(); });
   ASSERT_THAT(editor_->state().steps, SizeIs(1));
   EXPECT_THAT(last_step().landmarks.rows, SizeIs(3));
+  EXPECT_TRUE(last_step().aligned && last_step().hard && last_step().detail);
+  EXPECT_EQ(last_step().mirror, MirrorSpec{MirrorPlane{}});
 }
 
 TEST_F(AWrap, TakesAPointCloudWithNormalsAsItsScan) {
@@ -276,7 +299,7 @@ TEST_F(AWrap, TakesAPointCloudWithNormalsAsItsScan) {
   }
   write_mesh(cloud, folder_ / "egg.ply");
   open_scan();
-  wrap_->aligned = true;
+  wrap_->settings.aligned = true;
   wrap_->wrap(*editor_);
   update_until([&] { return wrap_->report() != nullptr; });
   EXPECT_GT(wrap_->report()->coverage, 0.95);

@@ -46,7 +46,7 @@ TEST(FilePurpose, SaysWhatIsWrongWithAPathAndTheNextStep) {
   EXPECT_THAT(trouble_with(folder.path(), PathPurpose::open), HasSubstr("is a folder"));
   EXPECT_THAT(trouble_with(folder / "new.ply", PathPurpose::save_mesh), IsEmpty());
   EXPECT_THAT(trouble_with(folder / "new.fbx", PathPurpose::save_mesh),
-              HasSubstr("the name must end"));
+              HasSubstr("Choose a name that ends in glb"));
   EXPECT_THAT(trouble_with(folder / "no" / "new.ply", PathPurpose::save_mesh),
               HasSubstr("There is no folder"));
   EXPECT_THAT(trouble_with(folder.path(), PathPurpose::parts_folder), IsEmpty());

@@ -128,8 +128,8 @@ TEST(DialogCommand, SaysWhatIsAskedFor) {
                           "--filename=/a b/hand.json", "--file-filter=Recipes | *.json *.JSON",
                           "--file-filter=All files | *"));
   EXPECT_THAT(dialog_command(zenity, {PathPurpose::parts_folder, "/a", ""}),
-              ElementsAre("/bin/zenity", "--file-selection", "--title=Parts folder", "--directory",
-                          "--filename=/a/"));
+              ElementsAre("/bin/zenity", "--file-selection", "--title=Choose parts folder",
+                          "--directory", "--filename=/a/"));
   const DialogProgram kdialog{DialogProgram::Kind::kdialog, "/bin/kdialog"};
   EXPECT_THAT(dialog_command(kdialog, {PathPurpose::save_picture, "/a", "hand.png"}),
               ElementsAre("/bin/kdialog", "--title", "Save image", "--getsavefilename",

@@ -108,7 +108,7 @@ TEST_F(TexturedSheet, KeepsItsImageWhileAPartIsInHand) {
   add_finger(viewer_->folder());
   viewer_->open(file("sheet.obj"));
   viewer_->key('N');
-  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
+  viewer_->wait_for([&] { return viewer_->says("Shift+wheel rotates"); }, "the part is in hand");
   const double alone = red("textured-sheet");
   viewer_->app().handle({.kind = InputKind::move, .position = {850.0, 400.0}});
   const double beside = red("textured-sheet-and-part");

@@ -56,8 +56,7 @@ class Guides : public ::testing::Test {
   }
   void place_part() {
     viewer_->key('N');
-    viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); },
-                      "the part is in hand");
+    viewer_->wait_for([&] { return viewer_->says("Shift+wheel rotates"); }, "the part is in hand");
     viewer_->drag(middle(), middle());
   }
   // Places a part that is too short for a transition of the usual width.
@@ -142,7 +141,7 @@ TEST_F(Guides, NameTheKeysOfAnEdit) {
   expect_says("Ctrl+N begins another edit");
   expect_at("Undo", "Ctrl+Z");
   expect_at("Redo", "Ctrl+Shift+Z");
-  expect_at("Save recipe", "Ctrl+E");
+  expect_at("Save recipe...", "Ctrl+E");
   expect_at("Shape", "Shift+M");
   for (const char* keys : {"Ctrl+O", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+P", "Ctrl+Q"}) {
     expect_in_menu("File", keys);
@@ -195,7 +194,7 @@ TEST_F(Guides, NameTheKeysOfATransplant) {
   viewer_->click("Transplant");
   expect_at("finger", "N picks up");
   viewer_->key('N');
-  viewer_->wait_for([&] { return viewer_->says("Shift + wheel rotates"); }, "the part is in hand");
+  viewer_->wait_for([&] { return viewer_->says("Shift+wheel rotates"); }, "the part is in hand");
   expect_says("Click");
   viewer_->drag(middle(), middle());
   expect_says("Enter");

@@ -241,7 +241,7 @@ TEST_P(Panels, TheCertificateMovesNothing) {
   std::map<std::string, ImVec2> places;
   const auto remember = [&] {
     places.clear();
-    for (const char* label : {"Selection", "Grow", "Mirror", "Undo", "Save recipe"}) {
+    for (const char* label : {"Selection", "Grow", "Mirror", "Undo", "Save recipe..."}) {
       // A low window shows only part of the sidebar.
       if (const auto text = find_text(viewer_->look_at(), label)) places[label] = text->min;
     }

@@ -42,6 +42,8 @@ TEST_F(CertificateWords, NotSettledSaysHowFarAndWhatToDo) {
   EXPECT_THAT(warning.text, HasSubstr("0.02 mean edge lengths"));
   EXPECT_THAT(warning.text, HasSubstr("Enlarge the region, move the handle in smaller steps"));
   EXPECT_THAT(warning.vertices, IsEmpty());
+  certificate_.settle_iterations = 1;
+  EXPECT_THAT(only_warning().text, HasSubstr("after 1 iteration:"));
 }
 
 TEST_F(CertificateWords, FoldedTrianglesNameTheirCorners) {

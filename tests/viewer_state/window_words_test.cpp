@@ -69,6 +69,10 @@ TEST(WindowWords, MessagesNameLabelsInsteadOfKeys) {
             "Choose a narrower \"Transition\", or set \"Remesh\" to \"Off\"");
   EXPECT_EQ(in_window_words("sources/0/boundary_pairs: the disk needs one pair"),
             "Border points: the disk needs one pair");
+  EXPECT_EQ(in_window_words("weight/domain_v: the ramp has no extent"),
+            "Across the domain: the ramp has no extent");
+  EXPECT_EQ(in_window_words("/home/a/.local/share/lapwing/ear.ply: byte 30: no faces"),
+            "/home/a/.local/share/lapwing/ear.ply: byte 30: no faces");
   EXPECT_EQ(
       in_window_words("the region is not a disk. Choose another region, or replace it by "
                       "{\"disk_in\": REGION} to use the largest disk inside, which has 7 of its 9 "

@@ -124,7 +124,8 @@ void ActionQueue::carry_along(const std::vector<std::filesystem::path>& files) {
 }
 
 void ActionQueue::postpone(std::function<void()> act) {
-  if (postponed_.empty()) say_("Waiting until the last edit is refined. Undo cancels.");
+  if (postponed_.empty())
+    say_("This action starts when the last edit is refined. Undo cancels it.");
   postponed_.push_back(std::move(act));
 }
 

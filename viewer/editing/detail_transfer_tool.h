@@ -17,7 +17,7 @@ class PointTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   const char* hint(const AppState&, const Part&) const override {
-    return "Click the same place on the source and here.";
+    return "Click the same place on the source and on the target.";
   }
   /// The vertex clicked last, until it is reset.
   std::optional<Index> picked;

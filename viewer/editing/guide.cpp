@@ -9,12 +9,13 @@ bool has_patch(const DetailTransferTool& desk, std::size_t k) {
 
 const char* what_to_do(const DetailTransferTool& desk, const Editor& editor, bool has_target) {
   if (desk.picking() != DetailTransferTool::Picking::none) {
-    return desk.picked_source()   ? "Click the same place on the target. K ends picking."
-           : desk.picked_target() ? "Click the same place on the source. K ends picking."
-                                  : "Click the same place on source and target. K ends picking.";
+    return desk.picked_source() ? "Click the same place on the target. K ends picking."
+           : desk.picked_target()
+               ? "Click the same place on the source. K ends picking."
+               : "Click the same place on the source and on the target. K ends picking.";
   }
   if (desk.is_painting())
-    return "Paint where the second source appears. Ctrl + wheel resizes the brush.";
+    return "Paint where the second source should appear. Ctrl+wheel resizes the brush.";
   if (!has_target && !desk.taken_up()) {
     return editor.tool().part().role == Part::Role::roi && editor.tool().chooses_parts()
                ? editor.input().hint()
@@ -80,8 +81,8 @@ Guide guide_of_wrap(const WrapTool& wrap, const Editor& editor) {
   guide.what =
       !has_scan                      ? "Reading the scan."
       : wrap.preview().status().busy ? "Wrapping. Escape stops it."
-      : wrap.moved()          ? "Click the new place of the point, on the template or on the scan."
-      : wrap.picked_on_scan() ? "Click the same place on the template. K ends picking."
+      : wrap.moved() ? "Click the new position of the point, on the template or on the scan."
+      : wrap.picked_on_scan()     ? "Click the same place on the template. K ends picking."
       : wrap.picked_on_template() ? "Click the same place on the scan. K ends picking."
       : has_result                ? "Look at the distances. Apply the result, or add landmarks and "
                                     "wrap again."

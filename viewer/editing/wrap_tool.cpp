@@ -39,6 +39,15 @@ void WrapTool::open_scan(Editor& editor, const std::filesystem::path& scan) {
     return read_scan(scan);
   });
   pick(true, editor);
+  restore_closed();
+}
+
+// Takes the landmarks and settings of the closed wrap if it had the same scan, and a template with
+// the same triangles.
+void WrapTool::restore_closed() {
+  if (closed_.scan != scan_ || !closed_.of->shares_faces_with(*template_)) return;
+  settings = closed_.settings;
+  if (!closed_.rows.empty()) set_landmarks(closed_.rows);
 }
 
 bool WrapTool::take_up(Editor& editor, std::size_t index) {
@@ -49,7 +58,9 @@ bool WrapTool::take_up(Editor& editor, std::size_t index) {
   Revision revision = revision_of(editor.session().history(), index, taken);
   open_scan(editor, taken.scan);
   taken_up_ = index;
-  aligned = taken.aligned;
+  settings = {taken.aligned, taken.hard, taken.mirror, taken.detail};
+  edits_.assign(1, {});
+  edit_ = 0;
   to_load_ = taken.landmarks;
   if (revision.starts_at_step()) start_ = std::move(revision.start);
   template_ = base(editor).rest;
@@ -57,6 +68,7 @@ bool WrapTool::take_up(Editor& editor, std::size_t index) {
 }
 
 void WrapTool::close(Editor& editor) {
+  if (is_open()) closed_ = {scan_, template_, edits_[edit_].rows, settings};
   drop_result(editor);
   pick(false, editor);
   reader_.cancel();
@@ -69,7 +81,7 @@ void WrapTool::close(Editor& editor) {
   to_load_ = {};
   edits_.assign(1, {});
   edit_ = 0;
-  aligned = false;
+  settings = {};
 }
 
 void WrapTool::cancel(Editor& editor) {
@@ -173,7 +185,12 @@ void WrapTool::save_landmarks(const std::filesystem::path& file) {
 }
 
 WrapStep WrapTool::step(const Editor& editor) const {
-  WrapStep step{.scan = scan_, .aligned = aligned, .stiffness = editor.state().selection.stiffness};
+  WrapStep step{.scan = scan_,
+                .aligned = settings.aligned,
+                .stiffness = editor.state().selection.stiffness,
+                .hard = settings.hard,
+                .mirror = settings.mirror,
+                .detail = settings.detail};
   for (const TargetRow& row : edits_[edit_].rows) {
     step.landmarks.rows.push_back({row.point, row.position, row.weight});
   }

@@ -12,6 +12,15 @@
 
 namespace lapwing::viewer {
 
+/// The settings of a wrap that are not landmarks.
+struct WrapSettings {
+  // All as in WrapStep.
+  bool aligned = false;
+  bool hard = false;
+  std::optional<MirrorSpec> mirror = {};
+  bool detail = false;
+};
+
 /// Lets the user wrap the mesh, a template, onto a scan. Holds a view of the scan, the landmarks
 /// that the user picks in pairs, and the result until it is applied. Reports errors to `say`.
 class WrapTool {
@@ -19,12 +28,12 @@ class WrapTool {
   WrapTool(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
            std::function<void()> wake);
 
-  /// `open_scan` begins a wrap onto another scan, without landmarks. `take_up` opens the recipe
-  /// step at `index` for editing; if that step is not a wrap, it
-  /// returns false and changes nothing.
+  /// `open_scan` begins a wrap onto another scan, without landmarks, or with those with which the
+  /// last wrap onto this scan was closed. `take_up` opens the recipe step at `index` for editing;
+  /// if that step is not a wrap, it returns false and changes nothing.
   void open_scan(Editor& editor, const std::filesystem::path& scan);
   bool take_up(Editor& editor, std::size_t index);
-  /// Closes the wrap and discards its result and landmarks.
+  /// Closes the wrap and discards its result.
   void close(Editor& editor);
   /// Stops the computation if it is running. Otherwise ends an incomplete pair or move of a point,
   /// or picking. If none of these is in progress, closes the wrap.
@@ -61,7 +70,7 @@ class WrapTool {
   std::optional<Index> picked_on_template() const { return point_tool_.picked; }
   const std::optional<Eigen::Vector3d>& picked_on_scan() const { return on_scan_; }
 
-  bool aligned = false;              ///< as in WrapStep
+  WrapSettings settings;
   bool colors_by_distance = true;    ///< shows the distance of the result from the scan
   void show_colors(Editor& editor);  ///< call this after a change of `colors_by_distance`
 
@@ -88,11 +97,19 @@ class WrapTool {
     std::vector<TargetRow> rows;
     std::vector<Target> points;  // of `rows`
   };
+  // What a wrap that was closed leaves for the next one.
+  struct Closed {
+    std::filesystem::path scan;
+    std::shared_ptr<const Mesh> of;  // the template
+    std::vector<TargetRow> rows;
+    WrapSettings settings;
+  };
 
   const AppState& base(const Editor& editor) const { return start_ ? *start_ : editor.state(); }
   WrapStep step(const Editor& editor) const;
   void set_landmarks(const LandmarkSpec& spec);
   void set_landmarks(std::vector<TargetRow> rows);
+  void restore_closed();
   void take_read();
   void drop_half_pair();
   void start(const Editor& editor);
@@ -113,6 +130,7 @@ class WrapTool {
 
   std::vector<Landmarks> edits_{1};  // the history of the landmarks
   std::size_t edit_ = 0;
+  Closed closed_;
   bool picks_ = false;
   PointTool point_tool_;
   std::optional<Eigen::Vector3d> on_scan_;

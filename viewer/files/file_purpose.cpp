@@ -50,23 +50,30 @@ constexpr std::array<PathWords, 16> kWords{{
     {"Save repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
     {"Save recipe", "The steps, stored in a file that can be replayed on another mesh.", "Save",
      Wants::new_file, kRecipes},
-    {"Replay recipe", "Runs its steps on the open mesh.", "Replay", Wants::file, kRecipes},
-    {"Open source mesh", "Select a patch of it in the view beside the open mesh.", "Open",
-     Wants::file, kMeshes},
+    {"Replay recipe", "Runs the recipe's steps on the open mesh.", "Replay", Wants::file, kRecipes},
+    {"Choose source mesh", "You select a patch of this mesh in the view beside the open mesh.",
+     "Open", Wants::file, kMeshes},
     {"Open scan", "The open mesh is deformed so that it covers this mesh or point cloud.", "Open",
      Wants::file, kMeshes},
     {"Load landmarks",
-     "Pairs of points, or the points of the template (3D Slicer). They replace the present ones.",
+     "Pairs of points, or the points of the template (3D Slicer). They replace the current "
+     "landmarks.",
      "Load", Wants::file, kLandmarks},
-    {"Load landmarks of the scan", "The points of the scan that belong to those of the template.",
-     "Load", Wants::file, kLandmarks},
-    {"Save landmarks", "A table for lapwing wrap --landmarks.", "Save", Wants::new_file, kTables},
+    {"Load landmarks of the scan",
+     "The points of the scan that correspond to those of the template.", "Load", Wants::file,
+     kLandmarks},
+    {"Save landmarks", "A table (csv) with a row for each pair of points.", "Save", Wants::new_file,
+     kTables},
     {"Attach object", "A mesh, point cloud or table of points that follows the surface.", "Attach",
      Wants::file, kFollowers},
     {"Save image", "The view without panels.", "Save", Wants::new_file, kPictures},
     {"Save turntable", "A video (mp4, webm, gif; requires ffmpeg), or an image sequence (png).",
      "Save", Wants::new_file, kTurntables},
-    {"Parts folder", "The Transplant tab lists its meshes.", "Use this folder", Wants::folder, {}},
+    {"Choose parts folder",
+     "The Transplant tab lists the meshes in this folder.",
+     "Use this folder",
+     Wants::folder,
+     {}},
     {"Use part from file", "A mesh with a hole. The part is joined along its rim.", "Use",
      Wants::file, kMeshes},
     {"Add part", "A mesh with a hole. It is copied to the parts folder.", "Add", Wants::file,
@@ -101,7 +108,8 @@ std::string trouble_with_new(const fs::path& path, const PathWords& words) {
   }
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {
-    return path.filename().string() + ": the name must end in " + listed(kind.extensions);
+    return path.filename().string() + " has an unsupported format. Choose a name that ends in " +
+           listed(kind.extensions) + ".";
   }
   return {};
 }
@@ -119,7 +127,7 @@ std::string trouble_with_old(const fs::path& path, const PathWords& words) {
   const FileKind& kind = words.kinds.front();
   if (!kind.holds(path)) {
     return path.filename().string() + " has an unsupported format. Choose a file that ends in " +
-           listed(kind.extensions);
+           listed(kind.extensions) + ".";
   }
   return {};
 }

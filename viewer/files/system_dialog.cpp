@@ -38,7 +38,7 @@ struct Pipe {
 Pipe open_pipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw IoError("Cannot open a pipe: " + std::generic_category().message(errno) +
+    throw IoError("Cannot start the system file dialog: " + std::generic_category().message(errno) +
                   "; close other programs");
   }
   return {ends[0], ends[1]};

@@ -466,9 +466,7 @@ struct CommandDescriber {
     return "Detach " + command.file.filename().string();
   }
   std::string operator()(const Apply& command) const { return describe(command.step); }
-  std::string operator()(const Revise& command) const {
-    return "Change: " + describe(command.step);
-  }
+  std::string operator()(const Revise& command) const { return "Edit: " + describe(command.step); }
 };
 
 }  // namespace

@@ -239,7 +239,7 @@ ToolAnswer DiskTool::resized(double steps) {
 const char* DiskTool::hint(const AppState& state, const Part& part) const {
   if (hovered_) return "Drag the dot to resize the disk.";
   if (may_change_choice() && !vertices_of(state.selection, part).empty()) {
-    return "Ctrl + wheel or a dot on its edge resizes the disk. Enter confirms.";
+    return "Ctrl+wheel or a dot on its edge resizes the disk. Enter continues.";
   }
   return of_part(part, "Drag from the centre of the region to its edge.",
                  "Drag a disk over the vertices to hold in place, inside the region.",

@@ -74,7 +74,7 @@ void PlaceTool::set_down() {
 const char* PlaceTool::hint(const AppState&, const Part&) const {
   switch (stage_) {
     case Stage::carried:
-      return "Click to place the part. Ctrl + wheel scales it, Shift + wheel rotates it.";
+      return "Click to place the part. Ctrl+wheel scales it, Shift+wheel rotates it.";
     case Stage::set_down:
       return "Drag the gizmo (W, E, Q). G picks the part up again, Enter applies, Escape cancels.";
     case Stage::empty:

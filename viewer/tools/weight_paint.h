@@ -13,7 +13,7 @@ class WeightPaint final : public SceneTool {
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return brush_.tool().is_dragging(); }
   const char* hint(const AppState&, const Part&) const override {
-    return "Paint where the second source appears. Ctrl erases.";
+    return "Paint where the second source should appear. Ctrl erases.";
   }
   ToolMarks marks() const override { return brush_.tool().marks(); }
 

@@ -101,7 +101,9 @@ void draw_move(Editor& editor, PanelDrafts& drafts, const std::string& unit) {
                                                       : shown_move(state, handle);
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
-    ImGui::TextWrapped("The handle is scaled along tilted axes, so its values cannot be edited.");
+    ImGui::TextWrapped(
+        "The handle is scaled along tilted axes, so its values cannot be edited. Use the gizmo, or "
+        "click \"Reset\".");
     return;
   }
   SimilarityMove move = drafts.move.value_or(*similarity);

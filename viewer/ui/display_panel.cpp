@@ -105,7 +105,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
           {"Clay", Matcap::clay},
           {"Metal", Matcap::metal},
           {"Pearl", Matcap::pearl}});
-  ImGui::Checkbox("Flat", &style.flat);
+  ImGui::Checkbox("Flat shading", &style.flat);
   const auto next_to = [](const char* label) {
     stay_on_line(button_width(label) + ImGui::GetFrameHeight(), right_end());
   };
@@ -141,7 +141,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   choose("Background", choices.background,
          {{"Gradient", Background::gradient},
           {"White", Background::white},
-          {"Black", Background::transparent}});
+          {"Transparent", Background::transparent}});
 }
 
 void draw_preferences_panel(Preferences& preferences) {

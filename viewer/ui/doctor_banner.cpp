@@ -181,7 +181,7 @@ std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
 
 void DoctorBanner::draw_repairing() {
   const WorkStatus status = job_.status();
-  ImGui::Text("Repairing %s: %s", name_.c_str(), stage_in_words(status.stage).data());
+  ImGui::Text("%s: %s", name_.c_str(), stage_in_words(status.stage).data());
   if (!ImGui::Button("Stop")) return;
   job_.cancel();
   state_ = State::offering;

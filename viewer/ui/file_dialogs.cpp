@@ -87,7 +87,7 @@ std::vector<BrowserPlace> FileDialogs::places(PathPurpose purpose) const {
   };
   add("Home", home_folder());
   if (document_ && document_->opened.file) {
-    add("Open mesh", document_->opened.file->path.parent_path());
+    add("Mesh folder", document_->opened.file->path.parent_path());
   }
   if (!samples_.empty()) add("Samples", samples_.front().parent_path());
   if (document_) add("Parts", document_->transplant.library().folder());

@@ -34,11 +34,11 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
   }
   std::optional<PathPurpose> purpose;
   const float right = right_end();
-  stay_on_line(button_width("Save recipe"), right);
-  if (ImGui::Button("Save recipe")) purpose = PathPurpose::save_recipe;
+  stay_on_line(button_width("Save recipe..."), right);
+  if (ImGui::Button("Save recipe...")) purpose = PathPurpose::save_recipe;
   explain(Action::save_recipe);
-  stay_on_line(button_width("Replay"), right);
-  if (ImGui::Button("Replay")) purpose = PathPurpose::replay_recipe;
+  stay_on_line(button_width("Replay..."), right);
+  if (ImGui::Button("Replay...")) purpose = PathPurpose::replay_recipe;
   explain(Action::replay_recipe);
 
   std::optional<std::size_t> chosen;

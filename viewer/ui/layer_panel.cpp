@@ -66,7 +66,7 @@ bool draw_source_file(DetailTransferTool& desk) {
 void draw_patch(DetailTransferTool& desk) {
   SourceView* view = desk.view();
   if (view == nullptr) {
-    ImGui::TextDisabled("%s", desk.is_reading() ? "Reading the source" : "No source");
+    ImGui::TextDisabled("%s", desk.is_reading() ? "Reading the source..." : "No source");
     return;
   }
   if (view->patch().vertices.empty()) {
@@ -132,7 +132,7 @@ void draw_pair_list(const char* where, std::vector<VertexPair>& pairs) {
   ImGui::PushID(where);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     ImGui::PushID(static_cast<int>(p));
-    const bool removed = ImGui::SmallButton("x");
+    const bool removed = ImGui::SmallButton("Delete");
     ImGui::SameLine();
     ImGui::Text("%s %zu: %u - %u", where, p + 1, pairs[p][0], pairs[p][1]);
     ImGui::PopID();
@@ -154,9 +154,10 @@ void draw_pairs(DetailTransferTool& desk, Editor& editor) {
     ImGui::SameLine();
     if (ImGui::Button("Pick on border")) desk.pick(Picking::border, editor);
   } else {
-    ImGui::TextWrapped("%s", desk.picked_source()   ? "Click the same place on the target."
-                             : desk.picked_target() ? "Click the same place on the source."
-                                                    : "Click the same place on both.");
+    ImGui::TextWrapped("%s", desk.picked_source() ? "Click the same place on the target."
+                             : desk.picked_target()
+                                 ? "Click the same place on the source."
+                                 : "Click the same place on the source and on the target.");
     if (ImGui::Button("Stop picking")) desk.pick(Picking::none, editor);
   }
   ImGui::TreePop();
@@ -167,7 +168,7 @@ void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   const auto& handles = editor.state().selection.handles;
   draw_slider("Width", ramp.width, 0.0, 0.5 * editor.bounds().diagonal());
   if (handles.empty()) {
-    ImGui::TextWrapped("Select a handle (H) where the second source appears.");
+    ImGui::TextWrapped("Select a handle (H) where the second source should appear.");
   } else if (ImGui::Button("Use handle")) {
     ramp.region = spec_of(handles[editor.tool().handle()], "weight");
   }
@@ -204,8 +205,8 @@ void draw_mix_weight(DetailTransferTool& desk, Editor& editor) {
   draw_form<PaintedWeight>("Painted", desk, editor);
   MixWeight& weight = desk.draft().weight;
   if (auto* ramp = std::get_if<DomainRamp>(&weight.form)) {
-    draw_slider("Start (v)", ramp->from, 0.0, 1.0);
-    draw_slider("End (v)", ramp->to, 0.0, 1.0);
+    draw_slider("Start", ramp->from, 0.0, 1.0);
+    draw_slider("End", ramp->to, 0.0, 1.0);
   } else if (auto* around = std::get_if<DistanceRamp>(&weight.form)) {
     draw_distance(*around, editor);
   } else {

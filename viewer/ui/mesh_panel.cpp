@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <imgui.h>
 
+#include "lapwing/base/counted.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "window/theme.h"
@@ -84,7 +85,7 @@ void draw_defect(const Defect& defect) {
   const DefectInfo& info = describe(defect.kind);
   ImGui::PushStyleColor(ImGuiCol_Text, text_color(tone_of(info.severity)));
   ImGui::Bullet();
-  ImGui::TextWrapped("%zu %s", defect.count, std::string(info.name).c_str());
+  ImGui::TextWrapped("%s", counted(defect.count, info.name).c_str());
   ImGui::PopStyleColor();
   explain(in_window_words(std::string(info.meaning)), in_window_words(std::string(info.next_step)));
 }

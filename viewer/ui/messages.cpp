@@ -47,7 +47,7 @@ ToastChoice draw_toast(const Messages::Toast& toast, bool has_step) {
     if (toast.times > 1) ImGui::TextDisabled("%d times", toast.times);
     ImGui::TableNextColumn();
     if (ImGui::SmallButton("Close")) choice = ToastChoice::close;
-    explain("All messages: Help > Messages.");
+    explain("Closes the message. Help > Messages lists all messages.");
     if (has_step) {
       if (ImGui::SmallButton("Edit step")) choice = ToastChoice::edit_step;
       explain("Edits this step again. When you apply it, the steps after it run again.");

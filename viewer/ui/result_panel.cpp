@@ -36,7 +36,7 @@ const char* words(Phase phase, const Preparation& preparation, bool has_handle) 
     case Phase::settling:
       return "Refining";
     case Phase::failed:
-      return "Cannot be prepared";
+      return "The edit cannot be prepared";
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editing/editor_actions.h"
+#include "ui/mirror_choice.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
@@ -70,7 +71,7 @@ void draw_paint_options(PaintTool::Options& options) {
   float radius = static_cast<float>(options.radius_pt);
   label_field("Brush radius");
   if (ImGui::SliderFloat("##brush", &radius, 1.0F, 200.0F, "%.0f pt")) options.radius_pt = radius;
-  explain("Radius of the brush.", "Shortcut: [ and ], Ctrl + wheel");
+  explain("Radius of the brush.", "Shortcut: [ and ], Ctrl+wheel");
 }
 
 void draw_stiffness_options(Editor& editor) {
@@ -98,7 +99,7 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   label_field("Fixed border");
   ImGui::SliderFloat("##belt", &percent, 0.0F, 50.0F,
                      fraction || drafts.belt_percent ? "%.0f%% of radius" : "By hand");
-  explain("Width of the border that holds the region, relative to its radius.");
+  explain("Width of the fixed border, relative to the radius of the region.");
   if (ImGui::IsItemActive()) drafts.belt_percent = static_cast<double>(percent);
   if (!ImGui::IsItemDeactivated()) return;
   const auto chosen = std::exchange(drafts.belt_percent, std::nullopt);
@@ -162,34 +163,16 @@ void draw_falloff(Editor& editor, PanelDrafts& drafts, const std::string& unit) 
   if (chosen) editor.actions().perform(*chosen);
 }
 
-enum class MirrorChoice { off, x, y, z, shape };
-
-MirrorChoice choice_of(const std::optional<MirrorPlane>& plane) {
-  if (!plane) return MirrorChoice::off;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (*plane == MirrorPlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)}) {
-      return static_cast<MirrorChoice>(1 + axis);
-    }
-  }
-  return MirrorChoice::shape;
-}
-
 void draw_mirror(Editor& editor) {
-  MirrorChoice choice = choice_of(editor.state().selection.mirror);
-  const bool chosen = choose("Mirror", choice,
-                             {{"Off", MirrorChoice::off},
-                              {"X", MirrorChoice::x},
-                              {"Y", MirrorChoice::y},
-                              {"Z", MirrorChoice::z},
-                              {"Shape", MirrorChoice::shape}});
+  const std::optional<MirrorPlane>& now = editor.state().selection.mirror;
+  // A plane that is not at an axis was found by the shape.
+  std::optional<MirrorChoice> choice = MirrorChoice::off;
+  if (now) choice = choice_of(*now).value_or(MirrorChoice::shape);
+  const bool chosen = choose_mirror(choice);
   explain("Symmetry plane of the shape.", "Shortcut: Shift+M");
   if (!chosen) return;
   if (choice == MirrorChoice::shape) return mirror_by_shape(editor);
-  SetMirror command;
-  if (choice != MirrorChoice::off) {
-    const int axis = static_cast<int>(choice) - static_cast<int>(MirrorChoice::x);
-    command.plane = MirrorPlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)};
-  }
+  SetMirror command{plane_of(*choice)};
   editor.actions().perform(command);
 }
 
@@ -198,11 +181,13 @@ void draw_buttons(Editor& editor) {
     const char* label;
     Action action;
   };
-  constexpr std::array kButtons{
-      Button{"New edit", Action::new_edit},   Button{"All", Action::select_all},
-      Button{"None", Action::clear},          Button{"Grow", Action::grow},
-      Button{"Shrink", Action::shrink},       Button{"Invert", Action::invert},
-      Button{"Remove", Action::remove_handle}};
+  constexpr std::array kButtons{Button{"New edit", Action::new_edit},
+                                Button{"All", Action::select_all},
+                                Button{"None", Action::clear},
+                                Button{"Grow", Action::grow},
+                                Button{"Shrink", Action::shrink},
+                                Button{"Invert", Action::invert},
+                                Button{"Remove handle", Action::remove_handle}};
   const float right = right_end();
   const Part& part = editor.tool().part();
   const bool has_handle =

@@ -190,7 +190,7 @@ void draw_draft(TransplantTool& desk, Editor& editor) {
               draft.part->mesh.vertex_count());
   if (desk.taken_up()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("Step %zu", *desk.taken_up() + 1);
+    ImGui::TextDisabled("Editing step %zu", *desk.taken_up() + 1);
   }
   draw_place(desk, editor);
   draw_hole(desk, editor);
@@ -225,8 +225,9 @@ void draw_steps(TransplantTool& desk, const Editor& editor) {
     if (!std::holds_alternative<TransplantStep>(*steps[k])) continue;
     ImGui::PushID(static_cast<int>(k));
     if (ImGui::SmallButton("Edit")) desk.take_up(editor, k);
+    explain("Edits this step again. When you apply it, the steps after it run again.");
     ImGui::SameLine();
-    ImGui::Text("Step %zu: %s", k + 1, describe(*steps[k]).c_str());
+    ImGui::Text("%zu  %s", k + 1, describe(*steps[k]).c_str());
     ImGui::PopID();
   }
 }
@@ -257,7 +258,7 @@ std::optional<PathPurpose> draw_transplant_panel(TransplantTool& desk, const Par
   if (desk.has_part()) {
     draw_draft(desk, editor);
   } else if (desk.is_reading()) {
-    ImGui::TextDisabled("Reading the part");
+    ImGui::TextDisabled("Reading the part...");
   }
   return purpose;
 }

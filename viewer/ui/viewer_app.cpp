@@ -61,7 +61,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->mesh_steps.use_device(context_);
     document_->transplant.use_device(context_);
   }
-  say("The graphics device failed and was restarted: " + context_->description().name);
+  say("The graphics device failed. The viewer now uses " + context_->description().name + ".");
 }
 
 // Shows a document that was just opened.

@@ -114,9 +114,9 @@ void ViewerApp::draw_edit_menu() {
                               kDivider,
                               Item{"Select all", Action::select_all},
                               Item{"Select none", Action::clear},
-                              Item{"Grow", Action::grow},
-                              Item{"Shrink", Action::shrink},
-                              Item{"Invert", Action::invert},
+                              Item{"Grow selection", Action::grow},
+                              Item{"Shrink selection", Action::shrink},
+                              Item{"Invert selection", Action::invert},
                               kDivider,
                               Item{"Paint stiffness", Action::take_stiffness},
                               Item{"Measure", Action::take_ruler},
@@ -124,7 +124,7 @@ void ViewerApp::draw_edit_menu() {
                               Item{"Coat...", Action::begin_coat},
                               Item{"Mix...", Action::begin_mix},
                               Item{"Wrap onto a scan...", Action::begin_wrap},
-                              Item{"Transplant part", Action::take_part}};
+                              Item{"Transplant part...", Action::take_part}};
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
 }
 

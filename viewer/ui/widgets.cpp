@@ -109,7 +109,7 @@ bool draw_engine_warning(const Warning& warning) {
       case Advice::negate_amplitude:
         return {"Negate amplitude", "Turns dents into bumps."};
       case Advice::refine_target:
-        return {"Refine region",
+        return {"Remesh region",
                 "Cancels this operation and remeshes the region with half the edge length. Then "
                 "select the region again."};
       case Advice::enlarge_hole:

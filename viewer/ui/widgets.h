@@ -47,11 +47,12 @@ float swatch_width();
 bool radio_on_line(const char* label, bool on, float right);
 
 /// Draws choices after `label`, on one line if they fit. Sets `value` to the one that is clicked,
-/// and returns whether one was.
+/// and returns whether one was. The label and the choices form one item, for `explain`.
 template <typename Value>
 bool choose(const char* label, Value& value,
             std::initializer_list<std::pair<const char*, Value>> choices) {
   const float right = right_end();
+  ImGui::BeginGroup();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label);
   ImGui::PushID(label);
@@ -62,6 +63,7 @@ bool choose(const char* label, Value& value,
     clicked = true;
   }
   ImGui::PopID();
+  ImGui::EndGroup();
   return clicked;
 }
 

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "state/whole_step.h"
+#include "ui/mirror_choice.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 #include "work/window_words.h"
@@ -14,7 +15,7 @@ namespace lapwing::viewer {
 namespace {
 
 constexpr float kMostPairLines = 6.0F;
-constexpr const char* kCoatDetail = "Coat the scan's detail...";
+constexpr const char* kCoatDetail = "Coat with the scan's detail...";
 
 // Draws the contents of the tab while no wrap is open: a button that opens a scan, and the wraps
 // that can be edited.
@@ -69,16 +70,40 @@ void draw_landmarks(WrapTool& wrap, Editor& editor, WrapWish& wish) {
   const float right = right_end();
   stay_on_line(button_width("Load..."), right);
   if (ImGui::Button("Load...")) wish.path = PathPurpose::load_landmarks;
-  explain("Loads pairs of points from a table or JSON file, or two files of 3D Slicer.");
+  explain("Loads pairs of points from a table or JSON file, or from two files of 3D Slicer.");
   stay_on_line(button_width("Save..."), right);
   ImGui::BeginDisabled(wrap.landmarks().empty());
   if (ImGui::Button("Save...")) wish.path = PathPurpose::save_landmarks;
   ImGui::EndDisabled();
 }
 
+void draw_mirror(std::optional<MirrorSpec>& mirror) {
+  std::optional<MirrorChoice> choice = MirrorChoice::off;
+  if (mirror) {
+    const auto* plane = std::get_if<MirrorPlane>(&mirror->plane);
+    choice = plane != nullptr ? choice_of(*plane) : MirrorChoice::shape;
+  }
+  const bool chosen = choose_mirror(choice);
+  explain("The plane in which the template is symmetric. The result is symmetric, too.");
+  if (!chosen) return;
+  mirror.reset();
+  if (choice == MirrorChoice::shape) mirror.emplace();
+  if (const auto plane = plane_of(*choice)) mirror = MirrorSpec{*plane};
+}
+
 void draw_settings(WrapTool& wrap, const Editor& editor) {
-  choose("Alignment", wrap.aligned, {{"Automatic", false}, {"Already aligned", true}});
-  explain("Automatic: by three landmarks or more, otherwise by comparing the surfaces.");
+  WrapSettings& settings = wrap.settings;
+  choose("Alignment", settings.aligned, {{"Automatic", false}, {"Already aligned", true}});
+  explain(
+      "Automatic: uses the landmarks if there are at least three, otherwise compares the "
+      "surfaces.");
+  draw_mirror(settings.mirror);
+  ImGui::Checkbox("Hold landmarks exactly", &settings.hard);
+  explain("Off: landmarks are reached in the least-squares sense.");
+  ImGui::Checkbox("Move onto the scan exactly", &settings.detail);
+  explain(
+      "At the end, each vertex that has a counterpart moves to the closest point of the scan. This "
+      "also copies the noise of the scan.");
   const std::size_t parts = editor.state().selection.stiffness.size();
   ImGui::TextDisabled("Stiffness");
   ImGui::SameLine();
@@ -109,8 +134,9 @@ void draw_progress(const WrapTool& wrap, const WorkStatus& status) {
   }
   ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F}, words);
   explain(
-      "Only deformations with wavelengths above the reach follow the springs. The reach is in "
-      "percent of the template's diagonal.");
+      "Springs pull the template onto the scan. Only deformations with a wavelength above the "
+      "reach follow them. The reach decreases in each iteration. It is in percent of the "
+      "template's diagonal.");
 }
 
 void draw_distance(const char* name, const SurfaceDistance& distance, double diagonal) {
@@ -178,7 +204,7 @@ WrapWish draw_wrap_panel(WrapTool& wrap, Editor& editor, const SurfaceStyle& sty
   ImGui::Text("Scan: %s", wrap.scan().filename().string().c_str());
   if (ImGui::Button("Open another scan...")) wish.path = PathPurpose::open_scan;
   if (wrap.view() == nullptr) {
-    ImGui::TextDisabled("%s", wrap.is_reading() ? "Reading the scan" : "No scan");
+    ImGui::TextDisabled("%s", wrap.is_reading() ? "Reading the scan..." : "No scan");
     return wish;
   }
   ImGui::Separator();
@@ -206,7 +232,8 @@ WrapWish draw_wrap_result(WrapTool& wrap, Editor& editor) {
     if (has_result) explain(Action::apply_step);
     ImGui::SameLine();
     const bool cancels = ImGui::Button("Cancel");
-    explain("Discards the wrap and its landmarks.", "Shortcut: Escape");
+    explain("Closes the wrap. Its landmarks appear again when you open the same scan.",
+            "Shortcut: Escape");
     if (has_result) {
       stay_on_line(button_width(kCoatDetail), right);
       if (ImGui::Button(kCoatDetail)) wish.coat = wrap.scan();

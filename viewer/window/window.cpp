@@ -221,7 +221,8 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
   VkSurfaceKHR surface = VK_NULL_HANDLE;
   const VkResult result = glfwCreateWindowSurface(instance, handle_, nullptr, &surface);
   if (result != VK_SUCCESS) {
-    throw GpuError("Vulkan cannot draw into the window: " + glfw_reason());
+    throw GpuError("Vulkan cannot draw into the window: " + glfw_reason() +
+                   "; choose another device with --device (`lapwing info` lists them)");
   }
   return surface;
 }

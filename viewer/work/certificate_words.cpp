@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "lapwing/base/counted.h"
+
 namespace lapwing::viewer {
 namespace {
 
@@ -45,8 +47,9 @@ CertificateWarning not_settled(const Certificate& certificate) {
         "solver settings.";
     remedies.insert(remedies.begin(), Remedy::enlarge_region);
   }
-  return {"Not fully refined after " + std::to_string(certificate.settle_iterations) +
-              formatted(" iterations: the next one would move a vertex by %.2g mean edge lengths. ",
+  return {"Not fully refined after " +
+              counted(static_cast<std::size_t>(certificate.settle_iterations), "iterations") +
+              formatted(": the next one would move a vertex by %.2g mean edge lengths. ",
                         certificate.settle_last_step) +
               next,
           {},

@@ -12,7 +12,9 @@ using Words = std::pair<std::string_view, std::string_view>;
 
 // A key with a flag precedes the key of the same name without one.
 constexpr std::array kKeyWords{
-    KeyWords{"weights", "", "Laplacian weights", "Edge weights of the Laplacian."},
+    KeyWords{"weights", "", "Laplacian weights",
+             "Edge weights of the Laplacian. Cotangent: they follow the shape of the triangles. "
+             "Uniform: all edges have the same weight."},
     KeyWords{"tolerance", "", "Tolerance",
              "Refining stops when no vertex would move farther than this, in mean edge lengths."},
     KeyWords{"max_iterations", "", "Max iterations", "Refining stops after this many iterations."},
@@ -22,9 +24,10 @@ constexpr std::array kKeyWords{
     KeyWords{"response", "", "Linear response",
              "Method of the linear response at the start of a drag. Tangent: from the energy. RSI: "
              "from coordinates that do not depend on rotation and scale."},
-    KeyWords{"constraint_weight", "", "Constraint weight",
-             "Holds the fixed border and the handles softly, with this weight. Off: they reach "
-             "their targets."},
+    KeyWords{
+        "constraint_weight", "", "Constraint weight",
+        "Holds the fixed border and the handles softly, with this weight. Off: they miss their "
+        "targets by less than 1% of the motion."},
     KeyWords{"hard", "", "Hold exactly", "Holds the fixed border and the handles exactly."},
     KeyWords{"settle", "", "Refine",
              "Minimizes the energy. Off: the linear response, which is accurate for small "
@@ -33,11 +36,11 @@ constexpr std::array kKeyWords{
              "Splits a larger rotation into equal steps of at most this many degrees. Each step "
              "starts from the result of the last."},
     KeyWords{"loose", "", "Loose parts",
-             "Components that nothing holds in place: they move along with the nearest surface, "
-             "stay, or stop the edit."},
+             "Components that nothing holds in place. Move along: they follow the nearest surface. "
+             "Leave: they stay in place. Stop: the edit is not carried out."},
     KeyWords{"seams", "", "Seams",
-             "Boundary edges that coincide, as along texture seams: edit them as one surface, or "
-             "let them move apart."},
+             "Boundary edges that coincide, as along texture seams. Join: they are edited as one "
+             "surface. Leave: they can move apart."},
     KeyWords{"smooth_target", "", "Smooth target",
              "First removes details of the target that are smaller than this. 0 keeps them under "
              "the new "
@@ -47,12 +50,14 @@ constexpr std::array kKeyWords{
     KeyWords{"amplitude", "", "Amplitude",
              "Height of the detail. 0 adds none, a negative value engraves it."},
     KeyWords{"domain", "", "Domain", "The shape that both patches are mapped to."},
-    KeyWords{"sampling", "", "Sampling",
-             "How the detail is sampled: at each target vertex and its neighbours, or by linear "
-             "interpolation. Interpolation hides the triangles of the source on a finer target."},
+    KeyWords{
+        "sampling", "", "Sampling",
+        "How the detail is sampled. One-ring: at each target vertex and its neighbours. Linear: by "
+        "interpolation, which hides the triangles of the source on a finer target."},
     KeyWords{"scale", "scale", "Scale",
              "Edge length of the new triangles, in mean edge lengths of the surface or region."},
-    KeyWords{"length", "", "Edge length", "Edge length of the new triangles. Off: Scale is used."},
+    KeyWords{"length", "", "Edge length",
+             "Edge length of the new triangles. Off: \"Scale\" is used."},
     KeyWords{"iterations", "", "Iterations", "Number of passes over the surface."},
     KeyWords{"feature_degrees", "", "Feature angle",
              "Edges whose faces meet at more than this angle, in degrees, are kept."},
@@ -78,7 +83,8 @@ constexpr std::array kKeyWords{
              "Width over which one detail blends into the other. 0 gives a sharp edge."},
     KeyWords{"width", "belt", "Held width", "Width of the held zone beyond the padding."},
     KeyWords{"width", "", "Transition width", ""},
-    KeyWords{"profile", "", "Profile", "Profile of the transition."},
+    KeyWords{"profile", "", "Profile",
+             "How the detail changes across the transition: smoothly, or at a constant rate."},
     KeyWords{"remesh", "", "Remesh",
              "Subdivides triangles that are too coarse or uneven for the result. Off: keeps the "
              "triangles."},
@@ -90,7 +96,10 @@ constexpr std::array kKeyWords{
     KeyWords{"inner_pairs", "", "Inside points", ""},
     KeyWords{"target_patch", "", "Region", ""},
     KeyWords{"target_region", "", "Region", ""},
-    KeyWords{"source_patch", "", "Source patch", ""}};
+    KeyWords{"source_patch", "", "Source patch", ""},
+    KeyWords{"domain_v", "", "Across the domain", ""},
+    KeyWords{"loop", "", "Loop", ""},
+    KeyWords{"inside", "", "Side to keep", ""}};
 
 constexpr std::array kChoiceWords{Words{"rsi", "RSI"},     Words{"carry", "Move along"},
                                   Words{"refuse", "Stop"}, Words{"auto", "Automatic"},
@@ -101,12 +110,12 @@ constexpr std::array kStageWords{Words{"align", "Aligning"},
                                  Words{"assemble", "Assembling the matrix"},
                                  Words{"carry", "Moving attached objects"},
                                  Words{"check", "Checking the mesh"},
-                                 Words{"coarse surface", "Reducing the region"},
+                                 Words{"coarse surface", "Building the coarse proxy"},
                                  Words{"collars", "Finding the transition"},
                                  Words{"colours", "Reading colours"},
                                  Words{"constraints", "Setting constraints"},
                                  Words{"decimate", "Decimating"},
-                                 Words{"factor", "Factoring the matrix"},
+                                 Words{"factor", "Factorizing the matrix"},
                                  Words{"fill", "Filling holes"},
                                  Words{"frames", "Computing local frames"},
                                  Words{"laplacian", "Computing the Laplacian"},
@@ -157,7 +166,8 @@ constexpr std::array kPhrases{
     Words{"remesh both meshes around the seam with `lapwing remesh`",
           "remesh both meshes around the seam"},
     Words{"remesh the target patch with `lapwing remesh`", "remesh the target patch"},
-    Words{"refine the target with `lapwing remesh` first", "refine the target first"},
+    Words{"refine the target with `lapwing remesh` first",
+          "remesh the target with shorter edges first"},
     Words{"find and repair it with `lapwing check`", "repair it in the Mesh tab"},
     Words{"Run `lapwing check --fix`", "Click \"Repair\""},
     Words{"run `lapwing check --fix`", "click \"Repair\""},
@@ -173,8 +183,17 @@ constexpr std::array kPhrases{
           "set \"Domain\" to \"Square\", or choose \"Around a handle\""},
     Words{"raise or remove \"constraint_weight\" or the handle's \"weight\", or set \"hard\"",
           "raise \"Constraint weight\" or the handle's weight, or turn on \"Hold exactly\""},
-    Words{"raise \"max_iterations\" of \"settle\"",
-          "raise \"Max iterations\" in the solver settings"},
+    Words{"Raise \"max_iterations\" of \"settle\"",
+          "Raise \"Max iterations\" in the solver settings"},
+    Words{"Give the plane of symmetry, make the template symmetric, or remove \"mirror\"",
+          "Choose the plane of symmetry, make the template symmetric, or turn off \"Mirror\""},
+    Words{"Remove \"stiffness\", turn on", "Press Shift+P and click \"Remove stiffness\", turn on"},
+    Words{"set \"response\" to \"tangent\"", "set \"Linear response\" to \"Tangent\""},
+    Words{"run `lapwing check` on it, and make sure",
+          "look at its defects in the Mesh tab, and make sure"},
+    Words{"Run `lapwing check MESH`, repair the mesh with --fix, or remove",
+          "Look at the defects in the Mesh tab, click \"Repair\", or remove"},
+    Words{"/disk_in: ", ": "},
     Words{"set its \"width\" below", "set \"Transition width\" below"},
     Words{"make its \"width\" larger", "raise \"Transition width\""},
     Words{"\"keep_size\" and \"scale\" exclude each other; remove one of the two",
@@ -196,7 +215,8 @@ constexpr std::array kPhrases{
     Words{"set \"width\" of \"transition\"", "set \"Transition width\""},
     Words{"give \"transition\" a smaller \"width\"", "lower \"Transition width\""},
     Words{"the ROI", "the region"},
-    Words{"ROI", "region"}};
+    Words{"ROI", "region"},
+    Words{"settling", "refining"}};
 
 void replace_all(std::string& text, std::string_view old, std::string_view by) {
   for (std::size_t at = text.find(old); at != std::string::npos;
@@ -233,6 +253,9 @@ void replace_pointer(std::string& text, const KeyWords& words) {
   const std::size_t at = text.find(key);
   const std::size_t end = text.find(':');
   if (at == std::string::npos || end == std::string::npos || at > end) return;
+  const char after = text[at + key.size()];  // a longer key begins with this one, too
+  if (after != ':' && after != '/') return;
+  if (text.find('.') < end) return;  // the name of a file
   if (text.find(' ') < at || end + 1 >= text.size() || text[end + 1] != ' ') return;
   text.replace(0, end, words.label);
 }

@@ -20,8 +20,8 @@ const KeyWords* words_of_key(std::string_view key, std::string_view flag = {});
 /// returned with an initial capital.
 std::string choice_in_words(std::string_view name);
 
-/// Returns what the user sees while the engine works on `stage`, such as "Factoring the matrix" for
-/// "factor". Returns other stages unchanged.
+/// Returns what the user sees while the engine works on `stage`, such as "Factorizing the matrix"
+/// for "factor". Returns other stages unchanged.
 std::string_view stage_in_words(std::string_view stage);
 
 /// Returns a message of the engine in the words of the window: with labels instead of the keys of
