@@ -57,14 +57,14 @@ TEST_F(CoarseCylinder, CarriesEveryVertexRigidlyWhereItMovesRigidly) {
     to.transforms[c] = turn;
   }
   std::vector<Vector3d> u(mesh_.vertex_count(), Vector3d::Zero());
-  embedding.prolongate(rest(), to, u);
+  embedding.prolongate(embedding.motions(rest(), to), u);
   double off = 0.0;
   for (std::size_t v = 0; v < u.size(); ++v) {
     const Vector3d& at = mesh_.positions[v];
     off = std::max(off, (at + u[v] - turn * at - shift).norm());
   }
   EXPECT_LT(off, 1e-12);
-  embedding.prolongate(to, rest(), u);
+  embedding.prolongate(embedding.motions(to, rest()), u);
   for (const Vector3d& back : u) EXPECT_LT(back.norm(), 1e-12);
 }
 

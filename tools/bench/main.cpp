@@ -191,6 +191,8 @@ void add_studies(CLI::App& app, Studies& studies) {
   follow->add_option("MESH", studies.follow.meshes)->required();
   follow->add_option("--subdivide", studies.follow.subdivisions, "so many times")
       ->check(CLI::Range(0, 4));
+  follow->add_option("--device", studies.follow.device,
+                     "compares this device's frames with their CPU twin");
   follow->add_option("--budget", studies.follow.budget_ms, "milliseconds of a frame")
       ->check(CLI::PositiveNumber);
   follow->callback([&] { bench_follow(studies.follow); });

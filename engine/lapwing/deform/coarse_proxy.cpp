@@ -116,8 +116,9 @@ std::vector<Vector3d> CoarseProxy::predicted() const {
   return predictor_.predict(*coarse_->edit, prescribed_, next_prescribed_, pose_.displacement);
 }
 
-void CoarseProxy::step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
-                       std::span<Vector3d> u) {
+// Returns the displacements of the proxy in the next frame.
+std::vector<Vector3d> CoarseProxy::minimized(const MinimizerTarget& target,
+                                             const TimeBudget& budget, double next_ms) {
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
   int iterations = 0;
@@ -134,9 +135,19 @@ void CoarseProxy::step(const MinimizerTarget& target, const TimeBudget& budget, 
                                      ? minimizer_.follow_by_hessian(own, displacement, goes_on)
                                      : minimizer_.follow(own, displacement, goes_on);
   last_step_ = result.last_step;
+  return displacement;
+}
+
+void CoarseProxy::step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
+                       std::span<Vector3d> u) {
+  std::vector<Vector3d> displacement = minimized(target, budget, next_ms);
   const Stopwatch watch;
-  prolongate_to(std::move(displacement), u);
+  embedding().prolongate(move_to(std::move(displacement)), u);
   prolongation_ms_ = watch.elapsed_ms();
+}
+
+std::vector<RowsOfMotion> CoarseProxy::step(const MinimizerTarget& target) {
+  return move_to(minimized(target, {}, 0.0));
 }
 
 void CoarseProxy::settle(const MinimizerTarget& target, const Progress& progress,
@@ -144,25 +155,24 @@ void CoarseProxy::settle(const MinimizerTarget& target, const Progress& progress
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
   minimizer_.settle(own, displacement, progress);
-  prolongate_to(std::move(displacement), u);
+  embedding().prolongate(move_to(std::move(displacement)), u);
 }
 
-// Moves the proxy to `displacement`, which belongs to the next target, and prolongates the motion
-// to `u`.
-void CoarseProxy::prolongate_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
+// Moves the proxy to `displacement`, which belongs to the next target. Returns the motions.
+std::vector<RowsOfMotion> CoarseProxy::move_to(std::vector<Vector3d> displacement) {
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
-  coarse_->level->embedding.prolongate(pose_, next, u);
+  std::vector<RowsOfMotion> motions = embedding().motions(pose_, next);
   if (prescribed_ != next_prescribed_) {
     predictor_.add_frame(*coarse_->edit, prescribed_, next_prescribed_, pose_.displacement,
                          next.displacement);
   }
   pose_ = std::move(next);
   std::swap(prescribed_, next_prescribed_);
+  return motions;
 }
 
 void CoarseProxy::correct(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
-  const std::vector<Vector3d> restricted_forces =
-      coarse_->level->embedding.restrict_forces(gradient, u, pose_);
+  const std::vector<Vector3d> restricted_forces = embedding().restrict_forces(gradient, u, pose_);
   for (std::size_t c = 0; c < restricted_forces.size(); ++c) {
     if (is_held_[c] == 0) forces_[c] -= energy_ratio_ * restricted_forces[c];
   }

@@ -53,6 +53,10 @@ class CoarseProxy {
   void step(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
             std::span<Eigen::Vector3d> u);
 
+  /// Minimizes the proxy for `target` in at most eight iterations. Returns the motions of its
+  /// vertices since the last call, which the caller prolongates (CoarseEmbedding).
+  std::vector<RowsOfMotion> step(const MinimizerTarget& target);
+
   /// Minimizes the proxy for `target` until it settles, and prolongates the result to `u`. Throws
   /// Cancelled.
   void settle(const MinimizerTarget& target, const Progress& progress,
@@ -60,6 +64,9 @@ class CoarseProxy {
 
   /// Returns the rotations of the target's free handles after the last call.
   std::vector<Eigen::Matrix3d> handle_rotations() { return minimizer_.handle_rotations(); }
+
+  const CoarseEmbedding& embedding() const { return coarse_->level->embedding; }
+  std::size_t vertex_count() const { return surface().kept.size(); }
 
   /// Restricts the remaining gradient to the proxy, where it acts as a force. `gradient` is half of
   /// the gradient of the fine energy at the displacements `u`; both are per vertex of the fine
@@ -75,7 +82,9 @@ class CoarseProxy {
   std::vector<Eigen::Vector3d> restricted(std::span<const Eigen::Vector3d> of_fine) const;
   MinimizerTarget target_of(const MinimizerTarget& fine);
   std::vector<Eigen::Vector3d> predicted() const;
-  void prolongate_to(std::vector<Eigen::Vector3d> displacement, std::span<Eigen::Vector3d> u);
+  std::vector<Eigen::Vector3d> minimized(const MinimizerTarget& target, const TimeBudget& budget,
+                                         double next_ms);
+  std::vector<RowsOfMotion> move_to(std::vector<Eigen::Vector3d> displacement);
   CoarseEmbedding::Pose pose_at(std::vector<Eigen::Vector3d> displacement);
 
   std::unique_ptr<CoarseRegion> coarse_;

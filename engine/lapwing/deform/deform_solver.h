@@ -118,6 +118,7 @@ class DeformSolver {
 
  private:
   friend class DragSession;
+  friend class ProxyDrag;
   DeformSolver(std::shared_ptr<const EditSystem> edit, Kernels& kernels, const Progress& progress);
   DeformResult solved(const DragState* pose, const HandleMotions& motions,
                       const Progress& progress) const;

@@ -170,15 +170,7 @@ void DragSession::begin(DragState start) {
 
 const DragState& DragSession::step(std::span<const Eigen::Affine3d> motions,
                                    const TimeBudget& budget, const Progress& progress) {
-  HandleMotions with_turns;
-  with_turns.maps.assign(motions.begin(), motions.end());
-  const std::vector<Eigen::AngleAxisd>& last = state_->pose.motions.turns;
-  for (std::size_t h = 0; h < motions.size(); ++h) {
-    TurnTracker tracker = h < last.size() ? TurnTracker(last[h]) : TurnTracker();
-    tracker.follow(motions[h]);
-    with_turns.turns.push_back(tracker.turn());
-  }
-  return step(with_turns, budget, progress);
+  return step(followed(state_->pose.motions, motions), budget, progress);
 }
 
 const DragState& DragSession::step(const HandleMotions& motions, const TimeBudget& budget,

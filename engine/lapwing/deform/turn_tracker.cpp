@@ -37,4 +37,15 @@ double TurnTracker::degrees() const {
   return turn_.norm() * 180.0 / std::numbers::pi;
 }
 
+HandleMotions followed(const HandleMotions& last, std::span<const Eigen::Affine3d> maps) {
+  HandleMotions motions;
+  motions.maps.assign(maps.begin(), maps.end());
+  for (std::size_t h = 0; h < maps.size(); ++h) {
+    TurnTracker tracker = h < last.turns.size() ? TurnTracker(last.turns[h]) : TurnTracker();
+    tracker.follow(maps[h]);
+    motions.turns.push_back(tracker.turn());
+  }
+  return motions;
+}
+
 }  // namespace lapwing

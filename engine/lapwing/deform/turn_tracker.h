@@ -1,6 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include <Eigen/Geometry>
+
+#include "lapwing/deform/handle_motion.h"
 
 namespace lapwing {
 
@@ -49,5 +53,9 @@ class TurnTracker {
   Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  // axis times angle in radians
 };
+
+/// Returns the motions for `maps`, which follow the motions `last` in a drag: the turns continue
+/// those of `last`. An empty `last` means no turn.
+HandleMotions followed(const HandleMotions& last, std::span<const Eigen::Affine3d> maps);
 
 }  // namespace lapwing

@@ -126,7 +126,7 @@ void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
   }
 }
 
-void CoarseEmbedding::prolongate(const Pose& from, const Pose& to, std::span<Vector3d> u) const {
+std::vector<RowsOfMotion> CoarseEmbedding::motions(const Pose& from, const Pose& to) const {
   std::vector<RowsOfMotion> motions(coarse_.kept.size());
   parallel_for(motions.size(), kMotionsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
@@ -136,6 +136,11 @@ void CoarseEmbedding::prolongate(const Pose& from, const Pose& to, std::span<Vec
           to.displacement[c] - from.displacement[c] - turn * at;
     }
   });
+  return motions;
+}
+
+void CoarseEmbedding::prolongate(std::span<const RowsOfMotion> motions,
+                                 std::span<Vector3d> u) const {
   const CarriedVertices carried{vertices_.data(),
                                 embedded_.data(),
                                 motions.data(),

@@ -38,9 +38,10 @@ class CoarseEmbedding {
     std::vector<Eigen::Matrix3d> transforms;
   };
 
-  /// Adds to `u`, the displacements of the fine surface, the motion of the coarse surface from pose
-  /// `from` to pose `to`.
-  void prolongate(const Pose& from, const Pose& to, std::span<Eigen::Vector3d> u) const;
+  /// Returns the motion of each coarse vertex from pose `from` to pose `to`.
+  std::vector<RowsOfMotion> motions(const Pose& from, const Pose& to) const;
+  /// Adds to `u`, the displacements of the fine surface, the motions of the coarse vertices.
+  void prolongate(std::span<const RowsOfMotion> motions, std::span<Eigen::Vector3d> u) const;
 
   /// Restricts forces on the fine vertices to the coarse vertices. `u` contains the fine
   /// displacements, `pose` the pose of the coarse surface. The total force and moment do not
@@ -49,18 +50,24 @@ class CoarseEmbedding {
                                                std::span<const Eigen::Vector3d> u,
                                                const Pose& pose) const;
 
+  /// The vertices of the region that follow coarse vertices, and what each of them follows.
+  const std::vector<Index>& vertices() const { return vertices_; }
+  const std::vector<EmbeddedVertex>& embedded() const { return embedded_; }
+  /// A point near the surface. Motions apply to coordinates relative to it, which have small
+  /// rounding errors.
+  const Eigen::Vector3d& origin() const { return origin_; }
+
  private:
   void bind(Index owner, std::span<const Index> owned);
 
   const std::shared_ptr<const Positions> rest_;
   const CoarseSurface& coarse_;
   const EmbeddingLoops& loops_;
-  std::vector<Index> vertices_;           ///< vertices of the region that have an owner
+  std::vector<Index> vertices_;
   std::vector<EmbeddedVertex> embedded_;  ///< per entry of vertices_
   /// For each coarse vertex, the nodes bound to it, as kEmbeddingNodes * (index in embedded_) +
   /// (index of the node).
   Adjacency bound_to_;
-  /// A point near the surface; coordinates relative to it have small rounding errors.
   Eigen::Vector3d origin_;
 };
 

@@ -1,10 +1,12 @@
 #include "lapwing/render/surface.h"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/vulkan/vulkan_drag_frame.h"
 
 namespace lapwing {
 namespace {
@@ -128,6 +130,7 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
     finish();
     context_->wait_for_submitted();
     moved_by_ = response;
+    frame_.reset();
     for (const Index v : response->moving()) known_[v][0] = kUnknown;
   }
   response->set_parameters(parameters);
@@ -143,13 +146,40 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
   times_.normals_ms += watch.elapsed_ms();
 }
 
+void Surface::follow(const std::shared_ptr<VulkanDragFrame>& frame, const DragFrameInput& input) {
+  revision_.renew();
+  // Each frame starts from the last one, so none may be skipped.
+  finish();
+  if (frame != frame_) {
+    context_->wait_for_submitted();
+    const std::vector<Index>& vertices = frame->problem()->vertices;
+    for (const Index v : vertices) known_[v][0] = kUnknown;
+    VertexSet moving(vertices.begin(), vertices.end());
+    std::ranges::sort(moving);
+    const std::vector<Index> around = with_ring_neighbours(moving, topology_.rings);
+    around_frame_.emplace(*context_, "vertices around a drag", around.size() * sizeof(Index));
+    transfer_.upload(*around_frame_, around);
+    moved_by_.reset();
+    frame_ = frame;
+  }
+  frame_->set_input(input);
+  is_pending_ = true;
+}
+
 void Surface::record_blend(gpu::Recorder& recorder) const {
-  if (is_pending_) moved_by_->record(recorder, blend_, positions_);
+  if (!is_pending_) return;
+  if (frame_ != nullptr) {
+    frame_->record(recorder);
+    frame_->record_positions(recorder, origin_, positions_);
+  } else {
+    moved_by_->record(recorder, blend_, positions_);
+  }
 }
 
 bool Surface::record_normals(gpu::Recorder& recorder) {
   if (!std::exchange(is_pending_, false)) return false;
-  vertex_normals_.record(recorder, moved_by_->affected(), positions_, normals_);
+  const gpu::Buffer& affected = frame_ != nullptr ? *around_frame_ : moved_by_->affected();
+  vertex_normals_.record(recorder, affected, positions_, normals_);
   constexpr VkPipelineStageFlags2 kDrawing = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
   recorder.access(positions_, kDrawing, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
   recorder.access(normals_, kDrawing, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);

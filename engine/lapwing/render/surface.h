@@ -18,6 +18,9 @@
 
 namespace lapwing {
 
+class VulkanDragFrame;
+struct DragFrameInput;
+
 struct SurfaceTimes {
   double blend_ms = 0.0;
   double normals_ms = 0.0;
@@ -51,8 +54,13 @@ class Surface {
   /// allocate. Call `begin` first.
   void blend(const std::shared_ptr<BlendResponse>& response, std::span<const double> parameters);
 
-  /// Record the pending work of the last `place` or `blend`. Call both functions before a rendering
-  /// scope, `record_blend` first. `record_normals` returns whether there was any work.
+  /// Computes one frame of a settled drag: the positions of the vertices of `frame`, then their
+  /// normals. Shaders compute it on every device. Uploads only `input`. Call `place` before the
+  /// first frame of a drag, so that all other vertices are in position.
+  void follow(const std::shared_ptr<VulkanDragFrame>& frame, const DragFrameInput& input);
+
+  /// Record the pending work of the last `place`, `blend` or `follow`. Call both functions before a
+  /// rendering scope, `record_blend` first. `record_normals` returns whether there was any work.
   void record_blend(gpu::Recorder& recorder) const;
   bool record_normals(gpu::Recorder& recorder);
   /// Runs the pending work and waits for it, for callers that use the surface in separate commands.
@@ -116,7 +124,11 @@ class Surface {
   /// Positions on the device as far as the CPU knows them; NaN for the others.
   std::vector<Vec4> known_;
   std::shared_ptr<BlendResponse> moved_by_;  ///< last response; the device may still run its work
-  bool is_pending_ = false;  ///< whether the work of `moved_by_` must still be recorded
+  std::shared_ptr<VulkanDragFrame> frame_;   ///< replaces `moved_by_` after `follow`
+  /// The vertices of `frame_` and their neighbours, whose normals change.
+  std::optional<gpu::Buffer> around_frame_;
+  /// Whether the work of `moved_by_` or `frame_` must still be recorded.
+  bool is_pending_ = false;
   SurfaceTimes times_;
   Revision revision_;
 };

@@ -6,6 +6,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/vulkan/mapped_batch.h"
 #include "lapwing/vulkan/ring_batch.h"
+#include "lapwing/vulkan/vulkan_drag_frame.h"
 #include "lapwing/vulkan/vulkan_ring_rotations.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
@@ -132,6 +133,11 @@ void VulkanKernels::rotate_frames(const MappedRings& rings, const FramedSurface&
                {edges, source_normals, target_normals, output});
     state.download_reals(output, numbers_of(transforms.subspan(batch.first_row, batch.row_count)));
   }
+}
+
+std::unique_ptr<VulkanDragFrame> VulkanKernels::make_drag_frame(
+    std::shared_ptr<const DragFrameProblem> problem) {
+  return std::make_unique<VulkanDragFrame>(state_, std::move(problem));
 }
 
 std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(

@@ -9,7 +9,9 @@ namespace lapwing {
 namespace gpu {
 class Context;
 }
+class VulkanDragFrame;
 class VulkanState;
+struct DragFrameProblem;
 
 /// The compiled shaders of the kernels on a device. Any number of VulkanKernels on any threads may
 /// share them.
@@ -57,6 +59,7 @@ class VulkanKernels final : public Kernels {
                      const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
   std::unique_ptr<RingRotations> make_ring_rotations(
       std::shared_ptr<const RegionRings> rings) override;
+  std::unique_ptr<VulkanDragFrame> make_drag_frame(std::shared_ptr<const DragFrameProblem> problem);
 
   const std::shared_ptr<gpu::Context>& context() const;
 

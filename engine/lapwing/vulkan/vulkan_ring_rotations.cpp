@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/gpu/context.h"
-#include "lapwing/gpu/recorder.h"
 
 namespace lapwing {
 namespace {
@@ -51,8 +50,7 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
     first = last;
   }
   if (row_count_ > 0) state_->upload_reals(row_weights_, rings.row_weights);
-  record_fit_rotations();
-  record_energy_gradient();
+  record_lists();
 }
 
 void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) {
@@ -63,8 +61,7 @@ void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stre
     stretch_ =
         gpu::Buffer(*state_->context, "rest stretch", state_->real_bytes(kStretchNumbers * rows));
     for (Range& range : ranges_) range.push.flags ^= kStretch;
-    record_fit_rotations();
-    record_energy_gradient();
+    record_lists();
   }
   if (stretch.empty()) return;
   std::vector<double> numbers;
@@ -111,15 +108,28 @@ void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first,
     state.upload_reals(range.stiffness, std::span(rings.stiffness).subspan(begin, entries));
 }
 
-void VulkanRingRotations::record_fit_rotations() {
-  gpu::Recorder recorder(fit_rotations_);
+void VulkanRingRotations::record_lists() {
+  gpu::Recorder fit(fit_rotations_);
+  record_fit_rotations(fit, displacement_);
+  fit.finish();
+  gpu::Recorder gather(energy_gradient_);
+  record_energy_gradient(gather, displacement_);
+  gather.finish();
+}
+
+void VulkanRingRotations::record(gpu::Recorder& recorder, const gpu::Buffer& displacement) const {
+  record_fit_rotations(recorder, displacement);
+  record_energy_gradient(recorder, displacement);
+}
+
+void VulkanRingRotations::record_fit_rotations(gpu::Recorder& recorder,
+                                               const gpu::Buffer& displacement) const {
   for (const Range& range : ranges_) {
     recorder.dispatch(state_->programs->fit_rotations, range.push.row_count,
-                      {displacement_, range.starts, range.neighbours, range.edges, range.weights,
+                      {displacement, range.starts, range.neighbours, range.edges, range.weights,
                        range.stiffness, row_weights_, turns_, residuals_, energies_, stretch_},
                       range.push);
   }
-  recorder.finish();
 }
 
 void VulkanRingRotations::fit_rotations(std::span<const Eigen::Vector3d> displacement,
@@ -130,16 +140,15 @@ void VulkanRingRotations::fit_rotations(std::span<const Eigen::Vector3d> displac
   state_->download_reals(energies_, energies);
 }
 
-void VulkanRingRotations::record_energy_gradient() {
-  gpu::Recorder recorder(energy_gradient_);
+void VulkanRingRotations::record_energy_gradient(gpu::Recorder& recorder,
+                                                 const gpu::Buffer& displacement) const {
   for (const Range& range : ranges_) {
     recorder.dispatch(
         state_->programs->energy_gradient, range.push.row_count,
-        {displacement_, residuals_, turns_, range.unknowns, range.starts, range.neighbours,
+        {displacement, residuals_, turns_, range.unknowns, range.starts, range.neighbours,
          range.edges, range.reverse_weights, range.stiffness, result_, stretch_},
         range.push);
   }
-  recorder.finish();
 }
 
 void VulkanRingRotations::energy_gradient(std::span<double> g) {

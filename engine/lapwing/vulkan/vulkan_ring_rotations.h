@@ -6,6 +6,7 @@
 
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/command_list.h"
+#include "lapwing/gpu/recorder.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
@@ -26,6 +27,12 @@ class VulkanRingRotations final : public RingRotations {
                      std::span<double> energies) override;
   void energy_gradient(std::span<double> g) override;
   std::vector<Eigen::Matrix3d> transforms() const override;
+
+  /// Records `fit_rotations` and `energy_gradient` into commands of the caller, for a buffer of
+  /// displacements in the format of VulkanState::upload_places. `gradient` then contains the
+  /// gradient.
+  void record(gpu::Recorder& recorder, const gpu::Buffer& displacement) const;
+  const gpu::Buffer& gradient() const { return result_; }
 
  private:
   // Push constants of shaders/rotations.glsl.
@@ -48,8 +55,9 @@ class VulkanRingRotations final : public RingRotations {
   };
   void add_range(const RegionRings& rings, std::size_t first, std::size_t last,
                  std::span<const Index> unknown_of_row, std::uint32_t flags);
-  void record_fit_rotations();
-  void record_energy_gradient();
+  void record_fit_rotations(gpu::Recorder& recorder, const gpu::Buffer& displacement) const;
+  void record_energy_gradient(gpu::Recorder& recorder, const gpu::Buffer& displacement) const;
+  void record_lists();
 
   std::shared_ptr<VulkanState> state_;
   std::size_t row_count_;

@@ -14,12 +14,18 @@
 #include "lapwing/shaders/energy_gradient_float64.h"
 #include "lapwing/shaders/fit_rotations_float32.h"
 #include "lapwing/shaders/fit_rotations_float64.h"
+#include "lapwing/shaders/prolongate_float32.h"
+#include "lapwing/shaders/prolongate_float64.h"
 #include "lapwing/shaders/rotate_frames_float32.h"
 #include "lapwing/shaders/rotate_frames_float64.h"
 #include "lapwing/shaders/sample_laplacians_float32.h"
 #include "lapwing/shaders/sample_laplacians_float64.h"
 #include "lapwing/shaders/sample_mapped_laplacians_float32.h"
 #include "lapwing/shaders/sample_mapped_laplacians_float64.h"
+#include "lapwing/shaders/show_displacement_float32.h"
+#include "lapwing/shaders/show_displacement_float64.h"
+#include "lapwing/shaders/smooth_float32.h"
+#include "lapwing/shaders/smooth_float64.h"
 
 namespace lapwing {
 namespace {
@@ -30,6 +36,9 @@ constexpr std::uint32_t kCountBytes = sizeof(std::uint32_t);
 constexpr std::uint32_t kRotationsBytes = 5 * sizeof(std::uint32_t);
 // Push constants of shaders/mapped_ring.glsl.
 constexpr std::uint32_t kMappedRingBytes = 3 * sizeof(std::uint32_t);
+constexpr std::uint32_t kProlongateBytes = 2 * sizeof(std::uint32_t);
+constexpr std::uint32_t kSmoothBytes = 4 * sizeof(std::uint32_t);
+constexpr std::uint32_t kShowBytes = 4 * sizeof(std::uint32_t);
 
 using Spirv = std::span<const std::uint32_t>;
 
@@ -52,13 +61,19 @@ VulkanPrograms::VulkanPrograms(std::shared_ptr<gpu::Context> shared_context, boo
                              shaders::energy_gradient_float32(), kRotationsBytes)),
       fit_rotations(kernel(*this, "fit_rotations", shaders::fit_rotations_float64(),
                            shaders::fit_rotations_float32(), kRotationsBytes)),
+      prolongate(kernel(*this, "prolongate", shaders::prolongate_float64(),
+                        shaders::prolongate_float32(), kProlongateBytes)),
       rotate_frames(kernel(*this, "rotate_frames", shaders::rotate_frames_float64(),
                            shaders::rotate_frames_float32(), kMappedRingBytes)),
       sample_laplacians(kernel(*this, "sample_laplacians", shaders::sample_laplacians_float64(),
                                shaders::sample_laplacians_float32(), kCountBytes)),
       sample_mapped_laplacians(
           kernel(*this, "sample_mapped_laplacians", shaders::sample_mapped_laplacians_float64(),
-                 shaders::sample_mapped_laplacians_float32(), kMappedRingBytes)) {}
+                 shaders::sample_mapped_laplacians_float32(), kMappedRingBytes)),
+      show_displacement(kernel(*this, "show_displacement", shaders::show_displacement_float64(),
+                               shaders::show_displacement_float32(), kShowBytes)),
+      smooth(kernel(*this, "smooth", shaders::smooth_float64(), shaders::smooth_float32(),
+                    kSmoothBytes)) {}
 
 VulkanState::VulkanState(std::shared_ptr<const VulkanPrograms> of, bool frames_on_device)
     : programs(std::move(of)),
@@ -110,6 +125,23 @@ void VulkanState::upload_places(const gpu::Buffer& buffer,
     }
   }
   transfer.upload(buffer, parts);
+}
+
+std::vector<Eigen::Vector3d> VulkanState::download_places(const gpu::Buffer& buffer,
+                                                          std::size_t count) {
+  std::vector<Eigen::Vector3d> vectors(count);
+  if (float64) {
+    transfer.download(buffer, vectors);
+    return vectors;
+  }
+  std::vector<float> parts(6 * count);
+  transfer.download(buffer, parts);
+  for (std::size_t v = 0; v < count; ++v) {
+    const float* const in = parts.data() + 6 * v;
+    vectors[v] = Eigen::Map<const Eigen::Vector3f>(in).cast<double>() +
+                 Eigen::Map<const Eigen::Vector3f>(in + 3).cast<double>();
+  }
+  return vectors;
 }
 
 }  // namespace lapwing

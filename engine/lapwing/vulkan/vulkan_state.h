@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -22,9 +23,12 @@ struct VulkanPrograms {
   gpu::Kernel assemble_tangent;
   gpu::Kernel energy_gradient;
   gpu::Kernel fit_rotations;
+  gpu::Kernel prolongate;
   gpu::Kernel rotate_frames;
   gpu::Kernel sample_laplacians;
   gpu::Kernel sample_mapped_laplacians;
+  gpu::Kernel show_displacement;
+  gpu::Kernel smooth;
 };
 
 /// The state that VulkanKernels shares with its ring rotations. It transfers numbers in the
@@ -41,6 +45,7 @@ class VulkanState {
   /// stored as 3 doubles, or as 3 floats and their 3 rounding errors.
   static std::size_t place_bytes(std::size_t count) { return count * 3 * sizeof(double); }
   void upload_places(const gpu::Buffer& buffer, std::span<const Eigen::Vector3d> vectors);
+  std::vector<Eigen::Vector3d> download_places(const gpu::Buffer& buffer, std::size_t count);
 
   std::shared_ptr<const VulkanPrograms> programs;
   std::shared_ptr<gpu::Context> context;

@@ -278,7 +278,7 @@ CoarseSteps wrap_coarse(FittingTask& task, const std::shared_ptr<const Positions
       Positions(coarse.kept.size(), Vector3d::Zero()),
       std::vector<Eigen::Matrix3d>(coarse.kept.size(), Eigen::Matrix3d::Identity())};
   Positions displacement(rest->size(), Vector3d::Zero());
-  level->embedding.prolongate(at_rest, reached, displacement);
+  level->embedding.prolongate(level->embedding.motions(at_rest, reached), displacement);
   for (std::size_t v = 0; v < rest->size(); ++v) task.start[v] = (*rest)[v] + displacement[v];
   return {wrapping.steps(), followed};
 }

@@ -10,9 +10,13 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/proxy_drag.h"
+#include "lapwing/deform/turn_tracker.h"
 #include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/elastic/prepared_region.h"
 #include "lapwing/render/surface.h"
+#include "lapwing/vulkan/vulkan_drag_frame.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
 #include "run/bench_run.h"
 #include "run/edit_parts.h"
 
@@ -30,6 +34,33 @@ std::shared_ptr<BlendResponse> uploaded(const DragResponse& response, const Subj
   if (device.context == nullptr) return nullptr;
   return upload_response(device.context, response.columns(), subject.mesh.topology());
 }
+
+// The least that each kernel of a device frame must read and write in float32, if each vertex is
+// read once from memory and then from the cache.
+struct FrameBytes {
+  explicit FrameBytes(const DragFrameProblem& problem) {
+    const std::uint64_t vertices = problem.vertices.size();
+    const std::uint64_t rows = problem.rings->row_count();
+    const std::uint64_t entries = problem.rings->neighbours.size();
+    const std::uint64_t unknowns = problem.inverse_diagonal.size();
+    // Displacement, rest, nodes and entry in; displacement out.
+    prolongate = vertices * (24 + 12 + 4 * kEmbeddingNodes + 4 + 24);
+    // Neighbour, edge and two weights per entry; displacement, start and weight per row in;
+    // rotation, residual and energy out.
+    fit_rotations = entries * (4 + 12 + 4 + 4) + rows * (24 + 4 + 4 + 16 + 12 + 4);
+    // The same entries; displacement, rotation, residual, start and unknown in; gradient out.
+    energy_gradient = entries * (4 + 12 + 4 + 4) + rows * (24 + 16 + 12 + 4 + 4) + unknowns * 12;
+    // Two displacements, unknown and entry in, one displacement out; gradient and diagonal in.
+    smooth = vertices * (24 + 24 + 4 + 4 + 24) + unknowns * (12 + 4);
+    // Displacement, rest and vertex in; position out.
+    show_displacement = vertices * (24 + 12 + 4 + 12);
+  }
+  std::uint64_t prolongate;
+  std::uint64_t fit_rotations;
+  std::uint64_t energy_gradient;
+  std::uint64_t smooth;
+  std::uint64_t show_displacement;
+};
 
 // A drag as a user sees it: the response moves the vertices of the drawn surface, and the normals
 // follow. Without a device that draws, it moves only the vertices, in double precision.
@@ -210,6 +241,46 @@ class EditStages {
     row->counts["iterations"] = iterations / frames;
   }
 
+  // Measures a settled frame whose fine surface stays on the device: first the proxy on the CPU,
+  // then the submission. In a viewer, both run at the same time. Several threads build the proxy,
+  // so its allocations cannot be counted.
+  void measure_device_frame(const std::shared_ptr<const DeformSolver>& solver) {
+    if (device_.context == nullptr || run_.settings().only_counts) return;
+    if (!wants("device settle frame")) return;
+    const std::unique_ptr<ProxyDrag> drag = ProxyDrag::make(solver);
+    if (drag == nullptr) return;
+    MovingHandle handle(subject_);
+    VulkanKernels kernels(device_.context, Precision::float32);
+    const std::shared_ptr<VulkanDragFrame> frame = kernels.make_drag_frame(drag->problem());
+    frame->begin(drag->begin({}));
+    Surface surface(device_.context, subject_.mesh.positions, subject_.mesh.topology());
+    HandleMotions motions;
+    const DragFrameInput* input = nullptr;
+    const Eigen::Vector3d centroid =
+        handle_frame(subject_.region.handles[0], subject_.mesh.positions).centroid;
+    const auto next = [&] {
+      const Eigen::Affine3d map = handle.next()[0];
+      Eigen::Affine3d rigid(shortest_turn(map));  // a stretch would need a DragSession
+      rigid.pretranslate(map * centroid - rigid * centroid);
+      motions = followed(motions, std::array{rigid});
+      input = drag->step(motions);
+    };
+    run_.measure(
+        "device settle frame", device_,
+        [&] {
+          surface.follow(frame, *input);
+          surface.finish();
+        },
+        next, MovingHandle::kFramesOfMotion);
+    const FrameBytes bytes(*drag->problem());
+    run_.add_kernel("prolongate", bytes.prolongate);
+    run_.add_kernel("fit_rotations", bytes.fit_rotations);
+    run_.add_kernel("energy_gradient", bytes.energy_gradient);
+    run_.add_kernel("smooth", bytes.smooth);
+    run_.add_kernel("show_displacement", bytes.show_displacement);
+    run_.measure("proxy frame", device_, next, {}, MovingHandle::kFramesOfMotion);
+  }
+
   // The result of a frame depends on time, so there is no count.
   void measure_frame_in_time(const std::shared_ptr<const DeformSolver>& solver) {
     if (run_.settings().only_counts) return;
@@ -226,8 +297,8 @@ class EditStages {
   }
 
   void measure_exact() {
-    const bool frames =
-        wants("drag frame") || wants("settle frame") || wants("settle frame in time");
+    const bool frames = wants("drag frame") || wants("settle frame") ||
+                        wants("settle frame in time") || wants("device settle frame");
     if (!frames && !wants("preparation")) return;
     MovingHandle handle(subject_);
     std::shared_ptr<const DeformSolver> solver;
@@ -244,6 +315,7 @@ class EditStages {
     measure_frame("drag frame", device_, [&] { drag.move(handle.next()); });
     measure_settle_frame(solver);
     measure_frame_in_time(solver);
+    measure_device_frame(solver);
   }
 
   // Prepares everything that a settled drag needs from its first frame on.

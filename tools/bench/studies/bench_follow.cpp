@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -12,11 +14,17 @@
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/proxy_drag.h"
 #include "lapwing/deform/turn_tracker.h"
+#include "lapwing/gpu/command_list.h"
+#include "lapwing/gpu/recorder.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/subdivide.h"
+#include "lapwing/vulkan/vulkan_drag_frame.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
 #include "report/report.h"
+#include "run/bench_device.h"
 #include "run/subject.h"
 #include "studies/ends_motion.h"
 #include "studies/studies.h"
@@ -38,6 +46,11 @@ constexpr double kLongestRest_ms = 10'000.0;
 // Time of a frame while the hand rests, as in the viewer.
 constexpr double kRestFrame_ms = 50.0;
 constexpr int kFramesPerCheck = 5;
+
+// The share of the motion in frame k.
+double share_of(int k) {
+  return 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
+}
 
 class FollowedEdit {
  public:
@@ -126,7 +139,7 @@ class FollowedDrag {
   std::vector<std::pair<double, DragState>> move() {
     std::vector<std::pair<double, DragState>> poses;
     for (int k = 1; k <= kFrames; ++k) {
-      const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
+      const double share = share_of(k);
       const auto next = std::chrono::steady_clock::now() + kFrameInterval;
       const Stopwatch watch;
       step(share, [&](double ms) { return watch.elapsed_ms() + ms < budget_ms_; });
@@ -165,6 +178,69 @@ class FollowedDrag {
   DragSession drag_;
 };
 
+std::string text_of(const char* format, double percent) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, percent);
+  return text.data();
+}
+
+// The frames that a device computes, by their CPU twin and, if a device is given, by itself.
+class DeviceFrames {
+ public:
+  DeviceFrames(const FollowedEdit& edit, const std::string& device)
+      : edit_(edit), drag_(ProxyDrag::make(edit.solver())) {
+    if (drag_ == nullptr) return;
+    const std::vector<Vector3d> start = drag_->begin({});
+    twin_.emplace(drag_->problem());
+    twin_->begin(start);
+    if (device.empty()) return;
+    context_ = open_bench_device(device).context;
+    if (context_ == nullptr) throw InputError("--device needs a Vulkan device");
+    frame_ = VulkanKernels(context_, Precision::float32).make_drag_frame(drag_->problem());
+    frame_->begin(start);
+    commands_.emplace(*context_, "drag frame");
+  }
+
+  // Drags there, and with a device also back. Returns whether the edit has such frames.
+  bool run() {
+    if (drag_ == nullptr) return false;
+    HandleMotions motions;
+    const int frames = frame_ == nullptr ? kFrames : 2 * kFrames;
+    for (int k = 1; k <= frames; ++k) {
+      motions = followed(motions, std::array{edit_.part(share_of(k))});
+      const DragFrameInput* const input = drag_->step(motions);
+      if (input == nullptr) return false;
+      twin_->step(*input);
+      if (frame_ != nullptr) step_on_device(*input);
+      if (k > kFrames || k % kFramesPerCheck != 0) continue;
+      off_percent =
+          std::max(off_percent, edit_.off_percent(share_of(k), drag_->pose(twin_->displacement())));
+    }
+    return true;
+  }
+
+  double off_percent = 0.0;      // the largest distance from the settled surface
+  double differs_percent = 0.0;  // the largest distance between device and twin
+
+ private:
+  void step_on_device(const DragFrameInput& input) {
+    frame_->set_input(input);
+    gpu::Recorder recorder(*commands_);
+    frame_->record(recorder);
+    recorder.finish();
+    commands_->run();
+    differs_percent = std::max(
+        differs_percent, edit_.distance_percent(frame_->displacement(), twin_->displacement()));
+  }
+
+  const FollowedEdit& edit_;
+  std::unique_ptr<ProxyDrag> drag_;
+  std::optional<CpuDragFrame> twin_;
+  std::shared_ptr<gpu::Context> context_;
+  std::unique_ptr<VulkanDragFrame> frame_;
+  std::optional<gpu::CommandList> commands_;
+};
+
 void follow(const FollowBench& settings, const std::string& name, const Mesh& mesh,
             EndsMotion motion) {
   const FollowedEdit edit(mesh, motion);
@@ -182,11 +258,17 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
     off = std::max(off, edit.off_percent(share, pose, &settled));
     linear_off = std::max(linear_off, edit.distance_percent(edit.linear(share), settled));
   }
-  std::printf("%-20s %-5s %9zu %7.0f %7.2f %7.2f %6.2f %7.2f %7.2f %8.4f %8.0f\n", name.c_str(),
-              std::string(name_of(motion)).c_str(), mesh.vertex_count(), budget_ms,
+  DeviceFrames device(edit, settings.device);
+  const bool has_frames = device.run();
+  std::printf("%-20s %-5s %9zu %7.0f %7.2f %7.2f %6.2f %7.2f %7s %8s %7.2f %8.4f %8.0f\n",
+              name.c_str(), std::string(name_of(motion)).c_str(), mesh.vertex_count(), budget_ms,
               median_of(drag.frames_ms), *std::ranges::max_element(drag.frames_ms),
-              static_cast<double>(drag.iterations) / kFrames, off, linear_off, rest_off,
-              drag.rest_ms);
+              static_cast<double>(drag.iterations) / kFrames, off,
+              has_frames ? text_of("%.2f", device.off_percent).c_str() : "-",
+              settings.device.empty() || !has_frames
+                  ? "-"
+                  : text_of("%.1e", device.differs_percent).c_str(),
+              linear_off, rest_off, drag.rest_ms);
   std::fflush(stdout);
 }
 
@@ -195,13 +277,14 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
 void bench_follow(const FollowBench& settings) {
   std::printf(
       "Drags of half a second, each frame in a time budget. \"off\" is the largest distance of a\n"
-      "vertex from the settled surface in percent of the diagonal: of frames, of the linear "
-      "response,\n"
-      "and half a second after the drag. \"settled\" is the time from the end of the drag. In "
-      "ms.\n\n"
-      "%-20s %-5s %9s %7s %7s %7s %6s %7s %7s %8s %8s\n",
-      "mesh", "", "vertices", "budget", "median", "most", "iter.", "off", "linear", "rest",
-      "settled");
+      "vertex from the settled surface in percent of the diagonal: of frames, of device frames\n"
+      "(ProxyDrag), of the linear response, and half a second after the drag. \"differs\" is the\n"
+      "largest distance between the frames of --device and their CPU twin. \"settled\" is the "
+      "time\n"
+      "from the end of the drag. In ms.\n\n"
+      "%-20s %-5s %9s %7s %7s %7s %6s %7s %7s %8s %7s %8s %8s\n",
+      "mesh", "", "vertices", "budget", "median", "most", "iter.", "off", "device", "differs",
+      "linear", "rest", "settled");
   for (const std::string& file : settings.meshes) {
     const std::string name = std::filesystem::path(file).stem().string();
     try {

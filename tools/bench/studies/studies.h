@@ -39,6 +39,7 @@ struct FollowBench {
   std::vector<std::string> meshes;
   int subdivisions = 0;    ///< of every mesh, each into four times the triangles
   double budget_ms = 0.0;  ///< of a frame; 0: frame_budget_ms
+  std::string device;      ///< compares its frames with their CPU twin; empty: none
 };
 
 /// Drags one end of each mesh by two motions (`studies/ends_motion.h`) with a time budget per
