@@ -15,7 +15,7 @@ layout(std430, binding = 2) readonly buffer Rest { real rest[]; };  // relative 
 layout(std430, binding = 3) readonly buffer Nodes { uint nodes[]; };
 // The three rows of A - I and t of each node.
 layout(std430, binding = 4) readonly buffer Motions { real motions[]; };
-// Entry of each vertex in Prescribed, or kNone.
+// Entry of each vertex in Prescribed, or 0xffffffff.
 layout(std430, binding = 5) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = 6) readonly buffer Prescribed { real prescribed[]; };
 
